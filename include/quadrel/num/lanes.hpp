@@ -1,0 +1,203 @@
+// Lanes: packed float lanes, 4, 8 or 16 wide, for the instruction set that this file is compiled
+// for. The only file that knows SIMD. Equal to Quad<float> bit for bit (NaN payloads aside).
+//
+// Only for sources built as instruction-set modules: all of a module is compiled with the same
+// flags, so that templates over Lanes keep one calling convention.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <limits>
+
+#include "quadrel/num/traits.hpp"
+
+#if defined(QUADREL_ISA_AVX512)
+static_assert(HWY_TARGET == HWY_AVX3, "compiler flags do not give AVX-512");
+#elif defined(QUADREL_ISA_AVX2)
+static_assert(HWY_TARGET == HWY_AVX2, "compiler flags do not give AVX2");
+#elif defined(QUADREL_ISA_SSE4)
+static_assert(HWY_TARGET == HWY_SSE4, "compiler flags do not give SSE4");
+#elif defined(QUADREL_ISA_NEON)
+static_assert(HWY_TARGET == HWY_NEON, "compiler flags do not give NEON");
+#else
+#error "lanes.hpp is for sources built by quadrel_add_isa_modules"
+#endif
+
+namespace quadrel {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+class Lanes;
+class LanesInt;
+
+namespace simd {
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using UintTag = hn::RebindToUnsigned<FloatTag>;
+using FloatVector = hn::Vec<FloatTag>;
+using IntVector = hn::Vec<IntTag>;
+using FloatMask = hn::Mask<FloatTag>;
+inline constexpr int lanes = static_cast<int>(hn::MaxLanes(FloatTag()));
+}  // namespace simd
+
+/// A boolean a lane.
+class LanesMask {
+  public:
+    LanesMask() = default;
+    LanesMask(bool all) : m(hn::FirstN(simd::FloatTag(), all ? simd::lanes : 0)) {}
+    explicit LanesMask(simd::FloatMask mask) : m(mask) {}
+
+    friend LanesMask operator&(LanesMask a, LanesMask b) { return LanesMask(hn::And(a.m, b.m)); }
+    friend LanesMask operator|(LanesMask a, LanesMask b) { return LanesMask(hn::Or(a.m, b.m)); }
+    friend LanesMask operator!(LanesMask a) { return LanesMask(hn::Not(a.m)); }
+    friend bool any(LanesMask a) { return !hn::AllFalse(simd::FloatTag(), a.m); }
+    friend bool all(LanesMask a) { return hn::AllTrue(simd::FloatTag(), a.m); }
+
+    simd::FloatMask m;
+};
+
+/// A 32-bit integer a lane; sums and products wrap around.
+class LanesInt {
+  public:
+    LanesInt() = default;
+    LanesInt(std::int32_t all) : v(hn::Set(simd::IntTag(), all)) {}
+    explicit LanesInt(simd::IntVector vector) : v(vector) {}
+
+    friend LanesInt operator+(LanesInt a, LanesInt b) { return LanesInt(hn::Add(a.v, b.v)); }
+    friend LanesInt operator-(LanesInt a, LanesInt b) { return LanesInt(hn::Sub(a.v, b.v)); }
+    friend LanesInt operator*(LanesInt a, LanesInt b) { return LanesInt(hn::Mul(a.v, b.v)); }
+    friend LanesInt operator-(LanesInt a) { return LanesInt(0) - a; }
+    friend LanesInt operator&(LanesInt a, LanesInt b) { return LanesInt(hn::And(a.v, b.v)); }
+    friend LanesInt operator|(LanesInt a, LanesInt b) { return LanesInt(hn::Or(a.v, b.v)); }
+    friend LanesInt operator^(LanesInt a, LanesInt b) { return LanesInt(hn::Xor(a.v, b.v)); }
+    template <int bits>
+    friend LanesInt shift_left(LanesInt a) {
+        return LanesInt(hn::ShiftLeft<bits>(a.v));
+    }
+    template <int bits>
+    friend LanesInt shift_right(LanesInt a) {
+        return LanesInt(hn::ShiftRight<bits>(a.v));
+    }
+
+    friend LanesMask operator==(LanesInt a, LanesInt b) { return as_mask(hn::Eq(a.v, b.v)); }
+    friend LanesMask operator!=(LanesInt a, LanesInt b) { return !(a == b); }
+    friend LanesMask operator<(LanesInt a, LanesInt b) { return as_mask(hn::Lt(a.v, b.v)); }
+    friend LanesMask operator>(LanesInt a, LanesInt b) { return b < a; }
+    friend LanesMask operator<=(LanesInt a, LanesInt b) { return !(b < a); }
+    friend LanesMask operator>=(LanesInt a, LanesInt b) { return !(a < b); }
+
+    friend LanesInt select(LanesMask m, LanesInt a, LanesInt b) {
+        return LanesInt(hn::IfThenElse(hn::RebindMask(simd::IntTag(), m.m), a.v, b.v));
+    }
+    friend LanesInt min(LanesInt a, LanesInt b) { return LanesInt(hn::Min(a.v, b.v)); }
+    friend LanesInt max(LanesInt a, LanesInt b) { return LanesInt(hn::Max(a.v, b.v)); }
+    friend void store(std::int32_t* to, LanesInt a) { hn::StoreU(a.v, simd::IntTag(), to); }
+
+    simd::IntVector v;
+
+  private:
+    static LanesMask as_mask(hn::Mask<simd::IntTag> m) {
+        return LanesMask(hn::RebindMask(simd::FloatTag(), m));
+    }
+};
+
+/// A float a lane.
+class Lanes {
+  public:
+    Lanes() = default;
+    Lanes(float all) : v(hn::Set(simd::FloatTag(), all)) {}
+    explicit Lanes(simd::FloatVector vector) : v(vector) {}
+
+    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
+    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
+    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
+    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
+    friend Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
+    friend Lanes operator+(Lanes a) { return a; }
+    Lanes& operator+=(Lanes b) { return *this = *this + b; }
+    Lanes& operator-=(Lanes b) { return *this = *this - b; }
+    Lanes& operator*=(Lanes b) { return *this = *this * b; }
+    Lanes& operator/=(Lanes b) { return *this = *this / b; }
+
+    friend LanesMask operator<(Lanes a, Lanes b) { return LanesMask(hn::Lt(a.v, b.v)); }
+    friend LanesMask operator<=(Lanes a, Lanes b) { return LanesMask(hn::Le(a.v, b.v)); }
+    friend LanesMask operator>(Lanes a, Lanes b) { return LanesMask(hn::Gt(a.v, b.v)); }
+    friend LanesMask operator>=(Lanes a, Lanes b) { return LanesMask(hn::Ge(a.v, b.v)); }
+    friend LanesMask operator==(Lanes a, Lanes b) { return LanesMask(hn::Eq(a.v, b.v)); }
+    friend LanesMask operator!=(Lanes a, Lanes b) { return LanesMask(hn::Ne(a.v, b.v)); }
+
+    friend Lanes select(LanesMask m, Lanes a, Lanes b) {
+        return Lanes(hn::IfThenElse(m.m, a.v, b.v));
+    }
+    friend Lanes sqrt(Lanes a) { return Lanes(hn::Sqrt(a.v)); }
+    friend Lanes abs(Lanes a) { return Lanes(hn::Abs(a.v)); }
+    friend Lanes floor(Lanes a) { return Lanes(hn::Floor(a.v)); }
+    friend Lanes ceil(Lanes a) { return Lanes(hn::Ceil(a.v)); }
+    friend Lanes trunc(Lanes a) { return Lanes(hn::Trunc(a.v)); }
+    friend Lanes round_even(Lanes a) { return Lanes(hn::Round(a.v)); }
+    friend Lanes copysign(Lanes a, Lanes b) { return Lanes(hn::CopySign(a.v, b.v)); }
+
+    /// Truncates towards zero; NaN gives 0, out of range saturates.
+    friend LanesInt to_int(Lanes a) {
+        // The conversion itself gives 0x80000000 for whatever does not fit.
+        const LanesInt converted(hn::ConvertTo(simd::IntTag(), a.v));
+        const LanesInt high = select(a >= Lanes(2147483648.0f), LanesInt(0x7fffffff), converted);
+        const LanesInt low = select(a < Lanes(-2147483648.0f), LanesInt(-0x7fffffff - 1), high);
+        return select(a == a, low, LanesInt(0));
+    }
+    friend LanesInt as_int(Lanes a) { return LanesInt(hn::BitCast(simd::IntTag(), a.v)); }
+    friend Lanes as_float(LanesInt a) { return Lanes(hn::BitCast(simd::FloatTag(), a.v)); }
+    friend void store(float* to, Lanes a) { hn::StoreU(a.v, simd::FloatTag(), to); }
+
+    simd::FloatVector v;
+};
+
+inline void store(std::uint32_t* to, LanesMask a) {
+    const simd::UintTag tag;
+    hn::StoreU(hn::VecFromMask(tag, hn::RebindMask(tag, a.m)), tag, to);
+}
+
+template <>
+struct NumberTraits<Lanes> {
+    using Scalar = float;
+    using Int = LanesInt;
+    using Mask = LanesMask;
+    static constexpr int lanes = simd::lanes;
+};
+
+template <>
+struct PacketOps<Lanes> {
+    static Lanes load(const float* from) { return Lanes(hn::LoadU(simd::FloatTag(), from)); }
+    static LanesInt load_int(const std::int32_t* from) {
+        return LanesInt(hn::LoadU(simd::IntTag(), from));
+    }
+    static LanesMask load_mask(const std::uint32_t* from) {
+        return load_int(reinterpret_cast<const std::int32_t*>(from)) != LanesInt(0);
+    }
+    static Lanes from_int(LanesInt a) { return Lanes(hn::ConvertTo(simd::FloatTag(), a.v)); }
+    static Lanes gather(const float* base, LanesInt index) {
+        return Lanes(hn::GatherIndex(simd::FloatTag(), base, index.v));
+    }
+    static LanesInt gather(const std::int32_t* base, LanesInt index) {
+        return LanesInt(hn::GatherIndex(simd::IntTag(), base, index.v));
+    }
+    template <int a, int b, int c, int d>
+    static Lanes swizzle(Lanes x) {
+        if constexpr (a == 1 && b == 0 && c == 3 && d == 2) {
+            return Lanes(hn::Shuffle2301(x.v));
+        } else if constexpr (a == 2 && b == 3 && c == 0 && d == 1) {
+            return Lanes(hn::Shuffle1032(x.v));
+        } else if constexpr (a == 3 && b == 2 && c == 1 && d == 0) {
+            return Lanes(hn::Shuffle0123(x.v));
+        } else {
+            static_assert(a == b && b == c && c == d, "no such quad swap");
+            return Lanes(hn::Broadcast<a>(x.v));
+        }
+    }
+};
+
+}  // namespace quadrel
+
+/// GLM refuses types that are not floating-point by this trait.
+template <>
+struct std::numeric_limits<quadrel::Lanes> : std::numeric_limits<float> {};

@@ -1,0 +1,38 @@
+// What a number type is. Every algorithm text is a template over a number type F; a packet of F has
+// 4*k lanes, quad by quad: lane 4q is (even x, even y), +1 (odd, even), +2 (even, odd), +3 (odd,
+// odd).
+#pragma once
+
+#include <cstdint>
+
+namespace quadrel {
+
+/// Companions of a number type F:
+///   Scalar  the type of one lane (float or double), also the element type in memory;
+///   Int     a packet of 32-bit signed integers with as many lanes;
+///   Mask    a packet of booleans with as many lanes;
+///   lanes   how many.
+template <class F>
+struct NumberTraits;
+
+template <class F>
+using Scalar = typename NumberTraits<F>::Scalar;
+template <class F>
+using Int = typename NumberTraits<F>::Int;
+template <class F>
+using Mask = typename NumberTraits<F>::Mask;
+template <class F>
+inline constexpr int lanes_of = NumberTraits<F>::lanes;
+
+/// What needs F named rather than deduced, specialised beside each number type; use the functions
+/// of packet.hpp.
+///   load(const float* | const Scalar*)   consecutive elements, converted to F
+///   load_int, load_mask                  likewise; a mask element is true when not 0
+///   from_int(Int)                        to F, rounded to nearest even
+///   gather(base, Int index)              base[index] lane by lane, converted to F
+///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
+///   quad
+template <class F>
+struct PacketOps;
+
+}  // namespace quadrel

@@ -1,0 +1,25 @@
+// A triangle mesh: plain arrays, object space.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+#include <vector>
+
+namespace quadrel {
+
+/// An indexed triangle mesh. `normals`, `uvs` and `tangents` are empty or as long as `positions`.
+/// Counter-clockwise triangles face the viewer (seen in a right-handed space).
+struct Mesh {
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;   ///< empty: the mesh shades flat
+    std::vector<glm::vec2> uvs;       ///< v grows with the stored texture row
+    std::vector<glm::vec4> tangents;  ///< glTF's: xyz and handedness
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+}  // namespace quadrel

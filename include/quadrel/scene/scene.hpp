@@ -1,0 +1,106 @@
+// A scene: plain structs, no input or output. scene files are read by src/io.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quadrel/scene/mesh.hpp"
+#include "quadrel/scene/settings.hpp"
+
+namespace quadrel {
+
+/// World to eye and eye to clip space. Eye space is right-handed and looks down -z; `projection` is
+/// made for the scene's conventions (depth range, direction of clip y).
+struct Camera {
+    glm::mat4 view{1.0f};
+    glm::mat4 projection{1.0f};
+};
+
+/// A texture as a scene names it.
+struct TextureReference {
+    std::filesystem::path file;
+    std::string swizzle;  ///< per output channel: r g b a 0 1 1-r ...; empty: as stored
+    bool srgb = false;    ///< colour channels are sRGB-encoded in the file
+    std::optional<TexelFormat> format;  ///< the file's own if absent
+    MipRule mip_rule = MipRule::box;
+    bool flip_v = false;  ///< row 0 of the texture is the file's last row
+    SamplerState sampler;
+    std::string key;  ///< where the scene file names it, for messages
+};
+
+/// The six faces of an environment map, +X -X +Y -Y +Z -Z.
+struct Environment {
+    std::array<std::filesystem::path, 6> faces;
+    bool srgb = false;
+    std::optional<TexelFormat> format;
+    MipRule mip_rule = MipRule::box;
+    SamplerState sampler;
+    std::string key;
+};
+
+/// A stage and the values of its parameters, by name; checked against the stage when planned.
+struct StageChoice {
+    std::string id;  ///< empty: the default
+    std::map<std::string, double> parameters;
+    std::string key;  ///< where the scene file names it, for messages
+};
+
+/// Relief and its shading. Depth and seat are the height field's (design: D and sigma).
+struct Material {
+    std::string name;
+    StageChoice frame, trace, surface, shadow, shade;
+    float depth = 0.05f;  ///< D: relief thickness in world (eye-space) length units, >= 0
+    float seat = 1.0f;    ///< sigma in [0, 1]: the height at which the polygon lies; 1 = inset
+    glm::vec4 ambient{0.1f, 0.1f, 0.1f, 1}, diffuse{0.5f, 0.5f, 0.5f, 1};
+    glm::vec4 specular{0.3f, 0.3f, 0.3f, 1}, emission{0, 0, 0, 1};
+    float shininess = 50;
+    glm::mat4 texture_matrix{1.0f};                    ///< applied to (u, v, 0, 1)
+    std::map<std::string, TextureReference> textures;  ///< color, height, gloss, emissive, normal
+    Cull cull = Cull::none;
+    float discard_below = -1;  ///< demote fragments whose colour alpha is below; < 0: never
+};
+
+struct Light {
+    enum class Kind { point, directional };
+    enum class Space { eye, world };
+    Kind kind = Kind::point;
+    Space space = Space::eye;        ///< eye, as the thesis has it: the light moves with the camera
+    glm::vec3 position{10, 10, 10};  ///< or the direction towards the light
+    glm::vec4 ambient{0.1f, 0.1f, 0.1f, 1}, diffuse{1, 1, 1, 1}, specular{1, 1, 1, 1};
+    float intensity = 1;
+    float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
+};
+
+/// A mesh in the world.
+struct Object {
+    std::string name;
+    std::size_t mesh = 0, material = 0;  ///< indices into the scene's lists
+    glm::mat4 transform{1.0f};           ///< object to world
+    bool visible = true;
+};
+
+struct Scene {
+    std::filesystem::path file;
+    int width = 512, height = 512;
+    int samples = 1;        ///< 1, 2, 4, 8 or 16 a pixel
+    bool centroid = false;  ///< shade at the centroid instead of the centre under MSAA
+    Conventions conventions = Conventions::gl;
+    Hardware hardware = Hardware::exact;
+    std::optional<DerivativeMode> derivatives;  ///< overrides the hardware's
+    glm::vec4 background{0, 0, 0, 0};
+    Camera camera;
+    std::vector<Mesh> meshes;
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<Light> lights;
+    std::optional<Environment> environment;
+    std::string canonical;  ///< resolved JSON, paths replaced by content hashes
+    std::string hash;       ///< SHA-256 of `canonical`, hex
+};
+
+}  // namespace quadrel

@@ -1,0 +1,46 @@
+# Instruction-set modules: the same sources compiled once per instruction set, each into a shared
+# object of its own with hidden visibility. In one link the linker would keep a single copy of each
+# inline function, whichever CPU it was compiled for; in a shared object nothing leaks.
+
+set(QUADREL_MODULE_DIR ${CMAKE_BINARY_DIR}/modules)
+
+# Highway gives 4-lane SSSE3 silently unless every flag of a target is present; each kernel source
+# has a static_assert on the target that it got.
+set(quadrel_flags_sse4 -msse4.2 -maes -mpclmul)
+set(quadrel_flags_avx2 -mavx2 -mfma -mbmi -mbmi2 -mf16c -maes -mpclmul)
+set(quadrel_flags_avx512 ${quadrel_flags_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw
+    -mavx512cd)
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(QUADREL_ISAS sse4 avx2 avx512)
+  if(QUADREL_SANITIZE)
+    set(QUADREL_ISAS sse4)
+  endif()
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  set(QUADREL_ISAS neon)
+  set(quadrel_flags_neon "")
+else()
+  set(QUADREL_ISAS "")
+endif()
+
+# quadrel_add_isa_modules(<prefix> EXPORTS <symbol> SOURCES <file>...)
+# Builds <prefix>-<isa>.so for every instruction set of this machine's architecture. Each exports
+# only <symbol>.
+function(quadrel_add_isa_modules prefix)
+  cmake_parse_arguments(ARG "" "EXPORTS" "SOURCES" ${ARGN})
+  set(map ${CMAKE_CURRENT_BINARY_DIR}/${prefix}.map)
+  file(WRITE ${map} "{ global: ${ARG_EXPORTS}; local: *; };\n")
+  foreach(isa IN LISTS QUADREL_ISAS)
+    string(TOUPPER ${isa} ISA)
+    set(target ${prefix}-${isa})
+    add_library(${target} MODULE ${ARG_SOURCES})
+    target_link_libraries(${target} PRIVATE quadrel_headers quadrel_warnings)
+    target_compile_options(${target} PRIVATE ${quadrel_flags_${isa}} -fno-gnu-unique)
+    target_compile_definitions(${target} PRIVATE QUADREL_ISA=${isa} QUADREL_ISA_${ISA}=1
+                                                 HWY_COMPILE_ONLY_STATIC)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${map})
+    set_target_properties(${target} PROPERTIES
+      PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+      LIBRARY_OUTPUT_DIRECTORY ${QUADREL_MODULE_DIR})
+  endforeach()
+endfunction()

@@ -1,0 +1,21 @@
+# Compile options. `quadrel_values` carries those that protect values and is part of the public
+# interface, because users instantiate the templates in their own files; `quadrel_warnings` is ours.
+
+add_library(quadrel_values INTERFACE)
+target_compile_features(quadrel_values INTERFACE cxx_std_20)
+# A fused multiply-add rounds once where the text rounds twice: with contraction on, the same text
+# gives other bits on machines with FMA than on those without.
+target_compile_options(quadrel_values INTERFACE -ffp-contract=off)
+
+add_library(quadrel_warnings INTERFACE)
+target_compile_options(quadrel_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Werror
+  # GCC notes that the calling convention for wide vectors changed in 4.6; modules share no such
+  # calls across instruction sets.
+  -Wno-psabi)
+
+if(QUADREL_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined,float-cast-overflow)
+endif()
