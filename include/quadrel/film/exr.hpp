@@ -1,0 +1,38 @@
+// Films as OpenEXR files. Channels are float32 or uint, never half; ZIP compression; displayWindow
+// is the frame, dataWindow the window. Equal films and attributes give equal bytes.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "quadrel/film/film.hpp"
+
+namespace quadrel {
+
+/// Header attributes by name; the renderer's own begin with "quadrel:".
+using Attributes = std::map<std::string, std::string>;
+
+/// Writes the film whole or not at all: to a temporary name that is synced and renamed. NaNs are
+/// written as canonical_nan. Throws OutputError.
+void write_exr(const std::filesystem::path& file, const Film& film, const Attributes& attributes);
+
+enum class StoredType { half, float32, uint32 };
+
+/// What an EXR file holds, one part of it.
+struct ExrFile {
+    Film film;  ///< planes sorted by name; half read as float, NaNs canonical
+    Attributes
+        attributes;  ///< the part's header; other types than strings and numbers by type name
+    std::map<std::string, StoredType> stored;  ///< pixel type in the file, by channel
+    std::vector<std::string> parts;            ///< names of all parts; one, maybe empty, mostly
+};
+
+/// Reads the first part, or what `layer` names: a part, or else the channels of the first part
+/// that begin with "<layer>.", which the film has without that prefix.
+/// Throws InputError for a file that is missing, truncated, damaged, deep, sub-sampled or larger
+/// than 65536 pixels a side or 2^31 values.
+ExrFile read_exr(const std::filesystem::path& file, const std::string& layer = "");
+
+}  // namespace quadrel

@@ -1,0 +1,112 @@
+#include <OpenEXR/Iex.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "io/atomic_file.hpp"
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/film/exr.hpp"
+
+namespace quadrel {
+namespace {
+
+/// The first error sticks: OpenEXR writes its offset table in a destructor, which swallows
+/// exceptions, so the stream is asked once the file object is gone.
+class ErrorKeepingStream : public Imf::OStream {
+  public:
+    ErrorKeepingStream(AtomicFile& file, const std::string& name)
+        : Imf::OStream(name.c_str()), file_(file) {}
+
+    void write(const char bytes[], int size) override {
+        rethrow();
+        try {
+            file_.write(bytes, static_cast<std::size_t>(size));
+        } catch (const OutputError&) {
+            error_ = std::current_exception();
+            throw;
+        }
+    }
+    uint64_t tellp() override { return file_.position(); }
+    void seekp(uint64_t position) override { file_.seek(position); }
+    void rethrow() const {
+        if (error_) std::rethrow_exception(error_);
+    }
+
+  private:
+    AtomicFile& file_;
+    std::exception_ptr error_;
+};
+
+/// OpenEXR's windows include their last pixel.
+Imath::Box2i inclusive(const Window& window) {
+    return {{window.x0, window.y0}, {window.x1 - 1, window.y1 - 1}};
+}
+
+Imf::Header make_header(const Film& film, const Attributes& attributes) {
+    Imf::Header header(inclusive(film.frame), inclusive(film.window), 1, {0, 0}, 1,
+                       Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    for (const Plane& plane : film.planes) {
+        QUADREL_CHECK_OP(==, plane.bits.size(), film.window.area());
+        QUADREL_CHECK(header.channels().findChannel(plane.name) == nullptr, plane.name);
+        const bool is_float = plane.type == ChannelType::float32;
+        header.channels().insert(plane.name, Imf::Channel(is_float ? Imf::FLOAT : Imf::UINT));
+    }
+    for (const auto& [name, value] : attributes) header.insert(name, Imf::StringAttribute(value));
+    return header;
+}
+
+bool is_canonical(const Plane& plane) {
+    return plane.type == ChannelType::uint32 ||
+           std::all_of(plane.bits.begin(), plane.bits.end(),
+                       [](std::uint32_t bits) { return canonical_bits(bits) == bits; });
+}
+
+void add_slice(Imf::FrameBuffer& buffer, const Film& film, const Plane& plane) {
+    const auto type = plane.type == ChannelType::float32 ? Imf::FLOAT : Imf::UINT;
+    // OpenEXR's slices are for reading and writing, hence not const.
+    char* base = const_cast<char*>(reinterpret_cast<const char*>(plane.bits.data()));
+    buffer.insert(plane.name, Imf::Slice::Make(type, base, inclusive(film.window)));
+}
+
+void write_pixels(Imf::OStream& stream, const Film& film, const Attributes& attributes) {
+    Imf::OutputFile output(stream, make_header(film, attributes), 0);
+    Imf::FrameBuffer buffer;
+    for (const Plane& plane : film.planes) add_slice(buffer, film, plane);
+    output.setFrameBuffer(buffer);
+    output.writePixels(film.window.height());
+}
+
+void write_canonical(const std::filesystem::path& path, const Film& film,
+                     const Attributes& attributes) {
+    AtomicFile file(path);
+    ErrorKeepingStream stream(file, path.string());
+    try {
+        write_pixels(stream, film, attributes);
+    } catch (const Iex::BaseExc& error) {
+        stream.rethrow();
+        throw OutputError(path, error.what());
+    }
+    stream.rethrow();
+    file.commit();
+}
+
+}  // namespace
+
+void write_exr(const std::filesystem::path& path, const Film& film, const Attributes& attributes) {
+    QUADREL_CHECK(film.window.width() > 0 && film.window.height() > 0, film.window.width());
+    QUADREL_CHECK(!film.planes.empty(), film.planes.size());
+    if (std::all_of(film.planes.begin(), film.planes.end(), is_canonical))
+        return write_canonical(path, film, attributes);
+    Film copy = film;
+    canonicalize(copy);
+    write_canonical(path, copy, attributes);
+}
+
+}  // namespace quadrel

@@ -1,0 +1,69 @@
+#include "io/temporary_registry.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <climits>
+#include <csignal>
+#include <cstring>
+
+#include "io/atomic_file.hpp"
+
+namespace quadrel {
+namespace {
+
+// A handler may run between any two instructions of any thread: plain arrays, each guarded by an
+// atomic state, and no allocation or lock.
+enum State : int { vacant, being_filled, filled };
+struct Slot {
+    std::atomic<int> state{vacant};
+    char path[PATH_MAX] = {};
+};
+constexpr int slot_count = 16;
+std::array<Slot, slot_count> slots;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void clean_up_and_exit(int signal) {
+    remove_temporaries();
+    _exit(128 + signal);
+}
+
+}  // namespace
+
+int register_temporary(const char* path) {
+    const std::size_t size = std::strlen(path) + 1;
+    if (size > PATH_MAX) return -1;
+    for (int i = 0; i < slot_count; ++i) {
+        int expected = vacant;
+        if (!slots[i].state.compare_exchange_strong(expected, being_filled)) continue;
+        std::memcpy(slots[i].path, path, size);
+        slots[i].state.store(filled);
+        return i;
+    }
+    return -1;
+}
+
+void forget_temporary(int slot) {
+    if (slot >= 0) slots[slot].state.store(vacant);
+}
+
+void remove_temporaries() {
+    for (Slot& slot : slots)
+        if (slot.state.load() == filled) unlink(slot.path);
+}
+
+void install_signal_cleanup() {
+    struct sigaction action = {};
+    action.sa_handler = clean_up_and_exit;
+    sigfillset(&action.sa_mask);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction old = {};
+        // A signal that the parent had ignored (nohup) stays ignored.
+        if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
+        sigaction(signal, &action, nullptr);
+    }
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+}  // namespace quadrel
