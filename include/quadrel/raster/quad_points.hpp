@@ -1,0 +1,37 @@
+// Where the four lanes of a quad evaluate their attributes, and the edge functions there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "quadrel/raster/coverage.hpp"
+#include "quadrel/raster/setup.hpp"
+
+namespace quadrel {
+
+/// A point for each lane, window coordinates in 1/256 pixel.
+struct QuadPoints {
+    std::array<std::int32_t, 4> x{}, y{};
+};
+
+/// The pixel centres of the quad whose lane 0 is pixel (x, y).
+QuadPoints quad_centres(int x, int y);
+
+/// D3D's centroid (D3D11.3, 3.5.5), lane by lane: the pixel centre if all samples are covered or
+/// none is (helper lanes), else the covered sample of lowest index. Coverage is the triangle's, not
+/// that of its visible samples, and doesn't depend on the tile.
+QuadPoints quad_centroids(const ScreenTriangle& triangle, int x, int y, int samples);
+
+/// E_i of the snapped triangle in each lane, exact: [edge][lane]. Edge i is opposite of vertex i.
+using QuadEdges = std::array<std::array<std::int64_t, 4>, 3>;
+QuadEdges edge_values(const ScreenTriangle& triangle, const QuadPoints& points);
+
+/// The attribute edge values as the interpolation takes them, four lanes of each edge, rounded to
+/// nearest: from the snapped edge functions, or (attributes_from_snapped == false) in double from
+/// the unsnapped positions.
+void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, float* e0, float* e1,
+                     float* e2);
+void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, double* e0,
+                     double* e1, double* e2);
+
+}  // namespace quadrel
