@@ -29,6 +29,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 class Lanes;
 class LanesInt;
+Lanes as_float(LanesInt a);  // a friend of its result, so that its argument does not find it
 
 namespace simd {
 using FloatTag = hn::ScalableTag<float>;
@@ -181,6 +182,23 @@ struct PacketOps<Lanes> {
     static LanesInt gather(const std::int32_t* base, LanesInt index) {
         return LanesInt(hn::GatherIndex(simd::IntTag(), base, index.v));
     }
+    /// Row k: the four elements of lane k of every quad; then a 4x4 transpose within each quad.
+    static void gather4(const float* base, LanesInt index, Lanes out[4]) {
+        alignas(64) std::int32_t at[simd::lanes];
+        hn::Store(index.v, simd::IntTag(), at);
+        const hn::RepartitionToWide<simd::FloatTag> wide;
+        const auto row0 = load_quads(base, at), row1 = load_quads(base, at + 1);
+        const auto row2 = load_quads(base, at + 2), row3 = load_quads(base, at + 3);
+        const simd::FloatTag tag;
+        const auto low01 = hn::BitCast(wide, hn::InterleaveLower(tag, row0, row1));
+        const auto low23 = hn::BitCast(wide, hn::InterleaveLower(tag, row2, row3));
+        const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(tag, row0, row1));
+        const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(tag, row2, row3));
+        out[0] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, low01, low23)));
+        out[1] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, low01, low23)));
+        out[2] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, high01, high23)));
+        out[3] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, high01, high23)));
+    }
     template <int a, int b, int c, int d>
     static Lanes swizzle(Lanes x) {
         if constexpr (a == 1 && b == 0 && c == 3 && d == 2) {
@@ -192,6 +210,20 @@ struct PacketOps<Lanes> {
         } else {
             static_assert(a == b && b == c && c == d, "no such quad swap");
             return Lanes(hn::Broadcast<a>(x.v));
+        }
+    }
+
+  private:
+    /// Four elements from base[at[0]], base[at[4]], ... side by side.
+    template <int lanes = simd::lanes>
+    static hn::Vec<hn::FixedTag<float, lanes>> load_quads(const float* base,
+                                                          const std::int32_t* at) {
+        if constexpr (lanes == 4) {
+            return hn::LoadU(hn::FixedTag<float, 4>(), base + at[0]);
+        } else {
+            return hn::Combine(hn::FixedTag<float, lanes>(),
+                               load_quads<lanes / 2>(base, at + lanes / 2),
+                               load_quads<lanes / 2>(base, at));
         }
     }
 };

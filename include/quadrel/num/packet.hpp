@@ -34,6 +34,11 @@ template <class F>
 Int<F> gather_int(const std::int32_t* base, Int<F> index) {
     return PacketOps<F>::gather(base, index);
 }
+/// base[index] to base[index + 3] of every lane, as four values.
+template <class F>
+void gather4(const float* base, Int<F> index, F out[4]) {
+    PacketOps<F>::gather4(base, index, out);
+}
 
 /// The value of the neighbour in x, in y, and across the diagonal of the quad.
 template <class F>

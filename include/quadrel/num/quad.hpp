@@ -2,14 +2,21 @@
 // truth for the bits of every other float type; Quad<double> measures rounding.
 #pragma once
 
-#include <bit>
-#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 
-#include "quadrel/num/traits.hpp"
+#include "quadrel/num/scalar.hpp"
 
 namespace quadrel {
+
+/// Result{op(a, b...)} lane by lane.
+template <class Result, class Op, class... Packets>
+Result map_lanes(Op op, const Packets&... packets) {
+    Result result;
+    for (int i = 0; i < 4; ++i) result.lane[i] = op(packets.lane[i]...);
+    return result;
+}
 
 /// Four booleans.
 struct QuadMask {
@@ -18,18 +25,13 @@ struct QuadMask {
     QuadMask() = default;
     QuadMask(bool all) : lane{all, all, all, all} {}
 
-#define QUADREL_LANEWISE(result, expression)              \
-    result r;                                             \
-    for (int i = 0; i < 4; ++i) r.lane[i] = (expression); \
-    return r
-
     friend QuadMask operator&(QuadMask a, QuadMask b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] && b.lane[i]);
+        return map_lanes<QuadMask>(std::logical_and(), a, b);
     }
     friend QuadMask operator|(QuadMask a, QuadMask b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] || b.lane[i]);
+        return map_lanes<QuadMask>(std::logical_or(), a, b);
     }
-    friend QuadMask operator!(QuadMask a) { QUADREL_LANEWISE(QuadMask, !a.lane[i]); }
+    friend QuadMask operator!(QuadMask a) { return map_lanes<QuadMask>(std::logical_not(), a); }
 };
 
 inline bool any(QuadMask m) { return m.lane[0] || m.lane[1] || m.lane[2] || m.lane[3]; }
@@ -42,53 +44,51 @@ struct QuadInt {
     QuadInt() = default;
     QuadInt(std::int32_t all) : lane{all, all, all, all} {}
 
-    static std::int32_t wrap(std::uint32_t bits) { return static_cast<std::int32_t>(bits); }
-
-    friend QuadInt operator+(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, wrap(std::uint32_t(a.lane[i]) + std::uint32_t(b.lane[i])));
-    }
-    friend QuadInt operator-(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, wrap(std::uint32_t(a.lane[i]) - std::uint32_t(b.lane[i])));
-    }
-    friend QuadInt operator*(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, wrap(std::uint32_t(a.lane[i]) * std::uint32_t(b.lane[i])));
-    }
+    friend QuadInt operator+(QuadInt a, QuadInt b) { return wrapped(std::plus(), a, b); }
+    friend QuadInt operator-(QuadInt a, QuadInt b) { return wrapped(std::minus(), a, b); }
+    friend QuadInt operator*(QuadInt a, QuadInt b) { return wrapped(std::multiplies(), a, b); }
     friend QuadInt operator-(QuadInt a) { return QuadInt(0) - a; }
-    friend QuadInt operator&(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, a.lane[i] & b.lane[i]);
-    }
-    friend QuadInt operator|(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, a.lane[i] | b.lane[i]);
-    }
-    friend QuadInt operator^(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadInt, a.lane[i] ^ b.lane[i]);
-    }
+    friend QuadInt operator&(QuadInt a, QuadInt b) { return wrapped(std::bit_and(), a, b); }
+    friend QuadInt operator|(QuadInt a, QuadInt b) { return wrapped(std::bit_or(), a, b); }
+    friend QuadInt operator^(QuadInt a, QuadInt b) { return wrapped(std::bit_xor(), a, b); }
+    QuadInt& operator+=(QuadInt b) { return *this = *this + b; }
+    QuadInt& operator-=(QuadInt b) { return *this = *this - b; }
+
     /// Shifts by a constant in [0, 31]; right shifts are arithmetic.
     template <int bits>
     friend QuadInt shift_left(QuadInt a) {
-        QUADREL_LANEWISE(QuadInt, wrap(std::uint32_t(a.lane[i]) << bits));
+        return map_lanes<QuadInt>([](std::int32_t x) { return quadrel::shift_left<bits>(x); }, a);
     }
     template <int bits>
     friend QuadInt shift_right(QuadInt a) {
-        QUADREL_LANEWISE(QuadInt, a.lane[i] >> bits);
+        return map_lanes<QuadInt>([](std::int32_t x) { return quadrel::shift_right<bits>(x); }, a);
     }
 
     friend QuadMask operator==(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] == b.lane[i]);
-    }
-    friend QuadMask operator!=(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] != b.lane[i]);
+        return map_lanes<QuadMask>(std::equal_to(), a, b);
     }
     friend QuadMask operator<(QuadInt a, QuadInt b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] < b.lane[i]);
+        return map_lanes<QuadMask>(std::less(), a, b);
     }
+    friend QuadMask operator!=(QuadInt a, QuadInt b) { return !(a == b); }
     friend QuadMask operator>(QuadInt a, QuadInt b) { return b < a; }
     friend QuadMask operator<=(QuadInt a, QuadInt b) { return !(b < a); }
     friend QuadMask operator>=(QuadInt a, QuadInt b) { return !(a < b); }
+
+  private:
+    // Signed overflow is undefined in C++; unsigned arithmetic wraps around.
+    template <class Op>
+    static QuadInt wrapped(Op op, QuadInt a, QuadInt b) {
+        const auto lane = [op](std::uint32_t x, std::uint32_t y) {
+            return static_cast<std::int32_t>(op(x, y));
+        };
+        return map_lanes<QuadInt>(lane, a, b);
+    }
 };
 
 inline QuadInt select(QuadMask m, QuadInt a, QuadInt b) {
-    QUADREL_LANEWISE(QuadInt, m.lane[i] ? a.lane[i] : b.lane[i]);
+    return map_lanes<QuadInt>([](bool c, std::int32_t x, std::int32_t y) { return c ? x : y; }, m,
+                              a, b);
 }
 inline QuadInt min(QuadInt a, QuadInt b) { return select(b < a, b, a); }
 inline QuadInt max(QuadInt a, QuadInt b) { return select(a < b, b, a); }
@@ -102,30 +102,30 @@ struct Quad {
     Quad(T all) : lane{all, all, all, all} {}
     Quad(T a, T b, T c, T d) : lane{a, b, c, d} {}
 
-    friend Quad operator+(Quad a, Quad b) { QUADREL_LANEWISE(Quad, a.lane[i] + b.lane[i]); }
-    friend Quad operator-(Quad a, Quad b) { QUADREL_LANEWISE(Quad, a.lane[i] - b.lane[i]); }
-    friend Quad operator*(Quad a, Quad b) { QUADREL_LANEWISE(Quad, a.lane[i] * b.lane[i]); }
-    friend Quad operator/(Quad a, Quad b) { QUADREL_LANEWISE(Quad, a.lane[i] / b.lane[i]); }
-    friend Quad operator-(Quad a) { QUADREL_LANEWISE(Quad, -a.lane[i]); }
+    friend Quad operator+(Quad a, Quad b) { return map_lanes<Quad>(std::plus(), a, b); }
+    friend Quad operator-(Quad a, Quad b) { return map_lanes<Quad>(std::minus(), a, b); }
+    friend Quad operator*(Quad a, Quad b) { return map_lanes<Quad>(std::multiplies(), a, b); }
+    friend Quad operator/(Quad a, Quad b) { return map_lanes<Quad>(std::divides(), a, b); }
+    friend Quad operator-(Quad a) { return map_lanes<Quad>(std::negate(), a); }
     friend Quad operator+(Quad a) { return a; }
     Quad& operator+=(Quad b) { return *this = *this + b; }
     Quad& operator-=(Quad b) { return *this = *this - b; }
     Quad& operator*=(Quad b) { return *this = *this * b; }
     Quad& operator/=(Quad b) { return *this = *this / b; }
 
-    friend QuadMask operator<(Quad a, Quad b) { QUADREL_LANEWISE(QuadMask, a.lane[i] < b.lane[i]); }
+    friend QuadMask operator<(Quad a, Quad b) { return map_lanes<QuadMask>(std::less(), a, b); }
     friend QuadMask operator<=(Quad a, Quad b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] <= b.lane[i]);
+        return map_lanes<QuadMask>(std::less_equal(), a, b);
     }
-    friend QuadMask operator>(Quad a, Quad b) { QUADREL_LANEWISE(QuadMask, a.lane[i] > b.lane[i]); }
+    friend QuadMask operator>(Quad a, Quad b) { return map_lanes<QuadMask>(std::greater(), a, b); }
     friend QuadMask operator>=(Quad a, Quad b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] >= b.lane[i]);
+        return map_lanes<QuadMask>(std::greater_equal(), a, b);
     }
     friend QuadMask operator==(Quad a, Quad b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] == b.lane[i]);
+        return map_lanes<QuadMask>(std::equal_to(), a, b);
     }
     friend QuadMask operator!=(Quad a, Quad b) {
-        QUADREL_LANEWISE(QuadMask, a.lane[i] != b.lane[i]);
+        return map_lanes<QuadMask>(std::not_equal_to(), a, b);
     }
 };
 
@@ -137,61 +137,61 @@ struct NumberTraits<Quad<T>> {
     static constexpr int lanes = 4;
 };
 
+// Each of these is the operation of scalar.hpp in every lane.
+
 template <class T>
 Quad<T> select(QuadMask m, Quad<T> a, Quad<T> b) {
-    QUADREL_LANEWISE(Quad<T>, m.lane[i] ? a.lane[i] : b.lane[i]);
+    return map_lanes<Quad<T>>([](bool c, T x, T y) { return c ? x : y; }, m, a, b);
 }
 template <class T>
 Quad<T> sqrt(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::sqrt(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return sqrt(x); }, a);
 }
 template <class T>
 Quad<T> abs(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::fabs(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return abs(x); }, a);
 }
 template <class T>
 Quad<T> floor(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::floor(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return floor(x); }, a);
 }
 template <class T>
 Quad<T> ceil(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::ceil(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return ceil(x); }, a);
 }
 template <class T>
 Quad<T> trunc(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::trunc(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return trunc(x); }, a);
 }
-/// Nearest integer, halves to even.
 template <class T>
 Quad<T> round_even(Quad<T> a) {
-    QUADREL_LANEWISE(Quad<T>, std::nearbyint(a.lane[i]));
+    return map_lanes<Quad<T>>([](T x) { return round_even(x); }, a);
 }
-/// Magnitude of a, sign bit of b.
 template <class T>
 Quad<T> copysign(Quad<T> a, Quad<T> b) {
-    QUADREL_LANEWISE(Quad<T>, std::copysign(a.lane[i], b.lane[i]));
+    return map_lanes<Quad<T>>([](T x, T y) { return copysign(x, y); }, a, b);
 }
-
-/// One lane to int: truncates, NaN gives 0, out of range saturates.
-template <class T>
-std::int32_t saturating_int(T x) {
-    if (!(x == x)) return 0;
-    if (x >= T(2147483648.0)) return std::numeric_limits<std::int32_t>::max();
-    if (x < T(-2147483648.0)) return std::numeric_limits<std::int32_t>::min();
-    return static_cast<std::int32_t>(x);
-}
-
-/// Truncates towards zero; NaN gives 0, out of range saturates. The only float-to-int on lanes.
 template <class T>
 QuadInt to_int(Quad<T> a) {
-    QUADREL_LANEWISE(QuadInt, saturating_int(a.lane[i]));
+    return map_lanes<QuadInt>([](T x) { return to_int(x); }, a);
 }
-/// The bits of float lanes as integers, and back.
 inline QuadInt as_int(Quad<float> a) {
-    QUADREL_LANEWISE(QuadInt, std::bit_cast<std::int32_t>(a.lane[i]));
+    return map_lanes<QuadInt>([](float x) { return as_int(x); }, a);
 }
 inline Quad<float> as_float(QuadInt a) {
-    QUADREL_LANEWISE(Quad<float>, std::bit_cast<float>(a.lane[i]));
+    return map_lanes<Quad<float>>([](std::int32_t x) { return as_float(x); }, a);
+}
+template <class T>
+Quad<T> exponent(Quad<T> a) {
+    return map_lanes<Quad<T>>([](T x) { return exponent(x); }, a);
+}
+template <class T>
+Quad<T> significand(Quad<T> a) {
+    return map_lanes<Quad<T>>([](T x) { return significand(x); }, a);
+}
+template <class T>
+Quad<T> power_of_two(Quad<T> n) {
+    return map_lanes<Quad<T>>([](T x) { return power_of_two(x); }, n);
 }
 
 template <class T>
@@ -210,26 +210,34 @@ template <class T>
 struct PacketOps<Quad<T>> {
     template <class Element>
     static Quad<T> load(const Element* from) {
-        QUADREL_LANEWISE(Quad<T>, static_cast<T>(from[i]));
+        return {static_cast<T>(from[0]), static_cast<T>(from[1]), static_cast<T>(from[2]),
+                static_cast<T>(from[3])};
     }
-    static QuadInt load_int(const std::int32_t* from) { QUADREL_LANEWISE(QuadInt, from[i]); }
+    static QuadInt load_int(const std::int32_t* from) {
+        QuadInt result;
+        for (int i = 0; i < 4; ++i) result.lane[i] = from[i];
+        return result;
+    }
     static QuadMask load_mask(const std::uint32_t* from) {
-        QUADREL_LANEWISE(QuadMask, from[i] != 0);
+        QuadMask result;
+        for (int i = 0; i < 4; ++i) result.lane[i] = from[i] != 0;
+        return result;
     }
-    static Quad<T> from_int(QuadInt a) { QUADREL_LANEWISE(Quad<T>, static_cast<T>(a.lane[i])); }
+    static Quad<T> from_int(QuadInt a) {
+        return map_lanes<Quad<T>>([](std::int32_t x) { return static_cast<T>(x); }, a);
+    }
     static Quad<T> gather(const float* base, QuadInt index) {
-        QUADREL_LANEWISE(Quad<T>, static_cast<T>(base[index.lane[i]]));
+        return map_lanes<Quad<T>>([base](std::int32_t i) { return static_cast<T>(base[i]); },
+                                  index);
     }
     static QuadInt gather(const std::int32_t* base, QuadInt index) {
-        QUADREL_LANEWISE(QuadInt, base[index.lane[i]]);
+        return map_lanes<QuadInt>([base](std::int32_t i) { return base[i]; }, index);
     }
     template <int a, int b, int c, int d>
     static Quad<T> swizzle(Quad<T> v) {
         return {v.lane[a], v.lane[b], v.lane[c], v.lane[d]};
     }
 };
-
-#undef QUADREL_LANEWISE
 
 }  // namespace quadrel
 

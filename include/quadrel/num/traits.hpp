@@ -1,6 +1,6 @@
-// What a number type is. Every algorithm text is a template over a number type F; a packet of F has
+// What a number type is. Every algorithm text is a template over a number type F. A packet of F has
 // 4*k lanes, quad by quad: lane 4q is (even x, even y), +1 (odd, even), +2 (even, odd), +3 (odd,
-// odd).
+// odd). Plain float and double are number types of one lane, without neighbours.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,17 @@ using Mask = typename NumberTraits<F>::Mask;
 template <class F>
 inline constexpr int lanes_of = NumberTraits<F>::lanes;
 
+/// A type that algorithm texts may be instantiated on.
+template <class F>
+concept Number = requires {
+    typename NumberTraits<F>::Scalar;
+};
+
+/// A number type whose lanes form whole quads: what neighbours and derivatives need.
+template <class F>
+concept Packet = Number<F> && lanes_of<F>
+% 4 == 0;
+
 /// What needs F named rather than deduced, specialised beside each number type; use the functions
 /// of packet.hpp.
 ///   load(const float* | const Scalar*)   consecutive elements, converted to F
@@ -31,7 +42,7 @@ inline constexpr int lanes_of = NumberTraits<F>::lanes;
 ///   from_int(Int)                        to F, rounded to nearest even
 ///   gather(base, Int index)              base[index] lane by lane, converted to F
 ///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
-///   quad
+///                                        quad; packets only
 template <class F>
 struct PacketOps;
 

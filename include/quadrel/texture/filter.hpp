@@ -1,0 +1,156 @@
+// Fetching texels of one mip level and blending them. The blend is a + t * (b - a), x first, then
+// y: a constant texture stays itself.
+#pragma once
+
+#include "quadrel/texture/address.hpp"
+#include "quadrel/texture/view.hpp"
+
+namespace quadrel {
+
+/// One mip level as lanes see it, the same for all lanes or one each.
+template <Number F>
+struct LevelGeometry {
+    Int<F> width, height;
+    Int<F> offset;  ///< of the first texel, in floats
+    F width_number, height_number;
+};
+
+template <int channels, Number F>
+struct Texel {
+    F channel[channels];
+};
+
+/// Level `level` for every lane.
+template <Number F>
+LevelGeometry<F> level_geometry(const TextureView& view, int level) {
+    const std::int32_t width = view.width[level], height = view.height[level];
+    return {Int<F>(width), Int<F>(height), Int<F>(view.offset[level]), F(static_cast<float>(width)),
+            F(static_cast<float>(height))};
+}
+
+/// A level a lane, each in [0, levels - 1]. Neighbouring lanes mostly agree: then no gathers are
+/// needed, and the values are the same.
+template <Number F>
+LevelGeometry<F> level_geometry(const TextureView& view, Int<F> level) {
+    std::int32_t lane[lanes_of<F>];
+    store(lane, level);
+    if (all(level == Int<F>(lane[0]))) return level_geometry<F>(view, lane[0]);
+    const Int<F> width = gather_int<F>(view.width, level);
+    const Int<F> height = gather_int<F>(view.height, level);
+    return {width, height, gather_int<F>(view.offset, level), to_float<F>(width),
+            to_float<F>(height)};
+}
+
+/// Index of the first float of texel (x, y), which must be inside the level.
+template <int channels, Number F>
+Int<F> texel_index(const LevelGeometry<F>& level, Int<F> x, Int<F> y) {
+    return level.offset + (y * level.width + x) * Int<F>(channels);
+}
+
+template <int channels, Number F>
+Texel<channels, F> load_texel(const float* texels, Int<F> index) {
+    Texel<channels, F> texel;
+    if constexpr (channels == 4) {
+        gather4<F>(texels, index, texel.channel);
+    } else {
+        for (int c = 0; c < channels; ++c) texel.channel[c] = gather<F>(texels + c, index);
+    }
+    return texel;
+}
+
+template <int channels, Number F>
+Texel<channels, F> lerp(const Texel<channels, F>& a, const Texel<channels, F>& b, F t) {
+    Texel<channels, F> result;
+    for (int c = 0; c < channels; ++c) {
+        result.channel[c] = lerp(a.channel[c], b.channel[c], t);
+    }
+    return result;
+}
+
+template <int channels, Number F>
+Texel<channels, F> select(Mask<F> m, const Texel<channels, F>& a, const Texel<channels, F>& b) {
+    Texel<channels, F> result;
+    for (int c = 0; c < channels; ++c) {
+        result.channel[c] = select(m, a.channel[c], b.channel[c]);
+    }
+    return result;
+}
+
+/// The border colour where a tap is outside.
+template <int channels, Number F>
+Texel<channels, F> border_or(Mask<F> inside, const Texel<channels, F>& texel,
+                             const SamplerState& sampler) {
+    Texel<channels, F> result;
+    for (int c = 0; c < channels; ++c) {
+        result.channel[c] = select(inside, texel.channel[c], F(sampler.border[c]));
+    }
+    return result;
+}
+
+inline bool has_border(const SamplerState& sampler) {
+    return sampler.wrap_u == Wrap::clamp_to_border || sampler.wrap_v == Wrap::clamp_to_border;
+}
+
+/// The texel at column x and row y of the taps.
+template <int channels, Number F>
+Texel<channels, F> load_tap(const SampledTexture& texture, const LevelGeometry<F>& level, Int<F> x,
+                            Int<F> y, Mask<F> inside) {
+    const auto texel =
+        load_texel<channels, F>(texture.view.texels, texel_index<channels, F>(level, x, y));
+    return has_border(texture.sampler) ? border_or(inside, texel, texture.sampler) : texel;
+}
+
+template <Number F>
+struct Footprint {
+    AxisTaps<F> x, y;
+};
+
+template <Number F>
+Footprint<F> address(const SampledTexture& texture, const LevelGeometry<F>& level,
+                     const vec2<F>& uv, Filter filter) {
+    const SamplerState& sampler = texture.sampler;
+    return {address_axis(uv.x, level.width, level.width_number, sampler.wrap_u, filter, sampler),
+            address_axis(uv.y, level.height, level.height_number, sampler.wrap_v, filter, sampler)};
+}
+
+template <int channels, Number F>
+Texel<channels, F> sample_nearest(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                  const vec2<F>& uv) {
+    const Footprint<F> at = address(texture, level, uv, Filter::nearest);
+    return load_tap<channels, F>(texture, level, at.x.first, at.y.first,
+                                 at.x.first_inside & at.y.first_inside);
+}
+
+/// The 2x2 texels of a linear footprint: (first, first), (second, first), (first, second),
+/// (second, second) in (x, y).
+template <int channels, Number F>
+struct FourTaps {
+    Texel<channels, F> tap[4];
+};
+
+template <int channels, Number F>
+FourTaps<channels, F> load_taps(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                const Footprint<F>& at) {
+    const auto& [x, y] = at;
+    return {
+        {load_tap<channels, F>(texture, level, x.first, y.first, x.first_inside & y.first_inside),
+         load_tap<channels, F>(texture, level, x.second, y.first, x.second_inside & y.first_inside),
+         load_tap<channels, F>(texture, level, x.first, y.second, x.first_inside & y.second_inside),
+         load_tap<channels, F>(texture, level, x.second, y.second,
+                               x.second_inside & y.second_inside)}};
+}
+
+template <int channels, Number F>
+Texel<channels, F> blend(const FourTaps<channels, F>& of, F weight_x, F weight_y) {
+    return lerp(lerp(of.tap[0], of.tap[1], weight_x), lerp(of.tap[2], of.tap[3], weight_x),
+                weight_y);
+}
+
+template <int channels, Number F>
+Texel<channels, F> sample_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                 const vec2<F>& uv) {
+    const Footprint<F> at = address(texture, level, uv, Filter::linear);
+    return blend(load_taps<channels, F>(texture, level, at), at.x.weight, at.y.weight);
+}
+
+}  // namespace quadrel

@@ -1,0 +1,168 @@
+// Two-dimensional look-ups, as in GLSL. One-channel textures give (r, 0, 0, 1), two-channel ones
+// (r, g, 0, 1).
+#pragma once
+
+#include "quadrel/num/derivative.hpp"
+#include "quadrel/texture/filter.hpp"
+#include "quadrel/texture/lod.hpp"
+
+namespace quadrel {
+
+/// Missing components: 0, and 1 for alpha.
+template <int channels, Number F>
+vec4<F> expand(const Texel<channels, F>& texel) {
+    const auto component = [&](int c, float missing) {
+        return c < channels ? texel.channel[c < channels ? c : 0] : F(missing);
+    };
+    return {component(0, 0), component(1, 0), component(2, 0), component(3, 1)};
+}
+
+/// Calls `body` with the channel count of a texture (1, 2 or 4) as a compile-time constant.
+template <class Body>
+auto with_channels(int channels, const Body& body) {
+    if (channels == 1) return body(std::integral_constant<int, 1>());
+    if (channels == 2) return body(std::integral_constant<int, 2>());
+    return body(std::integral_constant<int, 4>());
+}
+
+/// Picks between magnification and minification where the sampler's two filters differ.
+/// `nearest` and `linear` are called at most once each.
+template <int channels, Number F, class Nearest, class Linear>
+Texel<channels, F> choose_filter(const SamplerState& sampler, Mask<F> magnified,
+                                 const Nearest& nearest, const Linear& linear) {
+    if (sampler.mag == sampler.min) {
+        return sampler.mag == Filter::nearest ? nearest() : linear();
+    }
+    const Mask<F> is_linear = sampler.mag == Filter::linear ? magnified : !magnified;
+    return select(is_linear, linear(), nearest());
+}
+
+/// One level, filtered.
+template <int channels, Number F>
+Texel<channels, F> sample_level(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                const vec2<F>& uv, Mask<F> magnified) {
+    return choose_filter<channels, F>(
+        texture.sampler, magnified, [&] { return sample_nearest<channels, F>(texture, level, uv); },
+        [&] { return sample_linear<channels, F>(texture, level, uv); });
+}
+
+/// Blends two levels that `sample(level)` filters, or takes one, as the mip filter says.
+template <int channels, Number F, class Sample>
+Texel<channels, F> sample_mips(const SampledTexture& texture, const LodRecord<F>& lod,
+                               const Sample& sample) {
+    if (texture.sampler.mip == MipFilter::none || texture.view.levels == 1) {
+        return sample(level_geometry<F>(texture.view, 0));
+    }
+    const Int<F> finer = to_int(lod.level);
+    const auto fine = sample(level_geometry<F>(texture.view, finer));
+    // Where no lane blends, the coarser level cannot change the result: its weight is 0.
+    if (texture.sampler.mip == MipFilter::nearest || !any(lod.frac > F(0))) return fine;
+    const Int<F> coarser = min(finer + Int<F>(1), Int<F>(texture.view.levels - 1));
+    const auto coarse = sample(level_geometry<F>(texture.view, coarser));
+    return select(lod.frac > F(0), lerp(fine, coarse, lod.frac), fine);
+}
+
+/// The filtered texel for a record of compute_lod or lod_from_level.
+template <int channels, Number F>
+Texel<channels, F> sample_texture(const SampledTexture& texture, const vec2<F>& uv,
+                                  const LodRecord<F>& lod) {
+    return sample_mips<channels, F>(texture, lod, [&](const LevelGeometry<F>& level) {
+        return sample_level<channels, F>(texture, level, uv, lod.magnified);
+    });
+}
+
+template <Number F>
+vec4<F> sample_expanded(const SampledTexture& texture, const SampleContext<F>& context,
+                        const vec2<F>& uv, const LodRecord<F>& lod) {
+    count_fetch(context);
+    count_coordinate(context, uv.x, F(coordinate_limit));
+    count_coordinate(context, uv.y, F(coordinate_limit));
+    return with_channels(texture.view.channels, [&](auto channels) {
+        return expand(sample_texture<channels(), F>(texture, uv, lod));
+    });
+}
+
+/// Level from the gradients dx and dy of uv (per pixel). `out`, if given, receives the record.
+template <Number F>
+vec4<F> texture_grad(const SampledTexture& texture, const SampleContext<F>& context,
+                     const vec2<F>& uv, const vec2<F>& dx, const vec2<F>& dy,
+                     LodRecord<F>* out = nullptr) {
+    const LodRecord<F> lod = compute_lod(texture, dx, dy);
+    if (out != nullptr) *out = lod;
+    return sample_expanded(texture, context, uv, lod);
+}
+
+/// Level of detail given, 0 the finest; the sampler's bias and clamps apply.
+template <Number F>
+vec4<F> texture_lod(const SampledTexture& texture, const SampleContext<F>& context,
+                    const vec2<F>& uv, F lod) {
+    return sample_expanded(texture, context, uv, lod_from_level(texture, lod));
+}
+
+/// Implicit gradients and a bias in levels. All four lanes of a quad must have valid uv.
+template <Number F>
+vec4<F> texture_bias(const SampledTexture& texture, const SampleContext<F>& context,
+                     const vec2<F>& uv, F bias, DerivativeMode mode = DerivativeMode::fine) {
+    return sample_expanded(texture, context, uv,
+                           compute_lod(texture, dFdx(uv, mode), dFdy(uv, mode), bias));
+}
+
+/// Implicit gradients. All four lanes of a quad must have valid uv.
+template <Number F>
+vec4<F> texture(const SampledTexture& from, const SampleContext<F>& context, const vec2<F>& uv,
+                DerivativeMode mode = DerivativeMode::fine) {
+    return texture_grad(from, context, uv, dFdx(uv, mode), dFdy(uv, mode));
+}
+
+/// (level of detail after clamps and rounding, lambda before them).
+template <Number F>
+vec2<F> texture_query_lod(const SampledTexture& texture, const vec2<F>& /*uv*/, const vec2<F>& dx,
+                          const vec2<F>& dy) {
+    const LodRecord<F> lod = compute_lod(texture, dx, dy);
+    return {lod.level, lod.lambda};
+}
+
+/// Size of a level in texels.
+inline vec2<std::int32_t> texture_size(const SampledTexture& texture, int level) {
+    return {texture.view.width[level], texture.view.height[level]};
+}
+
+/// One texel, unfiltered; 0 in every stored channel when x, y or level is out of range (missing
+/// channels as ever).
+template <Number F>
+vec4<F> texel_fetch(const SampledTexture& texture, const SampleContext<F>& context, Int<F> x,
+                    Int<F> y, Int<F> level) {
+    count_fetch(context);
+    const Int<F> zero(0);
+    const Mask<F> known = (level >= zero) & (level < Int<F>(texture.view.levels));
+    const LevelGeometry<F> geometry =
+        level_geometry<F>(texture.view, Int<F>(select(known, level, zero)));
+    const Mask<F> inside =
+        known & (x >= zero) & (x < geometry.width) & (y >= zero) & (y < geometry.height);
+    return with_channels(texture.view.channels, [&](auto channels) {
+        const Int<F> index =
+            texel_index<channels(), F>(geometry, select(inside, x, zero), select(inside, y, zero));
+        auto texel = load_texel<channels(), F>(texture.view.texels, index);
+        for (F& value : texel.channel) value = select(inside, value, F(0));
+        return expand(texel);
+    });
+}
+
+/// One component (0 to 3) of the four texels of the linear footprint of level 0, in GLSL's order:
+/// (left, larger v), (right, larger v), (right, smaller v), (left, smaller v).
+template <Number F>
+vec4<F> texture_gather(const SampledTexture& texture, const SampleContext<F>& context,
+                       const vec2<F>& uv, int component = 0) {
+    count_fetch(context);
+    count_coordinate(context, uv.x, F(coordinate_limit));
+    count_coordinate(context, uv.y, F(coordinate_limit));
+    const LevelGeometry<F> level = level_geometry<F>(texture.view, 0);
+    const Footprint<F> at = address(texture, level, uv, Filter::linear);
+    return with_channels(texture.view.channels, [&](auto channels) {
+        const auto taps = load_taps<channels(), F>(texture, level, at);
+        const auto pick = [&](int tap) { return expand(taps.tap[tap])[component]; };
+        return vec4<F>(pick(2), pick(3), pick(1), pick(0));
+    });
+}
+
+}  // namespace quadrel
