@@ -1,0 +1,38 @@
+// What can be asked for: every channel of a rendered image.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadrel/film/film.hpp"
+
+namespace quadrel {
+
+/// One line of the table. A name with "<i>" stands for one channel per light, counted from 0.
+struct ChannelInfo {
+    std::string name;
+    ChannelType type;
+    std::string unit;  ///< unit or space of the values
+    std::string meaning;
+};
+
+/// Every channel, in the order in which they are listed to people.
+const std::vector<ChannelInfo>& channel_table();
+
+/// R G B A Z.
+const std::vector<std::string>& default_channels();
+
+/// The table's line for a full name ("uv.U", "shadow.2.visibility"), or null.
+const ChannelInfo* find_channel(const std::string& name);
+
+/// Full names for what a user asks for: each request is a full name or a group, which stands for
+/// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*). Order is kept, repetition
+/// dropped; no request at all gives the default. Throws UsageError with the nearest known name.
+std::vector<std::string> expand_channels(std::span<const std::string> requests);
+
+/// The bits of a pixel that nothing covers: +inf for Z, 0xffffffff for id.*, else 0 (colour is the
+/// scene's background instead).
+std::uint32_t uncovered_bits(const std::string& name);
+
+}  // namespace quadrel

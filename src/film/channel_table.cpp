@@ -1,0 +1,123 @@
+#include "quadrel/film/channels.hpp"
+
+namespace quadrel {
+namespace {
+
+using Table = std::vector<ChannelInfo>;
+constexpr ChannelType real = ChannelType::float32;
+constexpr ChannelType integer = ChannelType::uint32;
+
+/// `suffixes` is a string of one-letter components: "XYZ" adds name.X, name.Y and name.Z.
+void add_vector(Table& table, const std::string& name, const std::string& suffixes,
+                const std::string& unit, const std::string& meaning) {
+    for (const char suffix : suffixes) table.push_back({name + "." + suffix, real, unit, meaning});
+}
+
+void add_color(Table& table) {
+    for (const char* name : {"R", "G", "B"})
+        table.push_back({name, real, "linear radiance, Rec. 709 primaries", "shaded colour"});
+    table.push_back({"A", real, "0 to 1", "coverage"});
+    table.push_back({"Z", real, "eye-space length", "distance of the hit along the view axis"});
+    table.push_back({"depth", real, "window depth", "depth as tested, after relief moved it"});
+}
+
+void add_geometry(Table& table) {
+    add_vector(table, "P", "XYZ", "eye space", "interpolated point on the polygon");
+    add_vector(table, "hit.P", "XYZ", "eye space",
+               "displaced point where the ray meets the relief");
+    add_vector(table, "N", "XYZ", "eye space, unit", "shading normal");
+    add_vector(table, "Ng", "XYZ", "eye space, unit", "normal of the triangle");
+    add_vector(table, "T", "XYZ", "eye space", "tangent, direction of growing u");
+    add_vector(table, "B", "XYZ", "eye space", "bitangent, direction of growing v");
+    for (const char* vertex : {"0", "1", "2"})
+        table.push_back({std::string("bary.") + vertex, real, "0 to 1, perspective-correct",
+                         std::string("barycentric coordinate of vertex ") + vertex});
+}
+
+void add_derivatives(Table& table) {
+    add_vector(table, "uv", "UV", "texture coordinates", "interpolated texture coordinates");
+    add_vector(table, "dUVdx", "UV", "texture coordinates a pixel", "dFdx of uv");
+    add_vector(table, "dUVdy", "UV", "texture coordinates a pixel", "dFdy of uv, window y");
+    add_vector(table, "dPdx", "XYZ", "eye-space length a pixel", "dFdx of P");
+    add_vector(table, "dPdy", "XYZ", "eye-space length a pixel", "dFdy of P, window y");
+}
+
+void add_frame(Table& table) {
+    add_vector(table, "J.U", "XYZ", "1 / eye-space length",
+               "surface gradient of u: first row of J");
+    add_vector(table, "J.V", "XYZ", "1 / eye-space length",
+               "surface gradient of v: second row of J");
+    table.push_back(
+        {"r", real, "ratio", "depth rate: share of the ray's length that goes into depth"});
+    add_vector(table, "K", "UV", "texture coordinates",
+               "shift of uv from the top to the bottom of the relief");
+}
+
+void add_hit(Table& table) {
+    add_vector(table, "hit", "UV", "texture coordinates", "texture coordinates of the hit");
+    table.push_back({"hit.s", real, "0 top to 1 bottom", "ray parameter of the hit"});
+    table.push_back({"hit.h", real, "0 to 1", "height at the hit"});
+    table.push_back({"hit.status", integer, "code",
+                     "0 none, 1 hit, 2 floor, 3 cap, 4 clip, 5 no frame, 6 NaN, 7 outside"});
+    table.push_back({"hit.flags", integer, "bits",
+                     "1 degenerate uv, 2 ambiguous, 4 start below the surface, 8 wrapped"});
+    table.push_back({"hit.steps", integer, "count", "steps of the search"});
+    table.push_back({"hit.fetches", integer, "count", "height fetches of the search"});
+}
+
+void add_level_of_detail(Table& table) {
+    table.push_back({"lod.rho", real, "texels a pixel", "scale factor of the pixel's footprint"});
+    table.push_back(
+        {"lod.lambda", real, "levels", "level of detail before clamping: log2(rho) + bias"});
+    table.push_back({"lod.level", real, "levels", "finer of the mip levels that are read"});
+    table.push_back({"lod.frac", real, "0 to 1", "weight of the coarser level"});
+}
+
+void add_shading(Table& table) {
+    table.push_back({"shadow.visibility", real, "0 dark to 1 lit", "visibility of light 0"});
+    table.push_back({"shadow.steps", integer, "count", "steps of the shadow search of light 0"});
+    table.push_back({"shadow.<i>.visibility", real, "0 dark to 1 lit", "visibility of light <i>"});
+    table.push_back(
+        {"shadow.<i>.steps", integer, "count", "steps of the shadow search of light <i>"});
+    for (const char* term : {"ambient", "diffuse", "specular", "emission"})
+        add_vector(table, std::string("light.") + term, "RGB", "linear radiance",
+                   std::string(term) + " term of the shaded colour");
+}
+
+void add_identity(Table& table) {
+    table.push_back(
+        {"id.object", integer, "index", "object in the scene's list; 0xffffffff uncovered"});
+    table.push_back(
+        {"id.primitive", integer, "index", "triangle in its mesh; 0xffffffff uncovered"});
+    table.push_back(
+        {"quad.lane", integer, "0 to 3", "lane in its quad: 1 odd x, 2 odd y (window)"});
+    table.push_back(
+        {"quad.coverage", integer, "bits", "lanes of the quad that are covered, bit = lane"});
+}
+
+Table make_table() {
+    Table table;
+    add_color(table);
+    add_geometry(table);
+    add_derivatives(table);
+    add_frame(table);
+    add_hit(table);
+    add_level_of_detail(table);
+    add_shading(table);
+    add_identity(table);
+    return table;
+}
+
+}  // namespace
+
+const std::vector<ChannelInfo>& channel_table() {
+    static const Table table = make_table();
+    return table;
+}
+
+const std::vector<std::string>& default_channels() {
+    static const std::vector<std::string> names = {"R", "G", "B", "A", "Z"};
+    return names;
+}
+
+}  // namespace quadrel

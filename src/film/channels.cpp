@@ -1,0 +1,100 @@
+#include "quadrel/film/channels.hpp"
+
+#include <algorithm>
+
+#include "io/suggest.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr std::string_view placeholder = "<i>";
+constexpr std::size_t longest_index = 4;
+
+bool is_index(const std::string& text) {
+    return !text.empty() && text.size() <= longest_index && (text == "0" || text[0] != '0') &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Replaces the index in "shadow.2.visibility" by the table's placeholder; sets `index`.
+std::string generic_name(const std::string& name, std::string& index) {
+    const std::size_t begin = name.find('.');
+    if (begin == std::string::npos) return name;
+    const std::size_t end = std::min(name.find('.', begin + 1), name.size());
+    const std::string part = name.substr(begin + 1, end - begin - 1);
+    if (name.compare(0, begin, "shadow") != 0 || !is_index(part)) return name;
+    index = part;
+    return name.substr(0, begin + 1) + std::string(placeholder) + name.substr(end);
+}
+
+bool is_below(const std::string& name, const std::string& group) {
+    return name.size() > group.size() && name.compare(0, group.size(), group) == 0 &&
+           name[group.size()] == '.';
+}
+
+std::string with_index(std::string name, const std::string& index) {
+    const std::size_t place = name.find(placeholder);
+    if (place != std::string::npos) name.replace(place, placeholder.size(), index);
+    return name;
+}
+
+/// Every full name that one request stands for; empty if there is none.
+std::vector<std::string> matches(const std::string& request) {
+    std::string index;
+    const std::string generic = generic_name(request, index);
+    std::vector<std::string> names;
+    for (const ChannelInfo& channel : channel_table()) {
+        const bool per_light = channel.name.find(placeholder) != std::string::npos;
+        if (per_light && index.empty()) continue;
+        if (channel.name == generic || is_below(channel.name, generic))
+            names.push_back(with_index(channel.name, index));
+    }
+    return names;
+}
+
+std::vector<std::string> known_requests() {
+    std::vector<std::string> names;
+    for (const ChannelInfo& channel : channel_table()) {
+        names.push_back(channel.name);
+        const std::size_t dot = channel.name.rfind('.');
+        if (dot != std::string::npos) names.push_back(channel.name.substr(0, dot));
+    }
+    return names;
+}
+
+[[noreturn]] void reject(const std::string& request) {
+    const std::string nearest = nearest_word(request, known_requests());
+    const std::string hint = nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?";
+    throw UsageError("unknown channel \"" + request + "\"" + hint +
+                     " (see `quadrel list channels`)");
+}
+
+}  // namespace
+
+const ChannelInfo* find_channel(const std::string& name) {
+    std::string index;
+    const std::string generic = generic_name(name, index);
+    for (const ChannelInfo& channel : channel_table())
+        if (channel.name == generic && name.find(placeholder) == std::string::npos) return &channel;
+    return nullptr;
+}
+
+std::vector<std::string> expand_channels(std::span<const std::string> requests) {
+    if (requests.empty()) return default_channels();
+    std::vector<std::string> all;
+    for (const std::string& request : requests) {
+        const std::vector<std::string> names = matches(request);
+        if (names.empty()) reject(request);
+        for (const std::string& name : names)
+            if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
+    }
+    return all;
+}
+
+std::uint32_t uncovered_bits(const std::string& name) {
+    constexpr std::uint32_t infinity = 0x7f800000u;
+    if (name == "Z") return infinity;
+    return is_below(name, "id") ? 0xffffffffu : 0u;
+}
+
+}  // namespace quadrel
