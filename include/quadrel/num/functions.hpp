@@ -11,12 +11,6 @@
 
 namespace quadrel {
 
-/// A type that algorithm texts may be instantiated on.
-template <class F>
-concept Number = requires {
-    typename NumberTraits<F>::Scalar;
-};
-
 // ---- Compare-and-select: NaN and -0 follow from the comparison as written
 // -------------------------
 

@@ -146,6 +146,16 @@ class Lanes {
         const LanesInt low = select(a < Lanes(-2147483648.0f), LanesInt(-0x7fffffff - 1), high);
         return select(a == a, low, LanesInt(0));
     }
+    friend Lanes exponent(Lanes a) {
+        const LanesInt biased = shift_right<23>(as_int(a)) & LanesInt(0xff);
+        return Lanes(hn::ConvertTo(simd::FloatTag(), (biased - LanesInt(127)).v));
+    }
+    friend Lanes significand(Lanes a) {
+        return as_float((as_int(a) & LanesInt(0x007fffff)) | LanesInt(0x3f800000));
+    }
+    friend Lanes power_of_two(Lanes n) {
+        return as_float(shift_left<23>(to_int(n) + LanesInt(127)));
+    }
     friend LanesInt as_int(Lanes a) { return LanesInt(hn::BitCast(simd::IntTag(), a.v)); }
     friend Lanes as_float(LanesInt a) { return Lanes(hn::BitCast(simd::FloatTag(), a.v)); }
     friend void store(float* to, Lanes a) { hn::StoreU(a.v, simd::FloatTag(), to); }
