@@ -79,7 +79,8 @@ void add_shading(Table& table) {
     table.push_back({"shadow.<i>.visibility", real, "0 dark to 1 lit", "visibility of light <i>"});
     table.push_back(
         {"shadow.<i>.steps", integer, "count", "steps of the shadow search of light <i>"});
-    for (const char* term : {"ambient", "diffuse", "specular", "emission"})
+    for (const char* term :
+         {"ambient", "diffuse", "specular", "emissive", "reflection", "refraction"})
         add_vector(table, std::string("light.") + term, "RGB", "linear radiance",
                    std::string(term) + " term of the shaded colour");
 }
