@@ -1,0 +1,93 @@
+#include "quadrel/raster/quad_points.hpp"
+
+#include <bit>
+
+#include "quadrel/raster/samples.hpp"
+
+namespace quadrel {
+namespace {
+
+struct Point {
+    std::int32_t x, y;
+};
+
+Point in_pixel(int x, int y, SamplePosition position) {
+    return {x * subpixel_units + position.x * 16, y * subpixel_units + position.y * 16};
+}
+
+Point centroid(const ScreenTriangle& triangle, int x, int y, int samples) {
+    const std::uint32_t mask = coverage_mask(triangle, x, y, samples);
+    const std::uint32_t all = (1u << samples) - 1;
+    if (mask == 0 || mask == all) return in_pixel(x, y, SamplePosition{});
+    return in_pixel(x, y, sample_positions(samples)[std::countr_zero(mask)]);
+}
+
+template <class T>
+void snapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* const* out) {
+    for (int i = 0; i < 3; ++i)
+        for (int lane = 0; lane < 4; ++lane)
+            out[i][lane] = static_cast<T>(triangle.edge[i](points.x[lane], points.y[lane]));
+}
+
+/// The edge from p to q, with the sign that all three edges of a triangle share: barycentrics are
+/// ratios of edge values.
+template <class T>
+void unsnapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* const* out) {
+    for (int i = 0; i < 3; ++i) {
+        const ScreenVertex& p = triangle.vertex[(i + 1) % 3];
+        const ScreenVertex& q = triangle.vertex[(i + 2) % 3];
+        const double dx = q.unsnapped_x - p.unsnapped_x, dy = q.unsnapped_y - p.unsnapped_y;
+        for (int lane = 0; lane < 4; ++lane)
+            out[i][lane] = static_cast<T>(dx * (points.y[lane] - p.unsnapped_y) -
+                                          dy * (points.x[lane] - p.unsnapped_x));
+    }
+}
+
+template <class T>
+void any_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* e0, T* e1, T* e2) {
+    T* const out[3] = {e0, e1, e2};
+    if (triangle.attributes_from_snapped)
+        snapped_edges(triangle, points, out);
+    else
+        unsnapped_edges(triangle, points, out);
+}
+
+template <class Place>
+QuadPoints for_lanes(int x, int y, Place place) {
+    QuadPoints points;
+    for (int lane = 0; lane < 4; ++lane) {
+        const Point point = place(x + (lane & 1), y + (lane >> 1));
+        points.x[lane] = point.x;
+        points.y[lane] = point.y;
+    }
+    return points;
+}
+
+}  // namespace
+
+QuadPoints quad_centres(int x, int y) {
+    return for_lanes(x, y, [](int px, int py) { return in_pixel(px, py, SamplePosition{}); });
+}
+
+QuadPoints quad_centroids(const ScreenTriangle& triangle, int x, int y, int samples) {
+    return for_lanes(x, y, [&](int px, int py) { return centroid(triangle, px, py, samples); });
+}
+
+QuadEdges edge_values(const ScreenTriangle& triangle, const QuadPoints& points) {
+    QuadEdges edges;
+    std::int64_t* const out[3] = {edges[0].data(), edges[1].data(), edges[2].data()};
+    snapped_edges(triangle, points, out);
+    return edges;
+}
+
+void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, float* e0, float* e1,
+                     float* e2) {
+    any_edges(triangle, points, e0, e1, e2);
+}
+
+void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, double* e0,
+                     double* e1, double* e2) {
+    any_edges(triangle, points, e0, e1, e2);
+}
+
+}  // namespace quadrel
