@@ -1,0 +1,133 @@
+// Cube map look-ups, seamless: linear footprints reach over the edges of a face, and the texel that
+// a corner lacks is the mean of the three that meet there (Vulkan specification, "Cube Map Edge
+// Handling"). Nearest filtering stays on the face. The sampler's wrap modes do not apply.
+#pragma once
+
+#include "quadrel/texture/cube_face.hpp"
+#include "quadrel/texture/sampler.hpp"
+
+namespace quadrel {
+
+template <int channels, Number F>
+Texel<channels, F> load_cube_texel(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                   const CubeTexel<F>& at) {
+    const Int<F> row = at.face * level.height + at.y;
+    return load_texel<channels, F>(texture.view.texels, texel_index<channels, F>(level, at.x, row));
+}
+
+template <int channels, Number F>
+Texel<channels, F> sample_cube_nearest(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                       const CubePoint<F>& at) {
+    const SamplerState& s = texture.sampler;
+    const auto axis = [&](F coordinate) {
+        return address_axis(coordinate, level.width, level.width_number, Wrap::clamp_to_edge,
+                            Filter::nearest, s)
+            .first;
+    };
+    return load_cube_texel<channels, F>(texture, level, {at.face, axis(at.st.x), axis(at.st.y)});
+}
+
+/// First texel (-1 to n - 1) and weight of a linear footprint along one axis, not wrapped.
+template <Number F>
+struct OpenAxis {
+    Int<F> first;
+    F weight;
+};
+
+template <Number F>
+OpenAxis<F> open_axis(F coordinate, F size, const SamplerState& sampler) {
+    const F known = clamp(saturate_coordinate(coordinate), F(0), F(1));
+    const F shifted = round_to_bits(known * size, sampler.weight_bits) - F(0.5f);
+    const F base = floor(shifted);
+    return {to_int(base), shifted - base};
+}
+
+/// Replaces a tap outside in both axes by the mean of the other three, in tap order.
+template <int channels, Number F>
+void mend_corners(FourTaps<channels, F>& of, const Mask<F> (&corner)[4]) {
+    static constexpr int others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+    if (!any(corner[0] | corner[1] | corner[2] | corner[3])) return;
+    const FourTaps<channels, F> given = of;
+    for (int tap = 0; tap < 4; ++tap) {
+        for (int c = 0; c < channels; ++c) {
+            const auto other = [&](int i) { return given.tap[others[tap][i]].channel[c]; };
+            const F mean = (other(0) + other(1) + other(2)) / F(3);
+            of.tap[tap].channel[c] = select(corner[tap], mean, given.tap[tap].channel[c]);
+        }
+    }
+}
+
+template <int channels, Number F>
+Texel<channels, F> sample_cube_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                      const CubePoint<F>& at) {
+    const OpenAxis<F> x = open_axis(at.st.x, level.width_number, texture.sampler);
+    const OpenAxis<F> y = open_axis(at.st.y, level.width_number, texture.sampler);
+    const Int<F> zero(0), size = level.width;
+    FourTaps<channels, F> taps;
+    Mask<F> corner[4];
+    for (int tap = 0; tap < 4; ++tap) {
+        CubeTexel<F> texel = {at.face, x.first + Int<F>(tap & 1), y.first + Int<F>(tap >> 1)};
+        const Mask<F> out_x = (texel.x < zero) | (texel.x >= size);
+        const Mask<F> out_y = (texel.y < zero) | (texel.y >= size);
+        corner[tap] = out_x & out_y;
+        // A corner's own read is thrown away; it only has to be inside the texture.
+        texel.y = select(corner[tap], zero, texel.y);
+        if (any(out_x | out_y)) texel = cross_edge(texel, size);
+        taps.tap[tap] = load_cube_texel<channels, F>(texture, level, texel);
+    }
+    mend_corners(taps, corner);
+    return blend(taps, x.weight, y.weight);
+}
+
+template <Number F>
+vec4<F> sample_cube_expanded(const SampledTexture& texture, const SampleContext<F>& context,
+                             const CubePoint<F>& at, const LodRecord<F>& lod) {
+    count_fetch(context);
+    count_coordinate(context, at.st.x, F(1));
+    count_coordinate(context, at.st.y, F(1));
+    return with_channels(texture.view.channels, [&](auto channels) {
+        constexpr int n = channels();
+        return expand(sample_mips<n, F>(texture, lod, [&](const LevelGeometry<F>& level) {
+            return choose_filter<n, F>(
+                texture.sampler, lod.magnified,
+                [&] { return sample_cube_nearest<n, F>(texture, level, at); },
+                [&] { return sample_cube_linear<n, F>(texture, level, at); });
+        }));
+    });
+}
+
+/// The record of gradients of the direction, each lane on its own face.
+template <Number F>
+LodRecord<F> compute_cube_lod(const SampledTexture& texture, const vec3<F>& direction,
+                              const vec3<F>& dx, const vec3<F>& dy, F bias = F(0)) {
+    const CubePoint<F> at = project_to_cube(direction);
+    return compute_lod(texture, cube_derivative(at, dx), cube_derivative(at, dy), bias);
+}
+
+/// Level from the gradients of the direction, which need not have unit length.
+template <Number F>
+vec4<F> texture_cube_grad(const SampledTexture& texture, const SampleContext<F>& context,
+                          const vec3<F>& direction, const vec3<F>& dx, const vec3<F>& dy,
+                          LodRecord<F>* out = nullptr) {
+    const LodRecord<F> lod = compute_cube_lod(texture, direction, dx, dy);
+    if (out != nullptr) *out = lod;
+    return sample_cube_expanded(texture, context, project_to_cube(direction), lod);
+}
+
+/// Level of detail given; the sampler's bias and clamps apply.
+template <Number F>
+vec4<F> texture_cube_lod(const SampledTexture& texture, const SampleContext<F>& context,
+                         const vec3<F>& direction, F lod) {
+    return sample_cube_expanded(texture, context, project_to_cube(direction),
+                                lod_from_level(texture, lod));
+}
+
+/// Implicit gradients. All four lanes of a quad must have valid directions.
+template <Number F>
+vec4<F> texture_cube(const SampledTexture& texture, const SampleContext<F>& context,
+                     const vec3<F>& direction, DerivativeMode mode = DerivativeMode::fine) {
+    return texture_cube_grad(texture, context, direction, dFdx(direction, mode),
+                             dFdy(direction, mode));
+}
+
+}  // namespace quadrel
