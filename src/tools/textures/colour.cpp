@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "quadrel/num/math.hpp"
+#include "quadrel/num/srgb.hpp"
 
 namespace quadrel::textures {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 const std::array<double, 255>& code_limits() {
     static const std::array<double, 255> limits = [] {
         std::array<double, 255> values{};
-        for (int code = 0; code < 255; ++code) values[code] = decode_srgb((code + 0.5) / 255);
+        for (int code = 0; code < 255; ++code) values[code] = srgb_decode((code + 0.5) / 255);
         return values;
     }();
     return limits;
@@ -20,19 +20,17 @@ const std::array<double, 255>& code_limits() {
 
 }  // namespace
 
-double decode_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : quadrel::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 int srgb_code(double linear) {
     const auto& limits = code_limits();
     return static_cast<int>(std::upper_bound(limits.begin(), limits.end(), linear) -
                             limits.begin());
 }
 
+double linear_of_code(int code) { return srgb_decode(code / 255.0); }
+
 glm::dvec3 srgb(std::uint32_t rgb) {
-    return {decode_srgb((rgb >> 16 & 255) / 255.0), decode_srgb((rgb >> 8 & 255) / 255.0),
-            decode_srgb((rgb & 255) / 255.0)};
+    const auto channel = [rgb](int shift) { return linear_of_code(rgb >> shift & 255); };
+    return {channel(16), channel(8), channel(0)};
 }
 
 }  // namespace quadrel::textures

@@ -1,4 +1,4 @@
-// Linear-light colours and the sRGB transfer function (IEC 61966-2-1).
+// Linear-light colours and 8-bit sRGB codes.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace quadrel::textures {
 
-/// Linear light of an sRGB-encoded value in [0, 1].
-double decode_srgb(double encoded);
-
 /// The 8-bit sRGB code nearest to a linear value, in the encoded domain; clamped to 0..255.
 int srgb_code(double linear);
+
+/// Linear light of an 8-bit sRGB code.
+double linear_of_code(int code);
 
 /// The linear colour of 0xRRGGBB in sRGB.
 glm::dvec3 srgb(std::uint32_t rgb);

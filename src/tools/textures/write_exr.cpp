@@ -48,9 +48,7 @@ std::vector<T> flatten(const Grid<Texel>& grid, Convert convert) {
     return values;
 }
 
-half linear_of_code(double linear) {
-    return half(static_cast<float>(decode_srgb(srgb_code(linear) / 255.0)));
-}
+half srgb8(double linear) { return half(static_cast<float>(linear_of_code(srgb_code(linear)))); }
 half unorm8(double value) { return half(static_cast<float>(round_to(value, 255) / 255)); }
 float unorm16(double value) { return static_cast<float>(round_to(value, 65535)) / 65535.0f; }
 
@@ -63,7 +61,7 @@ void write_height(const std::filesystem::path& file, const Grid<double>& height)
 
 void write_colour(const std::filesystem::path& file, const Grid<glm::dvec4>& colour) {
     const auto convert = [](const glm::dvec4& c, std::vector<half>& out) {
-        for (int i = 0; i < 3; ++i) out.push_back(linear_of_code(c[i]));
+        for (int i = 0; i < 3; ++i) out.push_back(srgb8(c[i]));
         out.push_back(unorm8(c.a));
     };
     write_exr(file, colour.width, colour.height, "RGBA", flatten<half>(colour, convert));
