@@ -1,0 +1,37 @@
+// lod: the level-of-detail record of the undisplaced UV on the height map, or on the colour map of
+// a material that has no height map.
+#pragma once
+
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel {
+
+struct LevelOfDetail {
+    static constexpr StageText text{
+        "lod", "quad", "footprint and mip level of the undisplaced UV",
+        "Vulkan specification, texel scale factors and level of detail"};
+    static constexpr auto inputs = values(Value::dUVdx, Value::dUVdy);
+    static constexpr auto outputs =
+        values(Value::lod_rho, Value::lod_lambda, Value::lod_level, Value::lod_frac);
+    static constexpr auto textures = slots(TextureSlot::height, TextureSlot::color);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const SampledTexture* height = io.template texture<TextureSlot::height>();
+        const SampledTexture* map = height ? height : io.template texture<TextureSlot::color>();
+        LodRecord<F> lod{};
+        if (map) {
+            lod = compute_lod(*map, io.template load<Value::dUVdx>(),
+                              io.template load<Value::dUVdy>());
+        }
+        io.template store<Value::lod_rho>(lod.rho);
+        io.template store<Value::lod_lambda>(lod.lambda);
+        io.template store<Value::lod_level>(lod.level);
+        io.template store<Value::lod_frac>(lod.frac);
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,210 @@
+// A stage: a pure function from named inputs to named outputs over a batch of packets.
+//
+// It is a struct template of static members and one call operator:
+//   text        id, room, one-line summary, source
+//   inputs, outputs   the values that it may load and must store
+//   textures    the texture slots that it reads
+//   Params, parameters   plain struct, and its description (name, unit, range, default)
+//   operator()(Io& io, const Params&)   templated on StageIo<Stage, F>, F the number type
+// Loading a value that is not declared does not compile.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "quadrel/num/functions.hpp"
+#include "quadrel/quad/uniforms.hpp"
+#include "quadrel/quad/value.hpp"
+#include "quadrel/texture/sampler.hpp"
+
+namespace quadrel {
+
+/// Fragments of one batch: 64 quads, 256 lanes.
+inline constexpr int batch_quads = 64;
+inline constexpr int batch_lanes = 4 * batch_quads;
+
+/// What a stage function is called with. Only plain data: this crosses module borders.
+struct StageCall {
+    void* const* values;          ///< array per slot (value.hpp); null where not planned
+    const std::uint32_t* active;  ///< a lane: not 0 in every lane of a real quad, helpers included
+    std::int32_t lanes;           ///< multiple of 16, padded with inactive quads
+    const void* parameters;       ///< the stage's Params
+    const MaterialUniforms* material;
+    const FrameUniforms* frame;
+    const SampledTexture* textures[texture_slot_count];  ///< null where the material has none
+    std::int32_t light;                                  ///< which light a per-light stage serves
+    FetchCounters* counters;
+    // What the interpolation reads instead of values.
+    const void* edges[3];           ///< edge functions at the evaluation point, per lane
+    const std::int32_t* primitive;  ///< index into `primitives`, per lane
+    const PrimitiveData* primitives;
+};
+
+using StageFunction = void (*)(const StageCall*);
+
+struct StageText {
+    const char* id;    ///< `name` or `name@published`
+    const char* room;  ///< frame, trace, surface, shadow, shade
+    const char* summary;
+    const char* source;
+};
+
+/// A parameter of a stage, type-erased: `set` writes a value into a Params.
+struct ParameterText {
+    const char* name;
+    const char* unit;
+    const char* meaning;
+    double minimum, maximum, default_value;
+    bool integer;
+    void (*set)(void* params, double value);
+};
+
+namespace detail {
+template <class T>
+struct MemberOf;
+template <class P, class M>
+struct MemberOf<M P::*> {
+    using Struct = P;
+    using Type = M;
+};
+}  // namespace detail
+
+/// Describes Params member `member`.
+template <auto member>
+constexpr ParameterText parameter(const char* name, const char* unit, const char* meaning,
+                                  double minimum, double maximum, double default_value) {
+    using Of = detail::MemberOf<decltype(member)>;
+    return {name,
+            unit,
+            meaning,
+            minimum,
+            maximum,
+            default_value,
+            std::is_integral_v<typename Of::Type>,
+            [](void* params, double value) {
+                static_cast<typename Of::Struct*>(params)->*member =
+                    static_cast<typename Of::Type>(value);
+            }};
+}
+
+struct NoParams {};
+inline constexpr std::array<ParameterText, 0> no_parameters{};
+inline constexpr std::array<TextureSlot, 0> no_textures{};
+
+template <class... V>
+constexpr std::array<Value, sizeof...(V)> values(V... v) {
+    return {v...};
+}
+template <class... S>
+constexpr std::array<TextureSlot, sizeof...(S)> slots(S... s) {
+    return {s...};
+}
+
+template <std::size_t n>
+constexpr bool contains(const std::array<Value, n>& list, Value v) {
+    return std::find(list.begin(), list.end(), v) != list.end();
+}
+
+/// One packet's view of a StageCall.
+template <class Stage, class F>
+class StageIo {
+  public:
+    using Number = F;
+
+    StageIo(const StageCall& call, int first_lane) : call_(call), lane_(first_lane) {}
+
+    /// The declared input `v`: F, vec2, vec3 or an integer packet by the value's table entry.
+    template <Value v>
+    auto load(int light = 0) const {
+        static_assert(contains(Stage::inputs, v), "not among the stage's inputs");
+        constexpr int n = info(v).components;
+        const int slot = slot_of(v) + light * n;
+        if constexpr (info(v).kind == ValueKind::integer) {
+            return load_int<F>(static_cast<const std::int32_t*>(call_.values[slot]) + lane_);
+        } else if constexpr (n == 1) {
+            return real(slot);
+        } else if constexpr (n == 2) {
+            return vec2<F>(real(slot), real(slot + 1));
+        } else if constexpr (n == 3) {
+            return vec3<F>(real(slot), real(slot + 1), real(slot + 2));
+        } else {
+            return std::array<vec3<F>, 2>{vec3<F>(real(slot), real(slot + 1), real(slot + 2)),
+                                          vec3<F>(real(slot + 3), real(slot + 4), real(slot + 5))};
+        }
+    }
+
+    /// Stores the declared output `v`; nothing happens when no one asked for it.
+    template <Value v, class X>
+    void store(const X& x, int light = 0) const {
+        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
+        constexpr int n = info(v).components;
+        const int slot = slot_of(v) + light * n;
+        if (!call_.values[slot]) return;
+        if constexpr (info(v).kind == ValueKind::integer) {
+            quadrel::store(static_cast<std::int32_t*>(call_.values[slot]) + lane_, x);
+        } else if constexpr (n == 1) {
+            put(slot, x);
+        } else if constexpr (n == 6) {
+            for (int i = 0; i < 6; ++i) put(slot + i, x[std::size_t(i / 3)][i % 3]);
+        } else {
+            for (int i = 0; i < n; ++i) put(slot + i, x[i]);
+        }
+    }
+
+    /// Whether anyone asked for the declared output `v`.
+    template <Value v>
+    bool wanted() const {
+        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
+        return call_.values[slot_of(v)] != nullptr;
+    }
+
+    Mask<F> active() const { return load_mask<F>(call_.active + lane_); }
+    SampleContext<F> context(Mask<F> mask) const { return {mask, call_.counters}; }
+
+    /// The bound texture of a declared slot, or null.
+    template <TextureSlot slot>
+    const SampledTexture* texture() const {
+        static_assert(std::find(Stage::textures.begin(), Stage::textures.end(), slot) !=
+                          Stage::textures.end(),
+                      "not among the stage's textures");
+        return call_.textures[static_cast<int>(slot)];
+    }
+
+    const MaterialUniforms& material() const { return *call_.material; }
+    const FrameUniforms& frame() const { return *call_.frame; }
+    int light() const { return call_.light; }
+    const StageCall& call() const { return call_; }
+    int first_lane() const { return lane_; }
+
+  private:
+    F real(int slot) const {
+        return quadrel::load<F>(static_cast<const Scalar<F>*>(call_.values[slot]) + lane_);
+    }
+    void put(int slot, F x) const {
+        quadrel::store(static_cast<Scalar<F>*>(call_.values[slot]) + lane_, x);
+    }
+
+    const StageCall& call_;
+    int lane_;
+};
+
+/// Runs a stage over a batch.
+template <class Stage, class F>
+void run_stage(const StageCall* call) {
+    const auto& params = *static_cast<const typename Stage::Params*>(call->parameters);
+    for (int lane = 0; lane < call->lanes; lane += lanes_of<F>) {
+        StageIo<Stage, F> io(*call, lane);
+        Stage()(io, params);
+    }
+}
+
+/// Three floats of a uniform as a vector in every lane.
+template <Number F>
+vec3<F> uniform3(const float (&v)[3]) {
+    return {F(v[0]), F(v[1]), F(v[2])};
+}
+
+}  // namespace quadrel

@@ -1,0 +1,149 @@
+// The named values that flow between stages: one enumeration, one table. A batch keeps each
+// component of each value in an array of its own, lane after lane, in quad order.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace quadrel {
+
+/// Everything a stage may read or write, in the order of the data flow. Positions and vectors are
+/// in eye space (right-handed, looking down -z), lengths in world units.
+enum class Value : std::int32_t {
+    P,              ///< interpolated surface point
+    vertex_normal,  ///< interpolated vertex normal, not normalised; the face normal of flat meshes
+    Ng,             ///< unit face normal, counter-clockwise side of the triangle
+    uv,             ///< interpolated texture coordinates
+    bary,           ///< perspective-correct barycentrics of the (clipped) triangle
+    dPdx,           ///< window-space differences over the quad
+    dPdy,
+    dUVdx,
+    dUVdy,
+    T,             ///< unit tangent of the frame
+    B,             ///< unit bitangent of the frame
+    frame_normal,  ///< unit normal of the frame: the axis of relief depth
+    J,             ///< d(u, v) / dP: U.X U.Y U.Z V.X V.Y V.Z, per world unit
+    r,             ///< depth rate of the view ray: world depth a unit of its length
+    uv_rate,       ///< UV shift per world unit of depth along the view ray
+    K,             ///< UV shift while the ray falls through the whole relief: depth * uv_rate
+    frame_status,  ///< HIT or NOFRAME
+    frame_flags,
+    lod_rho,
+    lod_lambda,
+    lod_level,
+    lod_frac,
+    hit_uv,
+    hit_s,      ///< ray parameter: depth below the top plane, in units of the relief's depth
+    hit_h,      ///< height that ended the search, in [0, 1]
+    hit_depth,  ///< world depth of the hit below the polygon
+    hit_P,      ///< displaced point
+    hit_status,
+    hit_flags,
+    hit_steps,
+    hit_fetches,
+    N,                  ///< unit shading normal (the published thesis leaves it unnormalised)
+    shadow_visibility,  ///< a light: 1 lit, 0 dark
+    shadow_steps,       ///< a light
+    light_ambient,
+    light_diffuse,
+    light_specular,
+    light_emissive,
+    light_reflection,
+    light_refraction,
+    color,    ///< linear RGB
+    opacity,  ///< of the base colour; what `discard_below` tests
+    count,
+};
+
+enum class ValueKind : std::int32_t { real, integer };
+
+/// Lights that one render may have; values a light get as many arrays.
+inline constexpr int max_lights = 8;
+
+struct ValueInfo {
+    std::string_view name;
+    std::int32_t components;
+    ValueKind kind = ValueKind::real;
+    bool per_light = false;
+};
+
+inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> value_table{{
+    {"P", 3},
+    {"vertex_normal", 3},
+    {"Ng", 3},
+    {"uv", 2},
+    {"bary", 3},
+    {"dPdx", 3},
+    {"dPdy", 3},
+    {"dUVdx", 2},
+    {"dUVdy", 2},
+    {"T", 3},
+    {"B", 3},
+    {"frame_normal", 3},
+    {"J", 6},
+    {"r", 1},
+    {"uv_rate", 2},
+    {"K", 2},
+    {"frame_status", 1, ValueKind::integer},
+    {"frame_flags", 1, ValueKind::integer},
+    {"lod.rho", 1},
+    {"lod.lambda", 1},
+    {"lod.level", 1},
+    {"lod.frac", 1},
+    {"hit.uv", 2},
+    {"hit.s", 1},
+    {"hit.h", 1},
+    {"hit.depth", 1},
+    {"hit.P", 3},
+    {"hit.status", 1, ValueKind::integer},
+    {"hit.flags", 1, ValueKind::integer},
+    {"hit.steps", 1, ValueKind::integer},
+    {"hit.fetches", 1, ValueKind::integer},
+    {"N", 3},
+    {"shadow.visibility", 1, ValueKind::real, true},
+    {"shadow.steps", 1, ValueKind::integer, true},
+    {"light.ambient", 3},
+    {"light.diffuse", 3},
+    {"light.specular", 3},
+    {"light.emissive", 3},
+    {"light.reflection", 3},
+    {"light.refraction", 3},
+    {"color", 3},
+    {"opacity", 1},
+}};
+
+constexpr const ValueInfo& info(Value v) { return value_table[static_cast<std::size_t>(v)]; }
+
+/// Arrays that a value takes.
+constexpr int arrays_of(Value v) {
+    return info(v).components * (info(v).per_light ? max_lights : 1);
+}
+
+/// Index of the first array of a value; component c of light l is slot + l * components + c.
+constexpr int slot_of(Value v) {
+    int slot = 0;
+    for (int i = 0; i < static_cast<int>(v); ++i) slot += arrays_of(static_cast<Value>(i));
+    return slot;
+}
+
+inline constexpr int slot_count = slot_of(Value::count);
+
+/// hit.status. The codes are part of the file format.
+enum class Status : std::int32_t {
+    none = 0,  ///< uncovered
+    hit = 1,
+    floor = 2,     ///< no crossing found: the bottom plane
+    cap = 3,       ///< iteration cap reached above the surface
+    clip = 4,      ///< uv left the domain
+    no_frame = 5,  ///< singular or back-facing frame
+    nan = 6,
+    outside = 7,
+};
+
+/// hit.flags, a set of bits. Part of the file format.
+struct HitFlag {
+    static constexpr std::int32_t uv_degenerate = 1, ambiguous = 2, start_below = 4, wrapped = 8;
+};
+
+}  // namespace quadrel

@@ -1,0 +1,70 @@
+// shadow-march-thesis: the self-shadow march of the thesis, corrected.
+//
+// Corrects shadow-march-thesis@published: the ray and the heights are in the same units; the ray
+// climbs from the hit to the top plane in steps of 1/n of the relief's depth, with the true shift
+// K_L = (depth / L.N) J L; only lights behind the surface (L.N <= 0) are dark outright.
+// Hard shadow; misses occluders thinner than |K_L| / n. Without depth nothing shadows.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+#include "quadrel/texture/height_sampler.hpp"
+
+namespace quadrel {
+
+struct ShadowMarchThesis {
+    static constexpr StageText text{"shadow-march-thesis", "shadow",
+                                    "linear march from the hit up to the top plane",
+                                    "correction of shadow-march-thesis@published"};
+    static constexpr auto inputs =
+        values(Value::J, Value::frame_normal, Value::frame_status, Value::dUVdx, Value::dUVdy,
+               Value::hit_uv, Value::hit_s, Value::hit_P);
+    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
+    static constexpr auto textures = slots(TextureSlot::height);
+    struct Params {
+        std::int32_t steps = 128;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, 65536, 128)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const vec3<F> L = to_light(io.template load<Value::hit_P>(), io.frame().lights[io.light()]);
+        const F r = dot(L, io.template load<Value::frame_normal>());
+        const Mask<F> lit_side = r > F(0);
+        const Mask<F> framed =
+            io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
+        Int<F> steps(0);
+        const Mask<F> occluded =
+            march<F>(io, io.active() & lit_side & framed, L, r, params.steps, steps);
+        io.template store<Value::shadow_visibility>(select(lit_side & !occluded, F(1), F(0)),
+                                                    io.light());
+        io.template store<Value::shadow_steps>(steps, io.light());
+    }
+
+  private:
+    template <class F, class Io>
+    static Mask<F> march(Io& io, Mask<F> active, const vec3<F>& L, F r, int n, Int<F>& steps) {
+        Mask<F> occluded(false);
+        if (io.material().depth == 0) return occluded;
+        const auto J = io.template load<Value::J>();
+        const vec2<F> K = vec2<F>(dot(J[0], L), dot(J[1], L)) / r * F(io.material().depth);
+        const vec2<F> uv = io.template load<Value::hit_uv>();
+        const GeneralHeight<F> height(*io.template texture<TextureSlot::height>(),
+                                      io.template load<Value::dUVdx>(),
+                                      io.template load<Value::dUVdy>());
+        const F z = F(1) - io.template load<Value::hit_s>();
+        for (int k = 1; k < n; ++k) {
+            const F t(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n));
+            active = active & (z + t < F(1));
+            if (!any(active)) break;
+            const F h = height(io.context(active), uv + K * t);
+            steps = steps + select(active, Int<F>(1), Int<F>(0));
+            occluded = occluded | (active & (h > z + t));
+            active = active & !occluded;
+        }
+        return occluded;
+    }
+};
+
+}  // namespace quadrel

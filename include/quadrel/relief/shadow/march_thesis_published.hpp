@@ -1,0 +1,63 @@
+// shadow-march-thesis@published: the self-shadow march of the thesis, as published.
+//
+// Source: "Derivative-Based Relief Mapping" (2012), appendix, Parallax.frag, "Perform per light
+// self-shadowing". Defects kept: the ray's world depth is compared with heights that are not scaled
+// by the relief's depth, so that shallow reliefs hardly ever shadow; the step assumes unit depth;
+// Sample + 1 iterations end above the surface; lights below 0.01 of the face normal are cut hard.
+#pragma once
+
+#include "quadrel/relief/frame/thesis.hpp"
+
+namespace quadrel {
+
+struct ShadowMarchThesisPublished {
+    static constexpr StageText text{
+        "shadow-march-thesis@published", "shadow", "the thesis' march from the hit to the light",
+        "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 3"};
+    static constexpr auto inputs =
+        values(Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy,
+               Value::hit_uv, Value::hit_depth, Value::hit_P);
+    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
+    static constexpr auto textures = slots(TextureSlot::height);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    static constexpr float offset_per_sample = 1.0f / 128.0f;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const auto t =
+            thesis_tangents<F>(io.template load<Value::dPdx>(), io.template load<Value::dPdy>(),
+                               io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>(),
+                               io.template load<Value::vertex_normal>());
+        const vec3<F> L = to_light(io.template load<Value::hit_P>(), io.frame().lights[io.light()]);
+        const vec3<F> light_ray = L / dot(L, t.N_flat);
+        const vec2<F> tex_offset = t.dUVdT * dot(light_ray, t.T) + t.dUVdB * dot(light_ray, t.B);
+        const vec2<F> tex_offset_per_sample = tex_offset / F(128);
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+
+        vec2<F> uv = io.template load<Value::hit_uv>();
+        F light_h = io.template load<Value::hit_depth>();
+        // The listing's loop counter: as many steps as the view march took.
+        F light_sample = light_h * F(128);
+        const Mask<F> dark = dot(L, t.N_flat) <= F(0.01f);
+        Mask<F> active = io.active() & !dark & (light_sample >= F(0));
+        Mask<F> shadowed(false);
+        Int<F> steps(0);
+        while (any(active)) {
+            light_h = select(active, light_h - F(offset_per_sample), light_h);
+            uv = select(active, uv + tex_offset_per_sample, uv);
+            const F h = texture(map, io.context(active), uv, io.frame().derivatives).x;
+            steps = steps + select(active, Int<F>(1), Int<F>(0));
+            shadowed = shadowed | (active & (light_h > F(1) - h));
+            light_sample = light_sample - F(1);
+            active = active & !shadowed & (light_sample >= F(0));
+        }
+        io.template store<Value::shadow_visibility>(select(dark | shadowed, F(0), F(1)),
+                                                    io.light());
+        io.template store<Value::shadow_steps>(steps, io.light());
+    }
+};
+
+}  // namespace quadrel

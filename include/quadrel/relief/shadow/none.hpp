@@ -1,0 +1,24 @@
+// shadow-none: every light reaches every point.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+
+namespace quadrel {
+
+struct ShadowNone {
+    static constexpr StageText text{"shadow-none", "shadow", "no self-shadowing", "-"};
+    static constexpr std::array<Value, 0> inputs{};
+    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
+    static constexpr auto textures = no_textures;
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        io.template store<Value::shadow_visibility>(F(1), io.light());
+        io.template store<Value::shadow_steps>(Int<F>(0), io.light());
+    }
+};
+
+}  // namespace quadrel

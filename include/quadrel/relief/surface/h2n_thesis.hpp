@@ -1,0 +1,63 @@
+// h2n-thesis: the normal of the thesis, corrected.
+//
+// Corrects h2n-thesis@published: central differences one texel apart in u and v instead of a fixed
+// world distance; the face's relief normal is made on the right side before the smooth-shading
+// difference (vertex normal minus face normal) is added; the sum is normalised.
+//     m = normalize(Nf - depth * (h_u grad u + h_v grad v)),   n = normalize(m + (N - Nf))
+// Heights are fetched with the gradients of the undisplaced UV. Depth 0 gives the frame's normal.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+#include "quadrel/texture/height_sampler.hpp"
+
+namespace quadrel {
+
+struct H2nThesis {
+    static constexpr StageText text{"h2n-thesis", "surface",
+                                    "normal from central differences of the height, smooth shaded",
+                                    "correction of h2n-thesis@published"};
+    static constexpr auto inputs =
+        values(Value::P, Value::Ng, Value::frame_normal, Value::J, Value::frame_status,
+               Value::dUVdx, Value::dUVdy, Value::hit_uv);
+    static constexpr auto outputs = values(Value::N);
+    static constexpr auto textures = slots(TextureSlot::height);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const vec3<F> N = io.template load<Value::frame_normal>();
+        if (io.material().depth == 0) return io.template store<Value::N>(N);
+
+        const vec3<F> Ng = io.template load<Value::Ng>();
+        const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
+        const vec3<F> Nf = select(dot(Ng, V) < F(0), -Ng, Ng);
+        const auto J = io.template load<Value::J>();
+        const vec2<F> slope = height_slope<F>(io);
+        const vec3<F> m =
+            normalize(Nf - (J[0] * slope.x + J[1] * slope.y) * F(io.material().depth));
+        const vec3<F> n = normalize(m + (N - Nf));
+        const Mask<F> framed =
+            io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
+        io.template store<Value::N>(select(framed, n, N));
+    }
+
+  private:
+    /// (dh/du, dh/dv) by central differences over two texels of level 0.
+    template <class F, class Io>
+    static vec2<F> height_slope(Io& io) {
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+        const GeneralHeight<F> sampler(map, io.template load<Value::dUVdx>(),
+                                       io.template load<Value::dUVdy>());
+        const vec2<F> uv = io.template load<Value::hit_uv>();
+        const F width(static_cast<Scalar<F>>(map.view.width[0]));
+        const F height(static_cast<Scalar<F>>(map.view.height[0]));
+        const vec2<F> du(F(1) / width, F(0)), dv(F(0), F(1) / height);
+        const auto h = [&](const vec2<F>& at) { return sampler(io.context(io.active()), at); };
+        return {(h(uv + du) - h(uv - du)) * width * F(0.5f),
+                (h(uv + dv) - h(uv - dv)) * height * F(0.5f)};
+    }
+};
+
+}  // namespace quadrel

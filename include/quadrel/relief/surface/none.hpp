@@ -1,0 +1,22 @@
+// surface-none: the shading normal is the frame's.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+
+namespace quadrel {
+
+struct SurfaceNone {
+    static constexpr StageText text{"surface-none", "surface", "the frame's normal", "-"};
+    static constexpr auto inputs = values(Value::frame_normal);
+    static constexpr auto outputs = values(Value::N);
+    static constexpr auto textures = no_textures;
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        io.template store<Value::N>(io.template load<Value::frame_normal>());
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,27 @@
+// displace: where the hit lies in space. hit.P = P - (V / r) * depth, on the view ray.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+
+namespace quadrel {
+
+struct Displace {
+    static constexpr StageText text{"displace", "trace", "the hit as a point in eye space",
+                                    "Derivative-Based Relief Mapping (2012), P + SSR * Offset"};
+    static constexpr auto inputs = values(Value::P, Value::r, Value::hit_depth);
+    static constexpr auto outputs = values(Value::hit_P);
+    static constexpr auto textures = no_textures;
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const vec3<F> P = io.template load<Value::P>();
+        const vec3<F> V = to_viewer(P, io.frame());
+        const vec3<F> SSR = (-V) / io.template load<Value::r>();
+        io.template store<Value::hit_P>(P + SSR * io.template load<Value::hit_depth>());
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,66 @@
+// linear-thesis: the linear search of the thesis, as published.
+//
+// Source: "Derivative-Based Relief Mapping" (2012), appendix, Parallax.frag, "Set up Parallax
+// Sampling Loop". Defects kept:
+//   * it marches world depth 0 to 1 in steps of 1/128 whatever the relief's depth;
+//   * 129 tests, and a ray that never breaks ends at 129/128;
+//   * the test is strict, so that every pixel moves at least one step over a flat top;
+//   * texture() in the loop takes implicit derivatives: lanes that left keep their last coordinate,
+//     as on a GPU that runs the quad in lockstep;
+//   * the comment announces a binary search; no code follows.
+#pragma once
+
+#include "quadrel/relief/view.hpp"
+
+namespace quadrel {
+
+struct LinearThesis {
+    static constexpr StageText text{
+        "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
+        "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
+    static constexpr auto inputs =
+        values(Value::uv, Value::uv_rate, Value::frame_status, Value::frame_flags);
+    static constexpr auto outputs =
+        values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
+               Value::hit_flags, Value::hit_steps, Value::hit_fetches);
+    static constexpr auto textures = slots(TextureSlot::height);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    static constexpr int max_samples = 128;
+    static constexpr float offset_per_sample = 0.0f + 1.0f / 128.0f;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const vec2<F> UV = io.template load<Value::uv>();
+        const vec2<F> dUVdSR = io.template load<Value::uv_rate>();
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+        const F scalar(io.material().depth);
+
+        Mask<F> active = io.active();
+        F offset(0), h(0);
+        Int<F> fetches(0);
+        for (int sample = 0; sample <= max_samples; ++sample) {
+            const F texel =
+                texture(map, io.context(active), UV + dUVdSR * offset, io.frame().derivatives).x;
+            const F tex_h = (F(1) - texel) * scalar;
+            h = select(active, texel, h);
+            fetches = fetches + select(active, Int<F>(1), Int<F>(0));
+            active = active & !(offset > tex_h);
+            offset = select(active, offset + F(offset_per_sample), offset);
+            if (!any(active)) break;
+        }
+        io.template store<Value::hit_uv>(UV + dUVdSR * offset);
+        io.template store<Value::hit_s>(offset / scalar);
+        io.template store<Value::hit_h>(h);
+        io.template store<Value::hit_depth>(offset);
+        io.template store<Value::hit_status>(
+            select(active, status_packet<F>(Status::floor), status_packet<F>(Status::hit)));
+        io.template store<Value::hit_flags>(io.template load<Value::frame_flags>());
+        io.template store<Value::hit_steps>(fetches);
+        io.template store<Value::hit_fetches>(fetches);
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,28 @@
+// The view vector, shared by every frame and shading text.
+#pragma once
+
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel {
+
+/// Unit vector from the surface point towards the eye (V; the thesis calls it E).
+template <Number F>
+vec3<F> to_viewer(const vec3<F>& P, const FrameUniforms& frame) {
+    const vec3<F> eye = uniform3<F>(frame.eye);
+    return normalize(frame.orthographic ? eye : eye - P);
+}
+
+/// Unit vector from `P` towards a light.
+template <Number F>
+vec3<F> to_light(const vec3<F>& P, const LightUniforms& light) {
+    const vec3<F> position = uniform3<F>(light.position);
+    return normalize(light.directional ? position : position - P);
+}
+
+/// A status in every lane.
+template <Number F>
+Int<F> status_packet(Status status) {
+    return Int<F>(static_cast<std::int32_t>(status));
+}
+
+}  // namespace quadrel

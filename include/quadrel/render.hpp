@@ -1,0 +1,36 @@
+// Rendering a scene to named channels.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadrel/film/film.hpp"
+#include "quadrel/scene/scene.hpp"
+
+namespace quadrel {
+
+struct RenderOptions {
+    std::vector<std::string> channels;     ///< names or groups; none: R G B A Z
+    std::optional<Window> window;          ///< image coordinates; the whole frame if absent
+    std::string number = "float";          ///< float | double
+    std::string isa = "auto";              ///< auto | scalar | sse4 | avx2 | avx512 | neon
+    int threads = 0;                       ///< 0: as many as the process may use
+    int tile = 64;                         ///< side of a tile in pixels, even, 2 to 1024
+    std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
+};
+
+/// Renders. The film's bits depend on scene, channels and number type only: not on window (beyond
+/// what it holds), instruction set, threads or tile size.
+/// Throws InputError for a scene that cannot be planned or textures that cannot be read, UsageError
+/// for options that make no sense.
+Film render(const Scene& scene, const RenderOptions& options);
+
+/// The quadrel:* attributes of a render: scene hash, conventions, stages and parameters, number
+/// type, version. Nothing that changes between equal runs.
+std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& scene,
+                                                                   const RenderOptions& options);
+
+}  // namespace quadrel

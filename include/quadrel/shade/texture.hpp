@@ -1,0 +1,26 @@
+// shade-texture: the colour map, unlit. What sampler scenes show. Without a map: white.
+#pragma once
+
+#include "quadrel/shade/maps.hpp"
+
+namespace quadrel {
+
+struct ShadeTexture {
+    static constexpr StageText text{"shade-texture", "shade", "the colour map, unlit", "-"};
+    static constexpr auto inputs = values(Value::dUVdx, Value::dUVdy, Value::hit_uv);
+    static constexpr auto outputs = values(Value::color, Value::opacity);
+    static constexpr auto textures = slots(TextureSlot::color);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const vec4<F> texel =
+            map_at_hit(io, io.template texture<TextureSlot::color>(), vec4<F>(F(1)));
+        io.template store<Value::color>(rgb(texel));
+        io.template store<Value::opacity>(texel.w);
+    }
+};
+
+}  // namespace quadrel

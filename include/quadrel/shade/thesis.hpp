@@ -1,0 +1,115 @@
+// shade-thesis: the lighting of the thesis, corrected.
+//
+// Corrects shade-thesis@published: every declared uniform takes effect (light and material colours,
+// intensity, attenuation by distance, any number of lights), diffuse and specular are clamped and
+// stay on the lit side, the environment keeps still when the camera turns, total internal
+// reflection shows the reflection. Maps are ordinary RGBA: colour rgb with opacity a; gloss r =
+// shininess / 255, g = eta / 2, b = mirror; emissive rgb.
+//     ambient  = La Ma base                        diffuse = Ld Md base max(N.L, 0) visibility att
+//     specular = Ls Ms max(R.V, 0)^shininess visibility att          att = I / (c + l d + q d^2)
+//     phong = Me + emissive + sum over lights;  color = mix(mix(refraction, phong, a), reflection,
+//     mirror)
+// Without a gloss map: the material's shininess, eta 1, mirror 0. pow(0, 0) is 1.
+#pragma once
+
+#include "quadrel/num/math.hpp"
+#include "quadrel/shade/maps.hpp"
+
+namespace quadrel {
+
+struct ShadeThesis {
+    static constexpr StageText text{"shade-thesis", "shade",
+                                    "Phong lighting with reflection and refraction",
+                                    "correction of shade-thesis@published"};
+    static constexpr auto inputs = values(Value::P, Value::dUVdx, Value::dUVdy, Value::hit_P,
+                                          Value::hit_uv, Value::N, Value::shadow_visibility);
+    static constexpr auto outputs = values(
+        Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,
+        Value::light_reflection, Value::light_refraction, Value::color, Value::opacity);
+    static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
+                                           TextureSlot::emissive, TextureSlot::environment);
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const F zero(0), one(1);
+        const vec4<F> base =
+            map_at_hit(io, io.template texture<TextureSlot::color>(), vec4<F>(one, one, one, one));
+        const F default_shininess(io.material().shininess / 255.0f);
+        const vec4<F> gloss = map_at_hit(io, io.template texture<TextureSlot::gloss>(),
+                                         vec4<F>(default_shininess, F(0.5f), zero, one));
+        const vec4<F> glow =
+            map_at_hit(io, io.template texture<TextureSlot::emissive>(), vec4<F>(zero));
+        const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
+        const vec3<F> N = io.template load<Value::N>();
+        const Terms<F> sum = lights<F>(io, rgb(base), N, V, F(255) * gloss.x);
+        const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
+        const vec3<F> phong = emissive + sum.ambient + sum.diffuse + sum.specular;
+        const vec3<F> mirrored = reflect(-V, N);
+        const vec3<F> bent = refract(-V, N, F(2) * gloss.y);
+        const Mask<F> total = dot(bent, bent) == zero;
+        const vec3<F> reflection = environment<F>(io, mirrored);
+        const vec3<F> refraction = environment<F>(io, select(total, mirrored, bent));
+
+        io.template store<Value::light_ambient>(sum.ambient);
+        io.template store<Value::light_diffuse>(sum.diffuse);
+        io.template store<Value::light_specular>(sum.specular);
+        io.template store<Value::light_emissive>(emissive);
+        io.template store<Value::light_reflection>(reflection);
+        io.template store<Value::light_refraction>(refraction);
+        io.template store<Value::color>(mix(mix(refraction, phong, base.w), reflection, gloss.z));
+        io.template store<Value::opacity>(base.w);
+    }
+
+  private:
+    template <class F>
+    struct Terms {
+        vec3<F> ambient, diffuse, specular;
+    };
+
+    template <class F, class Io>
+    static Terms<F> lights(Io& io, const vec3<F>& base, const vec3<F>& N, const vec3<F>& V,
+                           F shininess) {
+        Terms<F> sum{vec3<F>(F(0)), vec3<F>(F(0)), vec3<F>(F(0))};
+        const vec3<F> P = io.template load<Value::hit_P>();
+        const MaterialUniforms& material = io.material();
+        for (int i = 0; i < io.frame().light_count; ++i) {
+            const LightUniforms& light = io.frame().lights[i];
+            const vec3<F> L = to_light(P, light);
+            const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
+            const F cosine = dot(N, L);
+            const F highlight = pow(max(dot(reflect(-L, N), V), F(0)), shininess);
+            const F lit = select(cosine > F(0), visible, F(0));
+            sum.ambient += uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base;
+            sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
+                           (max(cosine, F(0)) * visible);
+            sum.specular +=
+                uniform3<F>(light.specular) * uniform3<F>(material.specular) * (highlight * lit);
+        }
+        return sum;
+    }
+
+    /// Intensity over the distance polynomial; directional lights do not fade.
+    template <class F>
+    static F attenuation(const vec3<F>& P, const LightUniforms& light) {
+        if (light.directional) return F(light.intensity);
+        const F d = distance(uniform3<F>(light.position), P);
+        return F(light.intensity) / (F(light.attenuation[0]) + F(light.attenuation[1]) * d +
+                                     F(light.attenuation[2]) * (d * d));
+    }
+
+    template <class F, class Io>
+    static vec3<F> environment(Io& io, const vec3<F>& v) {
+        const SampledTexture* cube = io.template texture<TextureSlot::environment>();
+        if (!cube) return vec3<F>(F(0));
+        const float(&m)[9] = io.frame().eye_to_world;
+        const vec3<F> world(F(m[0]) * v.x + F(m[1]) * v.y + F(m[2]) * v.z,
+                            F(m[3]) * v.x + F(m[4]) * v.y + F(m[5]) * v.z,
+                            F(m[6]) * v.x + F(m[7]) * v.y + F(m[8]) * v.z);
+        return rgb(texture_cube(*cube, io.context(io.active()), world, io.frame().derivatives));
+    }
+};
+
+}  // namespace quadrel

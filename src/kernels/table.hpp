@@ -1,0 +1,35 @@
+// What an instruction-set module exports: one symbol, a table of plain data. No standard-library
+// types, exceptions or allocations cross the border.
+#pragma once
+
+#include <cstdint>
+
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel {
+
+inline constexpr std::uint32_t kernel_magic = 0x4b445251;  // "QRDK"
+inline constexpr std::uint32_t kernel_abi_version = 1;
+
+struct KernelRow {
+    const char* id;
+    StageFunction run;
+};
+
+struct KernelTable {
+    std::uint32_t magic, abi_version;
+    const char* isa;
+    std::int32_t lanes;
+    std::int32_t scalar_bytes;  ///< 4: float values, 8: double values
+    std::int32_t count;
+    const KernelRow* rows;
+};
+
+/// Name of the one exported symbol.
+inline constexpr const char* kernel_symbol = "quadrel_kernel_table";
+
+/// The tables compiled into the library: plain x86-64, Quad<float> and Quad<double>.
+const KernelTable& scalar_float_kernels();
+const KernelTable& scalar_double_kernels();
+
+}  // namespace quadrel

@@ -1,0 +1,49 @@
+#include "quadrel/relief/registry.hpp"
+
+#include <array>
+
+#include "quadrel/shade/stages.hpp"
+
+namespace quadrel {
+namespace {
+
+/// Every stage so far works on all of them.
+constexpr std::array<std::string_view, 2> number_types{"float", "double"};
+
+template <class Stage>
+StageInfo describe() {
+    return {Stage::text,
+            Stage::inputs,
+            Stage::outputs,
+            Stage::textures,
+            Stage::parameters,
+            number_types,
+            sizeof(typename Stage::Params),
+            [](void* params) { *static_cast<typename Stage::Params*>(params) = {}; }};
+}
+
+template <class... R, class... S>
+auto describe_all(StageList<R...>, StageList<S...>) {
+    return std::array{describe<R>()..., describe<S>()...};
+}
+
+}  // namespace
+
+std::span<const StageInfo> all_stages() {
+    static const auto stages = describe_all(ReliefStages(), ShadeStages());
+    return stages;
+}
+
+const StageInfo* find_stage(std::string_view id) {
+    for (const StageInfo& stage : all_stages())
+        if (id == stage.text.id) return &stage;
+    return nullptr;
+}
+
+std::string_view slot_name(TextureSlot slot) {
+    constexpr std::array<std::string_view, texture_slot_count> names{
+        "height", "color", "gloss", "emissive", "normal", "environment"};
+    return names[static_cast<std::size_t>(slot)];
+}
+
+}  // namespace quadrel

@@ -1,0 +1,37 @@
+// Where a channel's bits come from: a value of the stages, or something only the renderer knows.
+#pragma once
+
+#include <string>
+
+#include "quadrel/film/film.hpp"
+#include "quadrel/quad/value.hpp"
+
+namespace quadrel {
+
+struct ChannelSource {
+    enum class Kind {
+        value,      ///< component of a stage value
+        coverage,   ///< A
+        z,          ///< -hit.P.z
+        depth,      ///< window depth of the sample
+        object,     ///< id.object
+        primitive,  ///< id.primitive
+        lane,       ///< quad.lane
+        quad_coverage,
+    };
+    std::string name;
+    ChannelType type = ChannelType::float32;
+    Kind kind = Kind::value;
+    Value value = Value::P;
+    int component = 0, light = 0;
+
+    /// Index of the value's array (quad/value.hpp).
+    int slot() const { return slot_of(value) + light * info(value).components + component; }
+    /// Resolved over the samples of a pixel; every other channel is one fragment's.
+    bool resolved() const;
+};
+
+/// The source of a full channel name (film/channels.hpp has checked that it exists).
+ChannelSource channel_source(const std::string& name);
+
+}  // namespace quadrel

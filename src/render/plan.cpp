@@ -1,0 +1,136 @@
+#include "render/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "io/suggest.hpp"
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr std::size_t index_of(Value v) { return static_cast<std::size_t>(v); }
+
+std::vector<std::string> ids_of_room(std::string_view room) {
+    std::vector<std::string> ids;
+    for (const StageInfo& stage : all_stages())
+        if (room == stage.text.room) ids.emplace_back(stage.text.id);
+    return ids;
+}
+
+/// The stage that a scene names for a room; `none` is the room's own do-nothing stage.
+const StageInfo& chosen_stage(const Scene& scene, const StageChoice& choice, std::string_view room,
+                              const std::string& fallback) {
+    std::string id = choice.id.empty() ? fallback : choice.id;
+    if (id == "none") id = fmt::format("{}-none", room);
+    const StageInfo* stage = find_stage(id);
+    if (stage && room == stage->text.room) return *stage;
+    const std::vector<std::string> known = ids_of_room(room);
+    const std::string nearest = nearest_word(choice.id, known);
+    throw InputError(
+        scene.file.string(), choice.key, fmt::format("unknown stage \"{}\"", choice.id),
+        nearest.empty()
+            ? fmt::format("one of {}", fmt::join(known, ", "))
+            : fmt::format("\"{}\" perhaps; known are {}", nearest, fmt::join(known, ", ")));
+}
+
+void set_parameter(const Scene& scene, const StageChoice& choice, const StageInfo& stage,
+                   const std::string& name, double value, void* params) {
+    const std::string key = choice.key + "." + name;
+    const auto parameter = std::find_if(stage.parameters.begin(), stage.parameters.end(),
+                                        [&](const ParameterText& p) { return name == p.name; });
+    if (parameter == stage.parameters.end()) {
+        std::vector<std::string> names;
+        for (const ParameterText& p : stage.parameters) names.emplace_back(p.name);
+        throw InputError(scene.file.string(), key, "an unknown parameter",
+                         names.empty() ? fmt::format("none, {} takes no parameters", stage.text.id)
+                                       : fmt::format("a parameter of {}: {}", stage.text.id,
+                                                     fmt::join(names, ", ")));
+    }
+    const bool whole = !parameter->integer || value == std::floor(value);
+    if (!(value >= parameter->minimum && value <= parameter->maximum) || !whole)
+        throw InputError(
+            scene.file.string(), key, fmt::format("{}", value),
+            fmt::format("{} in [{}, {}]", parameter->integer ? "an integer" : "a number",
+                        parameter->minimum, parameter->maximum));
+    parameter->set(params, value);
+}
+
+PlannedStage make_stage(const StageInfo& info, int light = -1) {
+    PlannedStage planned;
+    planned.info = &info;
+    planned.light = light;
+    planned.params.resize(info.params_size / sizeof(std::max_align_t) + 1);
+    info.set_defaults(planned.params.data());
+    return planned;
+}
+
+PlannedStage make_chosen(const Scene& scene, const StageChoice& choice, std::string_view room,
+                         const std::string& fallback, int light = -1) {
+    const StageInfo& info = chosen_stage(scene, choice, room, fallback);
+    PlannedStage planned = make_stage(info, light);
+    for (const auto& [name, value] : choice.parameters)
+        set_parameter(scene, choice, info, name, value, planned.params.data());
+    return planned;
+}
+
+bool any_of(std::span<const Value> list, const ValueSet& set) {
+    return std::any_of(list.begin(), list.end(), [&](Value v) { return set[index_of(v)]; });
+}
+
+StageFunction kernel(const KernelTable& table, std::string_view id) {
+    for (int i = 0; i < table.count; ++i)
+        if (id == table.rows[i].id) return table.rows[i].run;
+    check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
+}
+
+}  // namespace
+
+std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
+    const bool relief = material.textures.count("height") > 0;
+    const auto fallback = [&](const char* id) { return std::string(relief ? id : "none"); };
+    std::vector<PlannedStage> stages;
+    for (const char* id : {"interpolate", "differentiate", "lod"})
+        stages.push_back(make_stage(*find_stage(id)));
+    stages.push_back(make_chosen(scene, material.frame, "frame", fallback("frame-gram")));
+    stages.push_back(make_chosen(scene, material.trace, "trace", fallback("linear")));
+    stages.push_back(make_stage(*find_stage("displace")));
+    stages.push_back(make_chosen(scene, material.surface, "surface", fallback("h2n-thesis")));
+    for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
+        stages.push_back(
+            make_chosen(scene, material.shadow, "shadow", fallback("shadow-march-thesis"), light));
+    stages.push_back(make_chosen(scene, material.shade, "shade", "shade-thesis"));
+    return stages;
+}
+
+MaterialPlan plan_material(const Scene& scene, const Material& material, const ValueSet& wanted,
+                           const KernelTable& table) {
+    MaterialPlan plan;
+    plan.values = wanted;
+    std::vector<PlannedStage> stages = material_stages(scene, material);
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+        if (!any_of(stage->info->outputs, plan.values)) continue;
+        for (const Value v : stage->info->inputs) plan.values.set(index_of(v));
+        for (const TextureSlot slot : stage->info->textures)
+            plan.textures.set(static_cast<std::size_t>(slot));
+        stage->run = kernel(table, stage->info->text.id);
+        plan.stages.push_back(std::move(*stage));
+    }
+    std::reverse(plan.stages.begin(), plan.stages.end());
+    return plan;
+}
+
+ValueSet wanted_values(const std::vector<ChannelSource>& channels) {
+    ValueSet wanted;
+    for (const ChannelSource& channel : channels) {
+        if (channel.kind == ChannelSource::Kind::value) wanted.set(index_of(channel.value));
+        if (channel.kind == ChannelSource::Kind::z) wanted.set(index_of(Value::hit_P));
+    }
+    return wanted;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,46 @@
+// What has to be computed: from the requested channels back to stages, values and textures.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kernels/table.hpp"
+#include "quadrel/relief/registry.hpp"
+#include "quadrel/scene/scene.hpp"
+#include "render/channel_source.hpp"
+
+namespace quadrel {
+
+/// One call per batch.
+struct PlannedStage {
+    const StageInfo* info = nullptr;
+    StageFunction run = nullptr;
+    std::vector<std::max_align_t> params;
+    int light = -1;  ///< which light, for stages that serve one at a time
+};
+
+using ValueSet = std::bitset<static_cast<std::size_t>(Value::count)>;
+using SlotSet = std::bitset<texture_slot_count>;
+
+/// The stages of one material that the wanted values need, in the order of the data flow.
+struct MaterialPlan {
+    std::vector<PlannedStage> stages;
+    ValueSet values;  ///< every value that a stage loads or that is wanted
+    SlotSet textures;
+};
+
+/// Stage ids of a material with defaults filled in, in the order of the data flow, quad stages
+/// included; their parameters checked. Throws InputError.
+std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material);
+
+/// Keeps of `stages` what `wanted` needs and binds it to the kernels of `table`.
+MaterialPlan plan_material(const Scene& scene, const Material& material, const ValueSet& wanted,
+                           const KernelTable& table);
+
+/// The values that channels read.
+ValueSet wanted_values(const std::vector<ChannelSource>& channels);
+
+}  // namespace quadrel
