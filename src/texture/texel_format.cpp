@@ -1,0 +1,83 @@
+#include "texture/texel_format.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "quadrel/texture/srgb.hpp"
+
+namespace quadrel {
+
+int max_code(TexelFormat format) {
+    switch (format) {
+        case TexelFormat::unorm8:
+        case TexelFormat::srgb8:
+            return 255;
+        case TexelFormat::unorm16:
+            return 65535;
+        case TexelFormat::half:
+        case TexelFormat::float32:
+            break;
+    }
+    return 0;
+}
+
+const char* format_name(TexelFormat format) {
+    switch (format) {
+        case TexelFormat::unorm8:
+            return "unorm8";
+        case TexelFormat::srgb8:
+            return "srgb8";
+        case TexelFormat::unorm16:
+            return "unorm16";
+        case TexelFormat::half:
+            return "half";
+        case TexelFormat::float32:
+            break;
+    }
+    return "float32";
+}
+
+double round_to_half(double x) {
+    if (!std::isfinite(x) || x == 0) return x;
+    constexpr int min_exponent = -14, fraction_bits = 10;
+    const int exponent = std::max(std::ilogb(x), min_exponent);
+    const double quantum = std::ldexp(1.0, exponent - fraction_bits);
+    const double rounded = std::nearbyint(x / quantum) * quantum;
+    constexpr double largest = 65504;
+    return std::fabs(rounded) <= largest
+               ? rounded
+               : std::copysign(std::numeric_limits<double>::infinity(), x);
+}
+
+int encode_unorm(double value, double unit, int max) {
+    const double scaled = value * max / unit;
+    if (!(scaled > 0)) return 0;
+    return scaled >= max ? max : static_cast<int>(scaled + 0.5);
+}
+
+namespace {
+
+float decode_srgb8(int code) {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> decoded{};
+        for (int i = 0; i < 256; ++i) decoded[i] = static_cast<float>(srgb_to_linear(i / 255.0));
+        return decoded;
+    }();
+    return table[code];
+}
+
+}  // namespace
+
+float store_and_decode(double value, double unit, TexelFormat format, bool is_alpha) {
+    if (format == TexelFormat::float32) return static_cast<float>(value / unit);
+    if (format == TexelFormat::half) return static_cast<float>(round_to_half(value / unit));
+    const int max = max_code(format);
+    if (format == TexelFormat::srgb8 && !is_alpha) {
+        return decode_srgb8(encode_unorm(linear_to_srgb(value / unit), 1, max));
+    }
+    // By division: the product with the reciprocal misses 126 of 256 codes.
+    return static_cast<float>(encode_unorm(value, unit, max)) / static_cast<float>(max);
+}
+
+}  // namespace quadrel

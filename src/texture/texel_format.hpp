@@ -1,0 +1,24 @@
+// Rounding values to what a format can store.
+#pragma once
+
+#include "quadrel/texture/format.hpp"
+
+namespace quadrel {
+
+/// Codes of a normalised format: 255, 65535; 0 for the floating-point ones.
+int max_code(TexelFormat format);
+
+const char* format_name(TexelFormat format);
+
+/// The nearest half-precision number, halves to even; overflow gives infinity.
+double round_to_half(double x);
+
+/// The code of value / unit * max, rounded half up (Direct3D 11.3 functional specification
+/// 3.2.3.6); NaN gives 0.
+int encode_unorm(double value, double unit, int max);
+
+/// `value` in multiples of 1 / `unit`, stored in `format` and decoded. `is_alpha`: linear in
+/// srgb8.
+float store_and_decode(double value, double unit, TexelFormat format, bool is_alpha);
+
+}  // namespace quadrel

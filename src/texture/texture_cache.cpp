@@ -1,0 +1,54 @@
+#include "quadrel/texture/texture_cache.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "io/hash.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+
+namespace {
+
+std::string file_hash(const std::filesystem::path& file, const std::string& key) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    if (!in.is_open() || in.bad()) {
+        throw InputError(file.string(), key, "a file that cannot be read", "a readable image");
+    }
+    return sha256_hex(bytes);
+}
+
+}  // namespace
+
+template <class Make>
+std::shared_ptr<const Texture> TextureCache::find_or_make(const std::string& key,
+                                                          const Make& make) {
+    const std::lock_guard lock(mutex_);
+    if (auto found = textures_[key].lock()) return found;
+    std::shared_ptr<const Texture> made = make();
+    textures_[key] = made;
+    return made;
+}
+
+std::shared_ptr<const Texture> TextureCache::load(const std::filesystem::path& file,
+                                                  const TextureOptions& options) {
+    return find_or_make(texture_id(file_hash(file, options.key), options), [&] {
+        return make_texture(load_image(file, NotFinite::refuse, options.key), options);
+    });
+}
+
+std::shared_ptr<const Texture> TextureCache::load_cube(
+    const std::array<std::filesystem::path, 6>& faces, const TextureOptions& options) {
+    std::string hashes;
+    for (const auto& face : faces) hashes += file_hash(face, options.key);
+    return find_or_make(texture_id(hashes, options), [&] {
+        std::array<Image, 6> images;
+        for (std::size_t i = 0; i < 6; ++i) {
+            images[i] = load_image(faces[i], NotFinite::refuse, options.key);
+        }
+        return make_cube_texture(images, options);
+    });
+}
+
+}  // namespace quadrel
