@@ -11,54 +11,50 @@ namespace quadrel {
 enum class DerivativeMode : std::int32_t { fine = 0, coarse = 1 };
 
 /// Right minus left, in each row.
-template <Number F>
+template <Packet F>
 F dFdx_fine(F v) {
     const F other = swap_horizontal(v);
     return select(lane_is_right<F>(), v - other, other - v);
 }
 /// Larger window y minus smaller, in each column.
-template <Number F>
+template <Packet F>
 F dFdy_fine(F v) {
     const F other = swap_vertical(v);
     return select(lane_is_below<F>(), v - other, other - v);
 }
-template <Number F>
+template <Packet F>
 F dFdx_coarse(F v) {
     return broadcast_lane<1>(v) - broadcast_lane<0>(v);
 }
-template <Number F>
+template <Packet F>
 F dFdy_coarse(F v) {
     return broadcast_lane<2>(v) - broadcast_lane<0>(v);
 }
-template <Number F>
+template <Packet F>
 F dFdx(F v, DerivativeMode mode = DerivativeMode::fine) {
     return mode == DerivativeMode::fine ? dFdx_fine(v) : dFdx_coarse(v);
 }
-template <Number F>
+template <Packet F>
 F dFdy(F v, DerivativeMode mode = DerivativeMode::fine) {
     return mode == DerivativeMode::fine ? dFdy_fine(v) : dFdy_coarse(v);
 }
 /// |dFdx| + |dFdy|.
-template <Number F>
+template <Packet F>
 F fwidth(F v, DerivativeMode mode = DerivativeMode::fine) {
     return abs(dFdx(v, mode)) + abs(dFdy(v, mode));
 }
 
-template <Number F>
-vec2<F> dFdx(const vec2<F>& v, DerivativeMode mode = DerivativeMode::fine) {
-    return {dFdx(v.x, mode), dFdx(v.y, mode)};
+template <int size, Packet F>
+vec<size, F> dFdx(const vec<size, F>& v, DerivativeMode mode = DerivativeMode::fine) {
+    return map_components([mode](F x) { return dFdx(x, mode); }, v);
 }
-template <Number F>
-vec2<F> dFdy(const vec2<F>& v, DerivativeMode mode = DerivativeMode::fine) {
-    return {dFdy(v.x, mode), dFdy(v.y, mode)};
+template <int size, Packet F>
+vec<size, F> dFdy(const vec<size, F>& v, DerivativeMode mode = DerivativeMode::fine) {
+    return map_components([mode](F x) { return dFdy(x, mode); }, v);
 }
-template <Number F>
-vec3<F> dFdx(const vec3<F>& v, DerivativeMode mode = DerivativeMode::fine) {
-    return {dFdx(v.x, mode), dFdx(v.y, mode), dFdx(v.z, mode)};
-}
-template <Number F>
-vec3<F> dFdy(const vec3<F>& v, DerivativeMode mode = DerivativeMode::fine) {
-    return {dFdy(v.x, mode), dFdy(v.y, mode), dFdy(v.z, mode)};
+template <int size, Packet F>
+vec<size, F> fwidth(const vec<size, F>& v, DerivativeMode mode = DerivativeMode::fine) {
+    return map_components([mode](F x) { return fwidth(x, mode); }, v);
 }
 
 }  // namespace quadrel

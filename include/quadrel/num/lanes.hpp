@@ -71,6 +71,8 @@ class LanesInt {
     friend LanesInt operator&(LanesInt a, LanesInt b) { return LanesInt(hn::And(a.v, b.v)); }
     friend LanesInt operator|(LanesInt a, LanesInt b) { return LanesInt(hn::Or(a.v, b.v)); }
     friend LanesInt operator^(LanesInt a, LanesInt b) { return LanesInt(hn::Xor(a.v, b.v)); }
+    LanesInt& operator+=(LanesInt b) { return *this = *this + b; }
+    LanesInt& operator-=(LanesInt b) { return *this = *this - b; }
     template <int bits>
     friend LanesInt shift_left(LanesInt a) {
         return LanesInt(hn::ShiftLeft<bits>(a.v));
@@ -146,6 +148,7 @@ class Lanes {
         const LanesInt low = select(a < Lanes(-2147483648.0f), LanesInt(-0x7fffffff - 1), high);
         return select(a == a, low, LanesInt(0));
     }
+    // The parts of a floating-point number: see scalar.hpp.
     friend Lanes exponent(Lanes a) {
         const LanesInt biased = shift_right<23>(as_int(a)) & LanesInt(0xff);
         return Lanes(hn::ConvertTo(simd::FloatTag(), (biased - LanesInt(127)).v));

@@ -1,5 +1,5 @@
-// Memory access, conversions and quad swaps that name their number type: load<F>(p), gather<F>(b,
-// i).
+// Memory access, conversions and quad swaps that name their number type: load<F>(pointer),
+// gather<F>(base, index).
 #pragma once
 
 #include "quadrel/num/traits.hpp"

@@ -30,5 +30,15 @@ F pow(F x, F y) {
     const F defined = select((x >= F(0)) & (y == y), positive, F(Limits::quiet_NaN()));
     return select((y == F(0)) | (x == F(1)), F(1), defined);
 }
+template <class A, class B>
+requires MixedNumbers<A, B>
+auto pow(A x, B y) {
+    using F = PacketAmong<A, B>;
+    return pow(widen<F>(x), widen<F>(y));
+}
+template <int size, Number F>
+vec<size, F> pow(const vec<size, F>& x, const vec<size, F>& y) {
+    return map_components([](F a, F b) { return pow(a, b); }, x, y);
+}
 
 }  // namespace quadrel
