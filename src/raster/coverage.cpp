@@ -92,15 +92,18 @@ void collect_quad(const TileBuffer& tile, int x, int y, std::vector<QuadCoverage
     }
 }
 
-/// One sample a pixel, the quad wholly inside of the tile: mostly one triangle or none.
-void collect_quad_fast(const TileBuffer& tile, int x, int y, std::vector<QuadCoverage>& quads) {
-    const std::uint32_t* row = tile.triangles() + tile.index(x, y, 0);
-    const std::uint32_t* below = row + tile.stride();
-    const std::uint32_t first = row[0];
-    if ((row[1] != first) | (below[0] != first) | (below[1] != first))
-        collect_quad(tile, x, y, quads);
-    else if (first != no_triangle)
-        quads.push_back({x, y, first, {1, 1, 1, 1}});
+/// A quad wholly inside of the tile, which mostly shows one triangle or none.
+void collect_inner_quad(const TileBuffer& tile, int x, int y, std::vector<QuadCoverage>& quads) {
+    const std::uint32_t first = tile.triangle(x, y, 0);
+    std::uint32_t difference = 0;
+    for (int s = 0; s < tile.samples(); ++s) {
+        const std::uint32_t* row = tile.triangles() + tile.index(x, y, s);
+        const std::uint32_t* next = row + tile.stride();
+        difference |= (row[0] ^ first) | (row[1] ^ first) | (next[0] ^ first) | (next[1] ^ first);
+    }
+    if (difference != 0) return collect_quad(tile, x, y, quads);
+    const auto all = static_cast<std::uint16_t>((1u << tile.samples()) - 1);
+    if (first != no_triangle) quads.push_back({x, y, first, {all, all, all, all}});
 }
 
 /// Bit (8 y + x) set where the sample of the block is covered, passes, and lies in the tile.
@@ -179,8 +182,8 @@ void collect_quads(const TileBuffer& tile, std::vector<QuadCoverage>& quads) {
     const PixelRect& rect = tile.rect();
     for (int y = rect.y0; y < rect.y1; y += 2)
         for (int x = rect.x0; x < rect.x1; x += 2) {
-            if (tile.samples() == 1 && x + 1 < rect.x1 && y + 1 < rect.y1)
-                collect_quad_fast(tile, x, y, quads);
+            if (x + 1 < rect.x1 && y + 1 < rect.y1)
+                collect_inner_quad(tile, x, y, quads);
             else
                 collect_quad(tile, x, y, quads);
         }

@@ -24,9 +24,12 @@ Point centroid(const ScreenTriangle& triangle, int x, int y, int samples) {
 
 template <class T>
 void snapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* const* out) {
-    for (int i = 0; i < 3; ++i)
-        for (int lane = 0; lane < 4; ++lane)
-            out[i][lane] = static_cast<T>(triangle.edge[i](points.x[lane], points.y[lane]));
+    for (int i = 0; i < 3; ++i) {
+        const EdgeFunction edge = triangle.edge[i];
+        T lanes[4];
+        for (int k = 0; k < 4; ++k) lanes[k] = static_cast<T>(edge(points.x[k], points.y[k]));
+        for (int k = 0; k < 4; ++k) out[i][k] = lanes[k];
+    }
 }
 
 /// The edge from p to q, with the sign that all three edges of a triangle share: barycentrics are
