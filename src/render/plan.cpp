@@ -115,6 +115,7 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const V
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
         if (!any_of(stage->info->outputs, plan.values)) continue;
         for (const Value v : stage->info->inputs) plan.values.set(index_of(v));
+        for (const Value v : stage->info->outputs) plan.produced.set(index_of(v));
         for (const TextureSlot slot : stage->info->textures)
             plan.textures.set(static_cast<std::size_t>(slot));
         stage->run = kernel(table, stage->info->text.id);

@@ -28,7 +28,8 @@ using SlotSet = std::bitset<texture_slot_count>;
 /// The stages of one material that the wanted values need, in the order of the data flow.
 struct MaterialPlan {
     std::vector<PlannedStage> stages;
-    ValueSet values;  ///< every value that a stage loads or that is wanted
+    ValueSet values;    ///< every value that a stage loads or that is wanted
+    ValueSet produced;  ///< those that a stage stores; the others read as 0
     SlotSet textures;
 };
 

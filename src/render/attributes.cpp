@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "quadrel/film/channels.hpp"
+#include "quadrel/render.hpp"
+#include "render/plan.hpp"
+
+namespace quadrel {
+namespace {
+
+const char* name_of(Conventions conventions) {
+    switch (conventions) {
+        case Conventions::gl:
+            return "gl";
+        case Conventions::vulkan:
+            return "vulkan";
+        case Conventions::d3d:
+            return "d3d";
+    }
+    return "";
+}
+
+const char* name_of(Hardware hardware) {
+    switch (hardware) {
+        case Hardware::exact:
+            return "exact";
+        case Hardware::d3d:
+            return "d3d";
+        case Hardware::vulkan_min:
+            return "vulkan-min";
+        case Hardware::llvmpipe:
+            return "llvmpipe";
+        case Hardware::swiftshader:
+            return "swiftshader";
+    }
+    return "";
+}
+
+/// Stage ids and the parameters that the scene gives, material by material.
+std::string algorithm_text(const Scene& scene) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::object();
+    for (const Material& material : scene.materials) {
+        auto& entry = all[material.name];
+        for (const PlannedStage& stage : material_stages(scene, material)) {
+            const std::string room = stage.info->text.room;
+            if (room != "quad" && stage.info->text.id != std::string("displace"))
+                entry[room] = stage.info->text.id;
+        }
+        for (const StageChoice* choice : {&material.frame, &material.trace, &material.surface,
+                                          &material.shadow, &material.shade})
+            for (const auto& [name, value] : choice->parameters)
+                entry["parameters"][choice->key + "." + name] = value;
+        entry["depth"] = material.depth;
+        entry["seat"] = material.seat;
+    }
+    return all.dump();
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& scene,
+                                                                   const RenderOptions& options) {
+    const HardwareModel hardware = hardware_model(scene.hardware);
+    const DerivativeMode derivatives = scene.derivatives.value_or(hardware.derivatives);
+    return {
+        {"quadrel:version", QUADREL_VERSION},
+        {"quadrel:scene", scene.canonical},
+        {"quadrel:sceneHash", scene.hash},
+        {"quadrel:algorithm", algorithm_text(scene)},
+        {"quadrel:conventions", name_of(scene.conventions)},
+        {"quadrel:hardware", name_of(scene.hardware)},
+        {"quadrel:derivatives", derivatives == DerivativeMode::fine ? "fine" : "coarse"},
+        {"quadrel:samples", fmt::format("{}", scene.samples)},
+        {"quadrel:number", options.number},
+    };
+}
+
+}  // namespace quadrel

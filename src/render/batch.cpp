@@ -1,0 +1,104 @@
+#include "render/batch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+
+namespace quadrel {
+namespace {
+
+constexpr std::align_val_t alignment{64};
+constexpr int padding_quads = 4;  // the widest packet
+
+template <class T>
+void load_edges(const QuadCoverage& quad, const ScreenTriangle& triangle, int samples,
+                bool centroid, void* const (&edges)[3], int lane) {
+    const QuadPoints points =
+        centroid ? quad_centroids(triangle, quad.x, quad.y, samples) : quad_centres(quad.x, quad.y);
+    attribute_edges(triangle, points, static_cast<T*>(edges[0]) + lane,
+                    static_cast<T*>(edges[1]) + lane, static_cast<T*>(edges[2]) + lane);
+}
+
+}  // namespace
+
+void Batch::Free::operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
+
+Batch::Batch(int scalar_bytes) : scalar_bytes_(scalar_bytes), values_(slot_count, nullptr) {}
+
+void Batch::prepare(const MaterialPlan& plan) {
+    const ValueSet& values = plan.values;
+    // One size for every array, whatever its kind: alignment stays simple.
+    const std::size_t array_bytes = std::size_t(batch_lanes) * scalar_bytes_;
+    std::size_t arrays = 5;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (values[v]) arrays += arrays_of(static_cast<Value>(v));
+    if (arrays * array_bytes > capacity_) {
+        capacity_ = arrays * array_bytes;
+        memory_.reset(static_cast<std::byte*>(::operator new[](capacity_, alignment)));
+    }
+    std::byte* next = memory_.get();
+    const auto take = [&] {
+        std::byte* array = next;
+        next += array_bytes;
+        return array;
+    };
+    for (void*& edge : edges_) edge = take();
+    primitive_ = reinterpret_cast<std::int32_t*>(take());
+    active_ = reinterpret_cast<std::uint32_t*>(take());
+    std::fill(values_.begin(), values_.end(), nullptr);
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        if (!values[v]) continue;
+        const int first = slot_of(static_cast<Value>(v));
+        for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i) {
+            values_[first + i] = take();
+            if (!plan.produced[v]) std::memset(values_[first + i], 0, array_bytes);
+        }
+    }
+}
+
+void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
+                 bool centroid) {
+    quads_ = count;
+    lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
+    for (int q = 0; q < lanes_ / 4; ++q) {
+        // Padding repeats the last quad, inactive: every address that it computes is valid.
+        const QuadCoverage& quad = quads[std::min(q, count - 1)];
+        const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
+        if (scalar_bytes_ == sizeof(float))
+            load_edges<float>(quad, triangle, samples, centroid, edges_, 4 * q);
+        else
+            load_edges<double>(quad, triangle, samples, centroid, edges_, 4 * q);
+        for (int lane = 0; lane < 4; ++lane) {
+            primitive_[4 * q + lane] = static_cast<std::int32_t>(quad.triangle);
+            active_[4 * q + lane] = q < count ? 0xffffffffu : 0u;
+        }
+    }
+}
+
+void Batch::run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives) {
+    call.values = values_.data();
+    call.active = active_;
+    call.lanes = lanes_;
+    for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
+    call.primitive = primitive_;
+    call.primitives = primitives;
+    for (const PlannedStage& stage : plan.stages) {
+        call.parameters = stage.params.data();
+        call.light = stage.light;
+        stage.run(&call);
+    }
+}
+
+float Batch::real(int slot, int lane) const {
+    if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
+    return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
+}
+
+std::uint32_t Batch::bits(const ChannelSource& source, int lane) const {
+    if (info(source.value).kind == ValueKind::integer)
+        return static_cast<const std::uint32_t*>(values_[source.slot()])[lane];
+    return canonical_bits(std::bit_cast<std::uint32_t>(real(source.slot(), lane)));
+}
+
+}  // namespace quadrel

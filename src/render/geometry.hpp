@@ -1,0 +1,42 @@
+// The front end: a scene's meshes as screen triangles with the data that interpolation reads.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "quadrel/quad/uniforms.hpp"
+#include "quadrel/raster/assemble.hpp"
+#include "quadrel/scene/scene.hpp"
+
+namespace quadrel {
+
+/// One triangle to draw, or one piece of a clipped one.
+struct DrawnTriangle {
+    ScreenTriangle screen;
+    std::uint32_t object = 0;     ///< index into the scene's objects
+    std::uint32_t primitive = 0;  ///< triangle of the object's mesh
+    std::uint32_t material = 0;
+};
+
+/// Everything to draw, in submission order; `data` runs parallel to `triangles`.
+struct Geometry {
+    std::vector<DrawnTriangle> triangles;
+    std::vector<PrimitiveData> data;
+    PrimitiveCounts counts;
+};
+
+/// Vertex stage, clipping, snapping and culling of every visible object.
+Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware);
+
+/// The scene's hardware model with its own settings applied.
+HardwareModel scene_hardware(const Scene& scene);
+
+/// Camera and lights in eye space.
+FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware);
+
+MaterialUniforms material_uniforms(const Material& material);
+
+/// True when nearer is greater: projections with reversed z.
+bool reversed_depth(const Scene& scene);
+
+}  // namespace quadrel

@@ -1,0 +1,121 @@
+#include "quadrel/render.hpp"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "kernels/select.hpp"
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
+#include "render/geometry.hpp"
+#include "render/tile_renderer.hpp"
+
+namespace quadrel {
+namespace {
+
+Window checked_window(const Scene& scene, const RenderOptions& options) {
+    const Window frame{0, 0, scene.width, scene.height};
+    if (!options.window) return frame;
+    const Window w = *options.window;
+    if (w.width() <= 0 || w.height() <= 0 || !contains(frame, w))
+        throw UsageError(fmt::format("window {},{},{},{} is not a part of the frame 0,0,{},{}",
+                                     w.x0, w.y0, w.x1, w.y1, scene.width, scene.height));
+    return w;
+}
+
+void check_options(const RenderOptions& options) {
+    if (options.tile < 2 || options.tile > 1024 || options.tile % 2 != 0)
+        throw UsageError(
+            fmt::format("tile size {}: expected an even number from 2 to 1024", options.tile));
+    if (options.threads < 0) throw UsageError("the number of threads cannot be negative");
+}
+
+std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptions& options) {
+    std::vector<ChannelSource> sources;
+    for (const std::string& name : expand_channels(options.channels)) {
+        sources.push_back(channel_source(name));
+        if (sources.back().light > 0 &&
+            sources.back().light >= static_cast<int>(scene.lights.size()))
+            throw UsageError(
+                fmt::format("channel \"{}\": the scene has {} lights", name, scene.lights.size()));
+    }
+    return sources;
+}
+
+/// Every plane as if nothing were drawn.
+Film empty_film(const Scene& scene, const Window& window,
+                const std::vector<ChannelSource>& channels) {
+    Film film;
+    film.frame = {0, 0, scene.width, scene.height};
+    film.window = window;
+    for (const ChannelSource& channel : channels) {
+        std::uint32_t fill = uncovered_bits(channel.name);
+        if (channel.kind == ChannelSource::Kind::value && channel.value == Value::color)
+            fill =
+                canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));
+        film.add(channel.name, channel.type, fill);
+    }
+    return film;
+}
+
+/// The window in window coordinates, grown to whole quads.
+PixelRect quad_rect(const Viewport& viewport, const Window& window) {
+    PixelRect rect = flip_rect(viewport, {window.x0, window.y0, window.x1, window.y1});
+    rect.x0 &= ~1;
+    rect.y0 &= ~1;
+    rect.x1 = std::min((rect.x1 + 1) & ~1, viewport.width);
+    rect.y1 = std::min((rect.y1 + 1) & ~1, viewport.height);
+    return rect;
+}
+
+class Progress {
+  public:
+    Progress(const std::function<void(double)>& report, std::size_t total)
+        : report_(report), total_(total) {}
+
+    void advance() {
+        if (!report_) return;
+        const std::lock_guard lock(mutex_);
+        report_(static_cast<double>(++done_) / static_cast<double>(total_));
+    }
+
+  private:
+    const std::function<void(double)>& report_;
+    std::size_t total_, done_ = 0;
+    std::mutex mutex_;
+};
+
+}  // namespace
+
+Film render(const Scene& scene, const RenderOptions& options) {
+    check_options(options);
+    const Window window = checked_window(scene, options);
+    const std::vector<ChannelSource> channels = channel_sources(scene, options);
+    const KernelTable& kernels = select_kernels(options.number, options.isa);
+    const RenderPlan plan = make_render_plan(scene, channels, kernels);
+    const Geometry geometry = assemble_geometry(scene, plan.hardware);
+    Film film = empty_film(scene, window, channels);
+    const Viewport viewport{scene.width, scene.height, scene.conventions};
+    const FilmTarget target{&film, &channels, viewport, scene.background};
+    const std::vector<Tile> tiles =
+        bin_triangles(geometry, quad_rect(viewport, window), options.tile);
+
+    Progress progress(options.progress, tiles.size());
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::enumerable_thread_specific<TileRenderer> renderers(
+            [&] { return TileRenderer(scene, plan, geometry, target); });
+        tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
+            renderers.local().render(tiles[i]);
+            progress.advance();
+        });
+    });
+    return film;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,27 @@
+// The textures that a render needs, loaded once each.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "quadrel/texture/texture_cache.hpp"
+#include "render/plan.hpp"
+
+namespace quadrel {
+
+/// A material's textures, by slot; null where it has none or no stage reads it.
+struct MaterialTextures {
+    std::array<std::shared_ptr<const Texture>, texture_slot_count> owned;
+    std::array<SampledTexture, texture_slot_count> sampled{};
+    /// The slot's binding, or null.
+    const SampledTexture* bound(int slot) const { return owned[slot] ? &sampled[slot] : nullptr; }
+};
+
+/// Loads what the plan reads. A material without a height map that a stage reads is an InputError.
+MaterialTextures load_textures(const Scene& scene, const Material& material,
+                               const MaterialPlan& plan, const HardwareModel& hardware,
+                               TextureCache& cache);
+
+}  // namespace quadrel

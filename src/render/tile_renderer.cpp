@@ -1,0 +1,156 @@
+#include "render/tile_renderer.hpp"
+
+#include <algorithm>
+
+#include "quadrel/check.hpp"
+
+namespace quadrel {
+namespace {
+
+DepthCompare depth_compare(const Scene& scene) {
+    return reversed_depth(scene) ? DepthCompare::greater : DepthCompare::less;
+}
+
+bool discards(const Material& material) { return material.discard_below >= 0; }
+
+MaterialPlan discard_plan(const Scene& scene, const Material& material,
+                          const KernelTable& kernels) {
+    ValueSet wanted;
+    if (discards(material)) wanted.set(static_cast<std::size_t>(Value::opacity));
+    return plan_material(scene, material, wanted, kernels);
+}
+
+}  // namespace
+
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels) {
+    RenderPlan plan;
+    plan.hardware = scene_hardware(scene);
+    plan.scalar_bytes = kernels.scalar_bytes;
+    plan.frame = frame_uniforms(scene, plan.hardware);
+    const ValueSet wanted = wanted_values(channels);
+    TextureCache cache;
+    for (const Material& material : scene.materials) {
+        plan.materials.push_back(plan_material(scene, material, wanted, kernels));
+        plan.discard.push_back(discard_plan(scene, material, kernels));
+        MaterialPlan both = plan.materials.back();
+        both.textures |= plan.discard.back().textures;
+        plan.textures.push_back(load_textures(scene, material, both, plan.hardware, cache));
+        plan.uniforms.push_back(material_uniforms(material));
+    }
+    return plan;
+}
+
+std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size) {
+    const int first_x = area.x0 / size, first_y = area.y0 / size;
+    const int columns = (area.x1 - 1) / size - first_x + 1;
+    const int rows = (area.y1 - 1) / size - first_y + 1;
+    std::vector<Tile> tiles;
+    for (int row = first_y; row < first_y + rows; ++row)
+        for (int column = first_x; column < first_x + columns; ++column)
+            tiles.push_back({intersect(area, {column * size, row * size, (column + 1) * size,
+                                              (row + 1) * size}),
+                             {}});
+    for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
+        const PixelRect bounds = intersect(area, geometry.triangles[t].screen.bounds);
+        if (bounds.empty()) continue;
+        for (int row = bounds.y0 / size; row <= (bounds.y1 - 1) / size; ++row)
+            for (int column = bounds.x0 / size; column <= (bounds.x1 - 1) / size; ++column)
+                tiles[std::size_t(row - first_y) * columns + (column - first_x)]
+                    .triangles.push_back(t);
+    }
+    return tiles;
+}
+
+TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
+                           const FilmTarget& target)
+    : scene_(scene),
+      plan_(plan),
+      geometry_(geometry),
+      buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
+      film_(target, scene.samples),
+      batch_(plan.scalar_bytes) {}
+
+std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
+    return geometry_.triangles[quad.triangle].material;
+}
+
+void TileRenderer::render(const Tile& tile) {
+    film_.begin(tile.rect);
+    if (!tile.triangles.empty()) {
+        buffer_.reset(tile.rect);
+        draw_opaque(tile);
+        draw_discarding(tile);
+        shade();
+    }
+    film_.end();
+}
+
+void TileRenderer::draw_opaque(const Tile& tile) {
+    for (const std::uint32_t t : tile.triangles)
+        if (!discards(scene_.materials[geometry_.triangles[t].material]))
+            rasterize(geometry_.triangles[t].screen, t, buffer_);
+}
+
+/// Discarding materials in submission order. At equal depth the earlier triangle wins, as in
+/// in-order drawing, although the opaque ones are drawn first.
+void TileRenderer::draw_discarding(const Tile& tile) {
+    for (const std::uint32_t t : tile.triangles) {
+        const DrawnTriangle& triangle = geometry_.triangles[t];
+        if (!discards(scene_.materials[triangle.material])) continue;
+        quads_.clear();
+        collect_passing(triangle.screen, t, buffer_, quads_);
+        discard(quads_);
+        for (const QuadCoverage& quad : quads_) write_quad(triangle.screen, quad, buffer_);
+    }
+}
+
+/// Takes the samples of discarded fragments out of the quads (all of one material).
+void TileRenderer::discard(std::vector<QuadCoverage>& quads) {
+    for (std::size_t first = 0; first < quads.size(); first += batch_quads) {
+        const int count =
+            static_cast<int>(std::min<std::size_t>(batch_quads, quads.size() - first));
+        const std::uint32_t material = material_of(quads[first]);
+        run(plan_.discard[material], material, quads.data() + first, count);
+        const float limit = scene_.materials[material].discard_below;
+        for (int i = 0; i < 4 * count; ++i)
+            if (batch_.real(slot_of(Value::opacity), i) < limit)
+                quads[first + std::size_t(i / 4)].samples[i % 4] = 0;
+    }
+}
+
+void TileRenderer::shade() {
+    quads_.clear();
+    collect_quads(buffer_, quads_);
+    if (scene_.materials.size() > 1)
+        std::stable_sort(quads_.begin(), quads_.end(),
+                         [&](const QuadCoverage& a, const QuadCoverage& b) {
+                             return material_of(a) < material_of(b);
+                         });
+    for (std::size_t first = 0; first < quads_.size();) {
+        const std::uint32_t material = material_of(quads_[first]);
+        std::size_t end = first;
+        while (end < quads_.size() && end - first < batch_quads &&
+               material_of(quads_[end]) == material)
+            ++end;
+        const int count = static_cast<int>(end - first);
+        run(plan_.materials[material], material, quads_.data() + first, count);
+        film_.add(batch_, quads_.data() + first, geometry_, buffer_);
+        first = end;
+    }
+}
+
+void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
+                       int count) {
+    batch_.prepare(plan);
+    batch_.load(quads, count, geometry_, scene_.samples, scene_.centroid);
+    StageCall call{};
+    call.material = &plan_.uniforms[material];
+    call.frame = &plan_.frame;
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        call.textures[slot] = plan_.textures[material].bound(slot);
+    call.counters = &counters_;
+    batch_.run(plan, call, geometry_.data.data());
+}
+
+}  // namespace quadrel

@@ -1,0 +1,67 @@
+// Renders tiles: visibility, then shading batch by batch, material by material.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "quadrel/raster/tile_buffer.hpp"
+#include "quadrel/render.hpp"
+#include "render/batch.hpp"
+#include "render/geometry.hpp"
+#include "render/plan.hpp"
+#include "render/textures.hpp"
+#include "render/tile_film.hpp"
+
+namespace quadrel {
+
+/// All that is settled before the first tile.
+struct RenderPlan {
+    HardwareModel hardware;
+    int scalar_bytes = 4;
+    FrameUniforms frame{};
+    std::vector<MaterialPlan> materials;  ///< per material of the scene
+    std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
+    std::vector<MaterialTextures> textures;
+    std::vector<MaterialUniforms> uniforms;
+};
+
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels);
+
+/// A rectangle of the frame (window coordinates, whole quads) and the triangles that meet it.
+struct Tile {
+    PixelRect rect;
+    std::vector<std::uint32_t> triangles;
+};
+
+/// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
+std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
+
+/// One thread's renderer.
+class TileRenderer {
+  public:
+    TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
+                 const FilmTarget& target);
+
+    void render(const Tile& tile);
+
+  private:
+    void draw_opaque(const Tile& tile);
+    void draw_discarding(const Tile& tile);
+    void discard(std::vector<QuadCoverage>& quads);
+    void shade();
+    void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
+             int count);
+    std::uint32_t material_of(const QuadCoverage& quad) const;
+
+    const Scene& scene_;
+    const RenderPlan& plan_;
+    const Geometry& geometry_;
+    TileBuffer buffer_;
+    TileFilm film_;
+    Batch batch_;
+    FetchCounters counters_;
+    std::vector<QuadCoverage> quads_;
+};
+
+}  // namespace quadrel
