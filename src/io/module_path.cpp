@@ -18,6 +18,7 @@ std::optional<fs::path> find_module(const std::string& name) {
         directories.push_back(executable.parent_path() / "../lib/quadrel");
     }
     directories.emplace_back(QUADREL_MODULE_DIR);
+    directories.emplace_back(QUADREL_INSTALL_MODULE_DIR);
     for (const fs::path& directory : directories) {
         fs::path candidate = directory / (name + ".so");
         if (fs::exists(candidate, error)) return candidate;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "quadrel/texture/srgb.hpp"
+#include "quadrel/num/srgb.hpp"
 #include "texture/texel_format.hpp"
 
 namespace quadrel {
@@ -29,7 +29,7 @@ SourceTexels::SourceTexels(const Image& image, std::vector<SwizzleEntry> swizzle
     }
     if (!srgb || codes_ == 0) return;
     for (int code = 0; code <= codes_; ++code) {
-        decoded_.push_back(srgb_to_linear(static_cast<double>(code) / codes_));
+        decoded_.push_back(srgb_decode(static_cast<double>(code) / codes_));
     }
 }
 
@@ -47,7 +47,7 @@ double SourceTexels::operator()(int x, int y, int c) const {
     double value = stored;
     if (codes_ != 0) value = std::nearbyint(value * codes_);
     if (is_decoded(c)) {
-        value = codes_ != 0 ? decoded_[static_cast<std::size_t>(value)] : srgb_to_linear(stored);
+        value = codes_ != 0 ? decoded_[static_cast<std::size_t>(value)] : srgb_decode(stored);
     }
     return entry.complement ? one - value : value;
 }

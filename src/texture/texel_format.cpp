@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "quadrel/texture/srgb.hpp"
+#include "quadrel/num/srgb.hpp"
 
 namespace quadrel {
 
@@ -61,7 +61,7 @@ namespace {
 float decode_srgb8(int code) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> decoded{};
-        for (int i = 0; i < 256; ++i) decoded[i] = static_cast<float>(srgb_to_linear(i / 255.0));
+        for (int i = 0; i < 256; ++i) decoded[i] = static_cast<float>(srgb_decode(i / 255.0));
         return decoded;
     }();
     return table[code];
@@ -74,7 +74,7 @@ float store_and_decode(double value, double unit, TexelFormat format, bool is_al
     if (format == TexelFormat::half) return static_cast<float>(round_to_half(value / unit));
     const int max = max_code(format);
     if (format == TexelFormat::srgb8 && !is_alpha) {
-        return decode_srgb8(encode_unorm(linear_to_srgb(value / unit), 1, max));
+        return decode_srgb8(encode_unorm(srgb_encode(value / unit), 1, max));
     }
     // By division: the product with the reciprocal misses 126 of 256 codes.
     return static_cast<float>(encode_unorm(value, unit, max)) / static_cast<float>(max);

@@ -3,17 +3,9 @@
 // specification 7.18.10 and 7.18.11.
 #pragma once
 
-#include <bit>
+#include <concepts>
 
-#if __has_include("quadrel/num/math.hpp")
 #include "quadrel/num/math.hpp"
-#else
-#include "quadrel/num/functions.hpp"
-namespace quadrel {
-template <Number F>
-F log2(F x);
-}
-#endif
 #include "quadrel/texture/view.hpp"
 
 namespace quadrel {
@@ -35,32 +27,14 @@ inline constexpr float max_lod_bias = 16.0f;
 /// x must be positive and normal; 0 gives about -127.
 template <Number F>
 F linear_log2(F x) {
-    if constexpr (requires { as_int(x); }) {
-        const Int<F> bits = as_int(x);
-        const Int<F> exponent = shift_right<23>(bits) - Int<F>(127);
-        const F mantissa = as_float((bits & Int<F>(0x7fffff)) | Int<F>(0x3f800000));
-        return select(is_nan(x), x, to_float<F>(exponent) + (mantissa - F(1)));
-    } else {
-        return log2(x);  // the approximation is one of float32's bits
-    }
-}
-template <>
-inline Quad<double> linear_log2<Quad<double>>(Quad<double> x) {
-    for (double& lane : x.lane) {
-        if (lane != lane) continue;
-        const auto bits = std::bit_cast<std::uint64_t>(lane);
-        const auto exponent = static_cast<std::int32_t>(bits >> 52 & 0x7ff) - 1023;
-        const std::uint64_t one = std::uint64_t(1023) << 52;
-        lane = exponent + (std::bit_cast<double>((bits & ~(~std::uint64_t(0) << 52)) | one) - 1);
-    }
-    return x;
+    return select(is_nan(x), x, exponent(x) + (significand(x) - F(1)));
 }
 
 /// The bits of x, read as an integer and rounded to a float: linear_log2 with the rounding that
 /// the packed conversion brings.
 template <Number F>
 F packed_log2(F x) {
-    if constexpr (requires { as_int(x); }) {
+    if constexpr (std::same_as<Scalar<F>, float>) {
         const F bits = to_float<F>(as_int(x));
         return select(is_nan(x), x, (bits - F(1065353216.0f)) * F(1.0f / 8388608.0f));
     } else {

@@ -1,0 +1,131 @@
+// Reads images through the OpenImageIO module, and converts what the file stores by ourselves.
+#include <Imath/half.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <exception>
+
+#include "io/image_readers.hpp"
+#include "io/module_path.hpp"
+#include "modules/oiio/oiio_module.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+
+namespace {
+
+constexpr const char* module_name = "quadrel-oiio";
+
+struct Module {
+    QuadrelOiioRead* read = nullptr;
+    std::string problem;
+};
+
+Module open_module() {
+    const auto path = find_module(module_name);
+    if (!path) return {nullptr, fmt::format("{} was not found", module_name)};
+    // Never closed: the library starts threads.
+    void* const handle = dlopen(path->c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const symbol = handle != nullptr ? dlsym(handle, quadrel_oiio_symbol) : nullptr;
+    if (symbol == nullptr) return {nullptr, dlerror()};
+    return {reinterpret_cast<QuadrelOiioRead*>(symbol), ""};
+}
+
+const Module& image_module() {
+    static const Module module = open_module();
+    return module;
+}
+
+std::size_t value_size(QuadrelOiioType type) {
+    static constexpr std::size_t sizes[] = {1, 2, 4, 2, 4, 8};
+    return sizes[type];
+}
+
+/// What a read fills. Exceptions must not cross the module: they wait here.
+struct Read {
+    std::string file, key;
+    QuadrelOiioInfo info{};
+    std::vector<unsigned char> pixels;
+    std::exception_ptr exception;
+};
+
+void* allocate(void* user, const QuadrelOiioInfo* info) {
+    Read& read = *static_cast<Read*>(user);
+    try {
+        read.info = *info;
+        check_image_size(info->width, info->height, info->channels, read.file, read.key);
+        if (info->channels > 4) {
+            throw InputError(read.file, read.key, fmt::format("{} channels", info->channels),
+                             "1 to 4 channels");
+        }
+        read.pixels.resize(static_cast<std::size_t>(info->width) * info->height * info->channels *
+                           value_size(info->type));
+        return read.pixels.data();
+    } catch (...) {
+        read.exception = std::current_exception();
+        return nullptr;
+    }
+}
+
+template <class Stored, class Decode>
+void decode(const std::vector<unsigned char>& pixels, std::vector<float>& values,
+            const Decode& decode_one) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        Stored stored;
+        std::memcpy(&stored, &pixels[i * sizeof stored], sizeof stored);
+        values[i] = decode_one(stored);
+    }
+}
+
+/// Divisions, not products with a reciprocal: these give the nearest float.
+void decode_values(const Read& read, Image& image) {
+    switch (read.info.type) {
+        case quadrel_oiio_uint8:
+            image.format = TexelFormat::unorm8;
+            return decode<std::uint8_t>(read.pixels, image.values,
+                                        [](std::uint8_t c) { return float(c) / 255.0f; });
+        case quadrel_oiio_uint16:
+            image.format = TexelFormat::unorm16;
+            return decode<std::uint16_t>(read.pixels, image.values,
+                                         [](std::uint16_t c) { return float(c) / 65535.0f; });
+        case quadrel_oiio_uint32:
+            return decode<std::uint32_t>(read.pixels, image.values, [](std::uint32_t c) {
+                return static_cast<float>(c / 4294967295.0);
+            });
+        case quadrel_oiio_half:
+            image.format = TexelFormat::half;
+            return decode<half>(read.pixels, image.values, [](half h) { return float(h); });
+        case quadrel_oiio_float:
+            return decode<float>(read.pixels, image.values, [](float x) { return x; });
+        case quadrel_oiio_double:
+            return decode<double>(read.pixels, image.values,
+                                  [](double x) { return static_cast<float>(x); });
+    }
+}
+
+}  // namespace
+
+Image read_other_image(const std::string& file, const std::string& key) {
+    const Module& module = image_module();
+    if (module.read == nullptr) {
+        throw InputError(file, key,
+                         fmt::format("a file other than EXR, and no reader: {}", module.problem),
+                         fmt::format("an EXR file, or an installation with {}", module_name));
+    }
+    Read read{file, key, {}, {}, nullptr};
+    QuadrelOiioRequest request{quadrel_oiio_version, &read, allocate, {}};
+    const int result = module.read(file.c_str(), &request);
+    if (read.exception) std::rethrow_exception(read.exception);
+    if (result != 0) throw InputError(file, key, request.error, "a complete image file");
+    Image image;
+    image.width = read.info.width;
+    image.height = read.info.height;
+    image.channels = read.info.channels;
+    image.luminance = read.info.luminance != 0;
+    image.values.resize(static_cast<std::size_t>(image.width) * image.height * image.channels);
+    decode_values(read, image);
+    return image;
+}
+
+}  // namespace quadrel
