@@ -19,6 +19,7 @@ namespace quadrel {
 struct Camera {
     glm::mat4 view{1.0f};
     glm::mat4 projection{1.0f};
+    bool reversed_z = false;  ///< the near plane has the largest depth: greater passes, clear to 0
 };
 
 /// A texture as a scene names it.

@@ -1,0 +1,206 @@
+#include "io/gltf_accessor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+/// Elements in a buffer: all of them lie within it.
+struct Elements {
+    const unsigned char* first = nullptr;
+    std::size_t count = 0, stride = 0;
+};
+
+std::string place(const char* list, int index) {
+    return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+const tinygltf::BufferView& checked_view(const GltfFile& file, int view, const std::string& key) {
+    const auto& views = file.model.bufferViews;
+    if (view < 0 || static_cast<std::size_t>(view) >= views.size())
+        file.fail(key, "buffer view " + std::to_string(view),
+                  "one of the " + std::to_string(views.size()));
+    const tinygltf::BufferView& found = views[static_cast<std::size_t>(view)];
+    const auto buffers = file.model.buffers.size();
+    if (found.buffer < 0 || static_cast<std::size_t>(found.buffer) >= buffers)
+        file.fail(place("bufferViews", view), "buffer " + std::to_string(found.buffer),
+                  "one of the " + std::to_string(buffers));
+    return found;
+}
+
+Elements elements_of(const GltfFile& file, int view_index, std::size_t offset, std::size_t count,
+                     std::size_t element_size, const std::string& key) {
+    const tinygltf::BufferView& view = checked_view(file, view_index, key);
+    const auto& data = file.model.buffers[static_cast<std::size_t>(view.buffer)].data;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
+        file.fail(place("bufferViews", view_index), "an end past the buffer's",
+                  "at most " + std::to_string(data.size()) + " bytes");
+    const std::size_t stride = view.byteStride ? view.byteStride : element_size;
+    const bool fits = count > 0 && stride >= element_size && offset <= view.byteLength &&
+                      element_size <= view.byteLength - offset &&
+                      count - 1 <= (view.byteLength - offset - element_size) / stride;
+    if (!fits)
+        file.fail(key, std::to_string(count) + " elements",
+                  "at least one, and all within the buffer view of " +
+                      std::to_string(view.byteLength) + " bytes");
+    return {data.data() + view.byteOffset + offset, count, stride};
+}
+
+template <class T>
+T load(const unsigned char* bytes) {
+    T value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+// glTF 2.0, "Animations"/"Accessors": f = c / max for unsigned, max(c / max, -1) for signed.
+template <class T>
+float load_number(const unsigned char* bytes, bool normalized) {
+    const auto value = static_cast<float>(load<T>(bytes));
+    if (!normalized) return value;
+    return std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
+}
+
+float load_component(const unsigned char* bytes, int type, bool normalized) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return load_number<std::int8_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return load_number<std::uint8_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return load_number<std::int16_t>(bytes, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return load_number<std::uint16_t>(bytes, normalized);
+        default:
+            return load<float>(bytes);
+    }
+}
+
+std::uint32_t load_index(const unsigned char* bytes, int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return load<std::uint8_t>(bytes);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return load<std::uint16_t>(bytes);
+        default:
+            return load<std::uint32_t>(bytes);
+    }
+}
+
+bool is_index_type(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+bool is_number_type(int type) {
+    return type >= TINYGLTF_COMPONENT_TYPE_BYTE && type <= TINYGLTF_COMPONENT_TYPE_FLOAT &&
+           type != TINYGLTF_COMPONENT_TYPE_INT && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+std::size_t component_size(int type) {
+    return static_cast<std::size_t>(
+        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
+}
+
+const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index) {
+    const auto& accessors = file.model.accessors;
+    if (index < 0 || static_cast<std::size_t>(index) >= accessors.size())
+        file.fail("accessors", "a reference to accessor " + std::to_string(index),
+                  "one of the " + std::to_string(accessors.size()));
+    const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(index)];
+    constexpr std::size_t most = std::size_t(1) << 28;
+    if (accessor.count == 0 || accessor.count > most)
+        file.fail(place("accessors", index) + ".count", std::to_string(accessor.count),
+                  "1 to 2^28 elements");
+    return accessor;
+}
+
+using Element = std::array<float, 4>;
+
+Element load_element(const unsigned char* bytes, const tinygltf::Accessor& accessor,
+                     int components) {
+    Element element{};
+    const std::size_t size = component_size(accessor.componentType);
+    for (int i = 0; i < components; ++i)
+        element[static_cast<std::size_t>(i)] =
+            load_component(bytes + static_cast<std::size_t>(i) * size, accessor.componentType,
+                           accessor.normalized);
+    return element;
+}
+
+// Replaces the elements that a sparse accessor lists.
+void apply_sparse(const GltfFile& file, const tinygltf::Accessor& accessor, int components,
+                  const std::string& key, std::vector<Element>& out) {
+    const auto& sparse = accessor.sparse;
+    const auto count = static_cast<std::size_t>(std::max(sparse.count, 0));
+    const int type = sparse.indices.componentType;
+    if (!is_index_type(type)) file.fail(key + ".sparse", "another index type", "unsigned integers");
+    const Elements indices = elements_of(file, sparse.indices.bufferView,
+                                         static_cast<std::size_t>(sparse.indices.byteOffset), count,
+                                         component_size(type), key + ".sparse.indices");
+    const Elements values = elements_of(
+        file, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
+        component_size(accessor.componentType) * static_cast<std::size_t>(components),
+        key + ".sparse.values");
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t at = load_index(indices.first + i * indices.stride, type);
+        if (at >= out.size())
+            file.fail(key + ".sparse", "index " + std::to_string(at),
+                      "below " + std::to_string(out.size()));
+        out[at] = load_element(values.first + i * values.stride, accessor, components);
+    }
+}
+
+}  // namespace
+
+void GltfFile::fail(const std::string& key, const std::string& found,
+                    const std::string& expected) const {
+    throw InputError(name, key, found, expected);
+}
+
+std::vector<Element> read_attribute(const GltfFile& file, int index, int components) {
+    const tinygltf::Accessor& accessor = checked_accessor(file, index);
+    const std::string key = place("accessors", index);
+    if (!is_number_type(accessor.componentType) ||
+        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
+        file.fail(key, "elements of another type",
+                  std::to_string(components) + " floats (or 8- or 16-bit integers) each");
+    std::vector<Element> out(accessor.count, Element{});
+    if (accessor.bufferView >= 0) {
+        const std::size_t size =
+            component_size(accessor.componentType) * static_cast<std::size_t>(components);
+        const Elements elements =
+            elements_of(file, accessor.bufferView, accessor.byteOffset, accessor.count, size, key);
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] = load_element(elements.first + i * elements.stride, accessor, components);
+    }
+    if (accessor.sparse.isSparse) apply_sparse(file, accessor, components, key, out);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        for (float value : out[i])
+            if (!std::isfinite(value))
+                file.fail(key, "a value that is not finite in element " + std::to_string(i),
+                          "finite numbers");
+    return out;
+}
+
+std::vector<std::uint32_t> read_indices(const GltfFile& file, int index) {
+    const tinygltf::Accessor& accessor = checked_accessor(file, index);
+    const std::string key = place("accessors", index);
+    if (!is_index_type(accessor.componentType) || accessor.type != TINYGLTF_TYPE_SCALAR)
+        file.fail(key, "elements of another type", "unsigned integers");
+    if (accessor.sparse.isSparse) file.fail(key, "sparse indices", "plain ones");
+    const Elements elements =
+        elements_of(file, accessor.bufferView, accessor.byteOffset, accessor.count,
+                    component_size(accessor.componentType), key);
+    std::vector<std::uint32_t> out(accessor.count);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = load_index(elements.first + i * elements.stride, accessor.componentType);
+    return out;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,18 @@
+// glTF 2.0 meshes.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "quadrel/scene/mesh.hpp"
+
+namespace quadrel {
+
+/// All triangles of the default scene's nodes in one mesh, in the scene's space. Normals, uvs
+/// (TEXCOORD_0) and tangents are kept only if every primitive has them. Throws InputError.
+Mesh load_gltf(const std::filesystem::path& file, bool flip_v);
+
+/// The external buffers that the file refers to.
+std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& file);
+
+}  // namespace quadrel

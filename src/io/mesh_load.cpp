@@ -1,0 +1,44 @@
+#include <cctype>
+
+#include "io/mesh_gltf.hpp"
+#include "io/mesh_obj.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/scene/mesh_file.hpp"
+
+namespace quadrel {
+namespace {
+
+std::string lower_extension(const std::filesystem::path& file) {
+    std::string text = file.extension().string();
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+bool is_gltf(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".gltf" || extension == ".glb";
+}
+
+}  // namespace
+
+Mesh load_mesh(const std::filesystem::path& file, std::optional<bool> flip_v) {
+    Mesh mesh;
+    if (is_gltf(file))
+        mesh = load_gltf(file, flip_v.value_or(false));
+    else if (lower_extension(file) == ".obj")
+        mesh = load_obj(file, flip_v.value_or(true));
+    else
+        throw InputError(file.string(), "", "the extension \"" + file.extension().string() + "\"",
+                         ".obj, .gltf or .glb");
+    mesh.name = file.filename().string();
+    return mesh;
+}
+
+std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& file) {
+    std::vector<std::filesystem::path> files{file};
+    if (is_gltf(file))
+        for (const auto& buffer : gltf_buffer_files(file)) files.push_back(buffer);
+    return files;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,183 @@
+#include "io/scene_json.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+// nlohmann's events carry no position; this iterator tells how far its lexer has read.
+class CountingIterator {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    CountingIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
+    reference operator*() const { return *at_; }
+    CountingIterator& operator++() {
+        ++at_;
+        *reached_ = at_;
+        return *this;
+    }
+    CountingIterator operator++(int) {
+        CountingIterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+    bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+  private:
+    const char* at_;
+    const char** reached_;
+};
+
+TextPosition position_at(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, std::min(offset, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n');
+    const auto newline = before.rfind('\n');
+    const auto start = newline == std::string_view::npos ? 0 : newline + 1;
+    return {static_cast<int>(line) + 1, static_cast<int>(before.size() - start) + 1};
+}
+
+// Builds the tree from the parser's events.
+class TreeBuilder : public nlohmann::json_sax<Json> {
+  public:
+    TreeBuilder(SceneDocument& document, std::string_view text, const char* const& reached)
+        : document_(document), text_(text), reached_(reached) {}
+
+    bool null() override { return add(nullptr), true; }
+    bool boolean(bool value) override { return add(value), true; }
+    bool number_integer(number_integer_t value) override { return add(value), true; }
+    bool number_unsigned(number_unsigned_t value) override { return add(value), true; }
+    bool number_float(number_float_t value, const string_t&) override { return add(value), true; }
+    bool string(string_t& value) override { return add(value), true; }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool end_object() override { return open_.pop_back(), true; }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_array() override { return open_.pop_back(), true; }
+
+    bool key(string_t& name) override {
+        Level& level = open_.back();
+        const std::string path = join_key(level.path, name);
+        const TextPosition here =
+            position_at(text_, offset() - std::min(offset(), name.size() + 2));
+        if (level.value->contains(name))
+            throw InputError(document_.file.string(), path, "the key a second time",
+                             "each key once in an object", here.line, here.column);
+        document_.positions[path] = here;
+        level.key = name;
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::detail::exception& error) override {
+        const TextPosition here = position_at(text_, position == 0 ? 0 : position - 1);
+        // The library's message is "[...] parse error at line L, column C: what - found; expected".
+        std::string found = error.what();
+        if (const auto colon = found.find(": "); colon != std::string::npos)
+            found = found.substr(colon + 2);
+        std::string expected = "JSON";
+        if (const auto mark = found.find("; expected "); mark != std::string::npos) {
+            expected = found.substr(mark + 11);
+            found.resize(mark);
+        }
+        throw InputError(document_.file.string(), "", found, expected, here.line, here.column);
+    }
+
+  private:
+    struct Level {
+        Json* value;
+        std::string path, key;
+    };
+
+    std::size_t offset() const { return static_cast<std::size_t>(reached_ - text_.data()); }
+
+    std::string path_of_next() const {
+        if (open_.empty()) return "";
+        const Level& level = open_.back();
+        return level.value->is_array() ? join_index(level.path, level.value->size())
+                                       : join_key(level.path, level.key);
+    }
+
+    Json* add(Json value) {
+        if (open_.empty()) return &(document_.root = std::move(value));
+        Level& level = open_.back();
+        if (level.value->is_array()) {
+            level.value->push_back(std::move(value));
+            return &level.value->back();
+        }
+        return &((*level.value)[level.key] = std::move(value));
+    }
+
+    bool open(Json value) {
+        std::string path = path_of_next();
+        document_.positions.try_emplace(path, position_at(text_, offset() - 1));
+        open_.push_back({add(std::move(value)), std::move(path), ""});
+        if (open_.size() > 100)
+            throw InputError(document_.file.string(), "", "more than 100 nested brackets",
+                             "a scene");
+        return true;
+    }
+
+    SceneDocument& document_;
+    std::string_view text_;
+    const char* const& reached_;
+    std::vector<Level> open_;
+};
+
+}  // namespace
+
+std::string join_key(const std::string& path, std::string_view key) {
+    return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
+
+std::string join_index(const std::string& path, std::size_t index) {
+    return path + "[" + std::to_string(index) + "]";
+}
+
+TextPosition SceneDocument::position_of(std::string path) const {
+    while (true) {
+        if (const auto found = positions.find(path); found != positions.end()) return found->second;
+        const auto cut = path.find_last_of(".[");
+        if (cut == std::string::npos) return {};
+        path.resize(cut);
+    }
+}
+
+bool SceneDocument::set_by_option(const std::string& path) const {
+    return std::any_of(overridden.begin(), overridden.end(), [&](const std::string& option) {
+        if (path.compare(0, option.size(), option) != 0) return false;
+        return path.size() == option.size() || path[option.size()] == '.' ||
+               path[option.size()] == '[';
+    });
+}
+
+SceneDocument parse_scene_text(std::string_view text, const std::filesystem::path& file) {
+    SceneDocument document;
+    document.file = file;
+    const char* reached = text.data();
+    TreeBuilder builder(document, text, reached);
+    const char* end = text.data() + text.size();
+    Json::sax_parse(CountingIterator(text.data(), &reached), CountingIterator(end, &reached),
+                    &builder, nlohmann::detail::input_format_t::json, true, true);
+    return document;
+}
+
+std::optional<Json> parse_json_value(std::string_view text) {
+    try {
+        return parse_scene_text(text, "-D").root;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace quadrel

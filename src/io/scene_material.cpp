@@ -1,0 +1,102 @@
+#include "io/scene_read.hpp"
+#include "quadrel/scene/transform.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr Word<Cull> cull_words[] = {
+    {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
+constexpr const char* texture_slots[] = {"color", "height", "gloss", "emissive", "normal"};
+
+void read_parameters(Fields& fields, StageChoice& stage) {
+    for (const std::string& name : fields.rest())
+        stage.parameters[name] = fields.value().member(name).number();
+}
+
+// A stage's id, or an object of its id and parameters.
+StageChoice read_stage(Fields& fields, const std::string& key) {
+    StageChoice stage;
+    stage.key = join_key(fields.value().path(), key);
+    if (!fields.has(key)) return stage;
+    const Value value = fields.get(key);
+    if (value.json().is_string()) {
+        stage.id = value.string();
+    } else if (value.json().is_object()) {
+        Fields members(value);
+        members.read("id", stage.id);
+        read_parameters(members, stage);
+    } else {
+        value.reject("a stage's id, or an object {\"id\": ..., parameters}");
+    }
+    return stage;
+}
+
+void read_relief(const Value& value, Material& material) {
+    Fields relief(value);
+    material.frame = read_stage(relief, "frame");
+    material.trace = read_stage(relief, "trace");
+    material.surface = read_stage(relief, "surface");
+    material.shadow = read_stage(relief, "shadow");
+    relief.read("depth", material.depth, not_negative);
+    relief.read("seat", material.seat, unit_interval);
+    read_parameters(relief, material.trace);
+}
+
+glm::mat4 read_texture_matrix(const Value& value) {
+    if (value.json().is_array()) return glm::mat4(read_matrix(value));
+    Fields fields(value);
+    glm::dvec2 scale(1, 1), offset(0, 0);
+    double degrees = 0;
+    if (fields.has("scale")) {
+        const auto factors = fields.get("scale").numbers(2, 2);
+        scale = {factors[0], factors[1]};
+    }
+    fields.read("rotate", degrees);
+    if (fields.has("offset")) {
+        const auto shift = fields.get("offset").numbers(2, 2);
+        offset = {shift[0], shift[1]};
+    }
+    fields.finish("a texture matrix");
+    return glm::mat4(translation({offset, 0}) * rotation(degrees, {0, 0, 1}) * scaling({scale, 1}));
+}
+
+void read_colours(Fields& fields, Material& material) {
+    fields.read("ambient", material.ambient, not_negative);
+    fields.read("diffuse", material.diffuse, not_negative);
+    fields.read("specular", material.specular, not_negative);
+    fields.read("emission", material.emission, not_negative);
+    fields.read("shininess", material.shininess, not_negative);
+}
+
+TextureReference read_slot(const Value& value, const TextureTable& textures, Hardware hardware) {
+    if (value.json().is_object()) return read_texture(value, hardware);
+    const std::string name = value.string();
+    const auto found = textures.find(name);
+    if (found != textures.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [known_name, texture] : textures) known.push_back(known_name);
+    value.reject("the name of a texture: " + one_of(name, known));
+}
+
+}  // namespace
+
+Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
+                       Hardware hardware) {
+    Fields fields(value);
+    Material material;
+    material.name = name;
+    for (const char* slot : texture_slots)
+        if (fields.has(slot))
+            material.textures[slot] = read_slot(fields.get(slot), textures, hardware);
+    if (fields.has("relief")) read_relief(fields.get("relief"), material);
+    material.shade = read_stage(fields, "shade");
+    read_colours(fields, material);
+    if (fields.has("texture_matrix"))
+        material.texture_matrix = read_texture_matrix(fields.get("texture_matrix"));
+    fields.read("cull", material.cull, cull_words);
+    fields.read("discard_below", material.discard_below);
+    fields.finish("a material");
+    return material;
+}
+
+}  // namespace quadrel

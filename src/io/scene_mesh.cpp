@@ -1,0 +1,111 @@
+#include "io/scene_read.hpp"
+#include "quadrel/scene/mesh_file.hpp"
+#include "quadrel/scene/shapes.hpp"
+
+namespace quadrel {
+namespace {
+
+// Four million vertices a shape: beyond, a typing mistake is likelier than a wish.
+constexpr int most_cells = 2048;
+
+Mesh read_quad(Fields& fields) {
+    double size = 2;
+    int columns = 1, rows = 1;
+    fields.read("size", size, positive);
+    if (fields.has("subdivide")) {
+        const Value cells = fields.get("subdivide");
+        if (!cells.json().is_array() || cells.json().size() != 2)
+            cells.reject("an array of 2 integers");
+        columns = cells.element(0).integer(1, most_cells);
+        rows = cells.element(1).integer(1, most_cells);
+    }
+    return make_quad(size, columns, rows);
+}
+
+Mesh read_cube(Fields& fields) {
+    double size = 2;
+    fields.read("size", size, positive);
+    return make_cube(size);
+}
+
+Mesh read_icosahedron(Fields& fields) {
+    constexpr Word<bool> words[] = {{"flat", false}, {"keep", false}, {"smooth", true}};
+    double radius = 1;
+    bool smooth = false;
+    fields.read("radius", radius, positive);
+    fields.read("normals", smooth, words);
+    return make_icosahedron(radius, smooth);
+}
+
+Mesh read_sphere(Fields& fields) {
+    double radius = 1;
+    int slices = 32, stacks = 32;
+    fields.read("radius", radius, positive);
+    fields.read("slices", slices, 3, most_cells);
+    fields.read("stacks", stacks, 2, most_cells);
+    return make_sphere(radius, slices, stacks);
+}
+
+Mesh read_torus(Fields& fields) {
+    double inner = 0.5, outer = 1;
+    int sides = 24, rings = 48;
+    fields.read("inner_radius", inner, positive);
+    fields.read("outer_radius", outer, positive);
+    fields.read("sides", sides, 3, most_cells);
+    fields.read("rings", rings, 3, most_cells);
+    if (inner > outer)
+        fields.value().fail("inner_radius (the tube's) above outer_radius",
+                            "inner_radius <= outer_radius");
+    return make_torus(inner, outer, sides, rings);
+}
+
+Mesh read_teapot(Fields& fields) {
+    double size = 1;
+    int tessellation = 10;
+    fields.read("size", size, positive);
+    fields.read("tessellation", tessellation, 1, 256);
+    return make_teapot(tessellation, size);
+}
+
+using ReadShape = Mesh (*)(Fields&);
+constexpr Word<ReadShape> shape_words[] = {
+    {"quad", read_quad},     {"cube", read_cube},   {"icosahedron", read_icosahedron},
+    {"sphere", read_sphere}, {"torus", read_torus}, {"teapot", read_teapot}};
+
+Mesh read_file_mesh(Fields& fields) {
+    const Value file = fields.get("file");
+    const std::filesystem::path path = read_path(file);
+    std::optional<bool> flip_v;
+    if (fields.has("flip_v")) flip_v = fields.get("flip_v").boolean();
+    return load_mesh(path, flip_v);
+}
+
+Mesh read_shape_or_file(Fields& fields) {
+    if (fields.has("shape") == fields.has("file"))
+        fields.value().fail(
+            fields.has("shape") ? "both \"shape\" and \"file\"" : "a mesh of nothing",
+            "either \"shape\" or \"file\"");
+    if (fields.has("file")) return read_file_mesh(fields);
+    return fields.get("shape").word(shape_words)(fields);
+}
+
+}  // namespace
+
+Mesh read_mesh(const Value& value) {
+    if (value.json().is_string()) {
+        const Json shape{{"shape", value.string()}};
+        value.word(shape_words);  // fails at this value, not at the one made here
+        return read_mesh(Value(value.document(), shape, value.path()));
+    }
+    constexpr Word<bool> normals_words[] = {{"keep", false}, {"flat", true}};
+    Fields fields(value);
+    Mesh mesh = read_shape_or_file(fields);
+    const bool icosahedron = fields.has("shape") && fields.get("shape").string() == "icosahedron";
+    bool flat = false;
+    if (!icosahedron) fields.read("normals", flat, normals_words);
+    fields.finish(fields.has("file") ? "a mesh from a file"
+                                     : "the shape " + fields.get("shape").string());
+    return flat ? flat_shaded(mesh) : mesh;
+}
+
+}  // namespace quadrel
