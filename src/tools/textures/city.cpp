@@ -55,12 +55,12 @@ void pave(City& city) {
 
 /// Lit windows on the outermost texels of a roof: a wall shows its rim, drawn out downwards.
 void light_windows(City& city, const Rectangle& roof) {
-    if (roof.vary(511) < 0.2) return;
+    if (roof.vary(511) < 0.25) return;
     const glm::dvec3 tint = mix(glm::dvec3(1.5, 0.95, 0.35), glm::dvec3(0.5, 1.0, 1.5),
                                 roof.vary(512) < 0.7 ? 0.15 * roof.vary(513) : 0.9);
     for_texels(roof, [&](int x, int y) {
         const bool column = roof.on_rim(x, y) && (x + y) % 3 == 0;
-        if (column && random(x, y, 514) < 0.6) city.glow.at(x, y) = tint;
+        if (column && random(x, y, 514) < 0.45) city.glow.at(x, y) = tint;
     });
 }
 

@@ -36,7 +36,7 @@ Dune dune_at(glm::dvec2 uv) {
 double height_at(glm::dvec2 uv) {
     const Dune dune = dune_at(uv);
     return 0.03 + 0.70 * dune.large + 0.20 * dune.small * (0.4 + 0.6 * dune.large) +
-           0.016 * dune.ripples;
+           0.006 * dune.ripples;
 }
 
 glm::dvec4 colour_at(glm::dvec2 uv) {
