@@ -1,0 +1,35 @@
+// The planted errors of this room: each is a defective implementation that a property must catch.
+#pragma once
+
+namespace quadrel::test {
+
+enum class Planted {
+    none,
+    negative_remainder,    ///< repeat by C++'s %, negative for negative indices
+    mirror_without_edge,   ///< mirrored_repeat does not repeat the edge texel (period 2n - 2)
+    half_texel,            ///< texel centres at whole coordinates
+    swapped_weights,       ///< x and y weights exchanged
+    next_row_up,           ///< the second row of the footprint is the one before the first
+    border_is_edge,        ///< clamp_to_border gives the edge texel
+    weight_after_floor,    ///< weight bits rounded after the coordinate was split
+    missing_alpha_zero,    ///< a missing alpha reads as 0
+    finer_level_only,      ///< linear mip filter does not blend
+    smaller_gradient,      ///< rho is the smaller length
+    rho_of_each_level,     ///< sizes of another level than 0
+    half_up_level,         ///< nearest mip is floor(d + 0.5)
+    nan_to_finest,         ///< a NaN gradient gives level 0
+    ties_to_x,             ///< cube face X wins over Y over Z
+    corner_of_two,         ///< a cube corner is the mean of its two neighbours
+    clamped_edges,         ///< cube footprints stop at the face's edge
+    absolute_major,        ///< cube derivative takes |d major| instead of d|major|
+    reciprocal_decode,     ///< c * (1 / 255)
+    truncating_encode,     ///< floor(255 x)
+    half_towards_zero,     ///< float to half truncates
+    filter_before_decode,  ///< mips of sRGB codes instead of linear values
+    mips_of_rounded,       ///< a level is made from the rounded previous one
+    box_drops_nothing,     ///< the box rule covers the last odd texel, too
+    flip_forgotten,        ///< flip_v has no effect
+    error_swallowed,       ///< a truncated file reads as a success
+};
+
+}  // namespace quadrel::test
