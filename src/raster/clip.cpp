@@ -30,7 +30,8 @@ ClipVertex cut(const ClipVertex& a, double distance_a, const ClipVertex& b, doub
 }
 
 /// Sutherland and Hodgman, "Reentrant Polygon Clipping" (1974), for one plane; keeps distance >= 0.
-/// `mend` corrects a cut vertex in place.
+/// `mend` puts a cut vertex exactly on the plane: rounding can leave it far off where the edge's
+/// end points are of very different sizes, or at w <= 0.
 template <class Distance, class Mend>
 bool clip_plane(Polygon& polygon, Distance distance, Mend mend) {
     double d[Polygon::max_vertices];
@@ -55,39 +56,38 @@ bool clip_plane(Polygon& polygon, Distance distance, Mend mend) {
     return true;
 }
 
-template <class Distance>
-bool clip_plane(Polygon& polygon, Distance distance) {
-    return clip_plane(polygon, distance, [](glm::dvec4&) {});
-}
-
 bool clip_depth(Polygon& polygon, Conventions conventions) {
     const bool symmetric = conventions == Conventions::gl;
-    const bool near =
-        clip_plane(polygon, [=](const glm::dvec4& p) { return symmetric ? p.z + p.w : p.z; });
-    const bool far = clip_plane(polygon, [](const glm::dvec4& p) { return p.w - p.z; });
+    const bool near = clip_plane(
+        polygon, [=](const glm::dvec4& p) { return symmetric ? p.z + p.w : p.z; },
+        [=](glm::dvec4& p) { p.z = symmetric ? -p.w : 0; });
+    const bool far = clip_plane(
+        polygon, [](const glm::dvec4& p) { return p.w - p.z; }, [](glm::dvec4& p) { p.z = p.w; });
     return near || far;
 }
 
 bool clip_w(Polygon& polygon) {
-    // Rounding could leave a cut vertex at w <= 0: the plane's own value is exact.
     return clip_plane(
         polygon, [](const glm::dvec4& p) { return p.w - minimum_w; },
         [](glm::dvec4& p) { p.w = minimum_w; });
 }
 
-/// Window coordinates within [-guard_band, guard_band], multiplied by w.
+/// One side of the guard band: p[axis] / w on the inner side of `limit`; side is +1 or -1.
+bool clip_guard_side(Polygon& polygon, int axis, double side, double limit) {
+    return clip_plane(
+        polygon, [=](const glm::dvec4& p) { return side * (limit * p.w - p[axis]); },
+        [=](glm::dvec4& p) { p[axis] = limit * p.w; });
+}
+
 bool clip_guard_band(Polygon& polygon, const Viewport& viewport) {
     const double half[2] = {viewport.width * 0.5, viewport.height * 0.5};
     bool cut_any = false;
     for (int axis = 0; axis < 2; ++axis) {
+        // Window coordinate c = (p / w + 1) half, or (1 - p / w) half where y is flipped.
         const bool flip = axis == 1 && viewport.conventions == Conventions::d3d;
-        const auto window = [=](const glm::dvec4& p) {
-            return (flip ? p.w - p[axis] : p[axis] + p.w) * half[axis];
-        };
-        const auto low = [=](const glm::dvec4& p) { return window(p) + guard_band * p.w; };
-        const auto high = [=](const glm::dvec4& p) { return guard_band * p.w - window(p); };
-        cut_any |= clip_plane(polygon, low);
-        cut_any |= clip_plane(polygon, high);
+        const double reach = guard_band / half[axis], centre = flip ? 1 : -1;
+        cut_any |= clip_guard_side(polygon, axis, -1, centre - reach);
+        cut_any |= clip_guard_side(polygon, axis, 1, centre + reach);
     }
     return cut_any;
 }
