@@ -59,7 +59,11 @@ template <Number F>
 ReducedAngle<F> reduce_angle(F x) {
     using T = Scalar<F>;
     const F angle = select(abs(x) <= F(constants::trig_limit<T>), x, F(0));
-    const F turns = round_even(angle * F(constants::two_over_pi<T>));
+    // The nearest multiple of pi / 2; where the first product's rounding missed it, mended once.
+    const F guess = round_even(angle * F(constants::two_over_pi<T>));
+    const DoubleWord<F> near = two_product(guess, F(constants::half_pi<T>[0]));
+    const F off = (angle - near.hi) - near.lo;
+    const F turns = guess + round_even(off * F(constants::two_over_pi<T>));
     // Cody and Waite's reduction with exact products: whatever cancels, cancels exactly.
     DoubleWord<F> rest{angle, F(0)};
     const auto subtract = [&rest](F part) {
