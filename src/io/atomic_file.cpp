@@ -65,6 +65,12 @@ AtomicFile::~AtomicFile() {
     forget_temporary(slot_);
 }
 
+void check_writable(const std::filesystem::path& target) {
+    std::error_code ignored;
+    const bool directory = std::filesystem::is_directory(target, ignored);
+    if (directory || replaceable(target)) AtomicFile probe(target);
+}
+
 void AtomicFile::open_temporary() {
     // rename() needs no permission on the file that it replaces; an existing read-only file is
     // nevertheless meant to stay.

@@ -45,6 +45,10 @@ class AtomicFile {
     std::uint64_t position_ = 0;
 };
 
+/// Throws the OutputError that AtomicFile would throw now: for finding out before long work. Leaves
+/// devices and fifos alone.
+void check_writable(const std::filesystem::path& target);
+
 /// Makes SIGINT, SIGTERM and SIGHUP remove the temporaries of unfinished outputs and end the
 /// process with 128 + the signal's number (130, 143, 129); a closed pipe becomes a write error
 /// instead of SIGPIPE. For programs; the library itself never calls it.

@@ -1,0 +1,24 @@
+// Values of command-line arguments.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadrel/film/film.hpp"
+
+namespace quadrel::cli {
+
+/// "a,b,c" in its parts, blanks around them dropped. Throws UsageError for an empty part.
+std::vector<std::string> parse_list(const std::string& option, const std::string& text);
+
+struct Size {
+    int width = 0, height = 0;
+};
+
+/// "640x480", each 1 to 65536. Throws UsageError.
+Size parse_size(const std::string& option, const std::string& text);
+
+/// "x0,y0,x1,y1", half-open, not empty, nothing negative. Throws UsageError.
+Window parse_window(const std::string& option, const std::string& text);
+
+}  // namespace quadrel::cli

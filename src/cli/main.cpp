@@ -1,0 +1,71 @@
+// The command line: parsing, and exceptions to exit codes.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <new>
+
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "io/atomic_file.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+constexpr const char* exit_codes =
+    "Exit codes: 0 ok, 1 compare found a difference, 2 usage, 3 bad or missing input,\n"
+    "4 internal check failed, 5 output failed, 75 try again.";
+
+/// Exactly one line.
+int complain(std::string message, ExitCode code) {
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::fprintf(stderr, "quadrel: %s\n", message.c_str());
+    return static_cast<int>(code);
+}
+
+int run(const Action& action) {
+    try {
+        const ExitCode code = action();
+        flush_output();
+        return static_cast<int>(code);
+    } catch (const UsageError& error) {
+        return complain(error.what(), ExitCode::usage);
+    } catch (const InputError& error) {
+        return complain(error.what(), ExitCode::input);
+    } catch (const OutputError& error) {
+        return complain(error.what(), ExitCode::output);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", ExitCode::try_again);
+    } catch (const std::exception& error) {
+        return complain(std::string("unexpected: ") + error.what(), ExitCode::internal);
+    }
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
+    app.set_version_flag("--version", "quadrel " QUADREL_VERSION);
+    app.require_subcommand(1);
+    app.footer(exit_codes);
+    Action action;
+    add_render(app, action);
+    add_compare(app, action);
+    add_list(app, action);
+    add_info(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return run([&] {
+            app.exit(help);
+            return ExitCode::ok;
+        });
+    } catch (const CLI::ParseError& error) {
+        return complain(std::string(error.what()) + " (see `quadrel --help`)", ExitCode::usage);
+    }
+    return run(action);
+}
+
+}  // namespace
+}  // namespace quadrel::cli
+
+int main(int argc, char** argv) {
+    quadrel::install_signal_cleanup();
+    return quadrel::cli::parse_and_run(argc, argv);
+}

@@ -1,0 +1,140 @@
+// quadrel render: a scene to an EXR of named channels.
+#include "quadrel/render.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "io/atomic_file.hpp"
+#include "quadrel/film/channels.hpp"
+#include "quadrel/film/exr.hpp"
+#include "quadrel/film/preview.hpp"
+#include "quadrel/scene/load.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+struct Arguments {
+    std::string scene, output, preview, channels, size, window;
+    std::vector<std::string> overrides;
+    RenderOptions options;
+};
+
+/// The output's name unless it is given: the scene's, in the current directory.
+std::filesystem::path output_name(const Arguments& arguments) {
+    if (!arguments.output.empty()) return arguments.output;
+    return std::filesystem::path(arguments.scene).stem().string() + ".exr";
+}
+
+/// --size comes last, so that it wins over -D.
+Scene load(const Arguments& arguments) {
+    std::vector<std::string> overrides = arguments.overrides;
+    if (!arguments.size.empty()) {
+        const Size size = parse_size("--size", arguments.size);
+        overrides.push_back(fmt::format("size=[{},{}]", size.width, size.height));
+    }
+    return load_scene(arguments.scene, overrides);
+}
+
+RenderOptions parse_options(const Arguments& arguments) {
+    RenderOptions options = arguments.options;
+    if (!arguments.channels.empty())
+        options.channels = expand_channels(parse_list("--channels", arguments.channels));
+    if (!arguments.window.empty()) options.window = parse_window("--window", arguments.window);
+    return options;
+}
+
+void check_outputs(const std::filesystem::path& output, const std::filesystem::path& preview) {
+    check_writable(output);
+    if (preview.empty()) return;
+    check_writable(preview);
+    if (std::filesystem::absolute(preview).lexically_normal() ==
+        std::filesystem::absolute(output).lexically_normal())
+        throw UsageError("--preview and the output have the same name");
+}
+
+void check_window(const RenderOptions& options, const Scene& scene) {
+    if (!options.window || contains({0, 0, scene.width, scene.height}, *options.window)) return;
+    throw UsageError(
+        fmt::format("--window: found a window that ends at {},{}, expected one in "
+                    "the {}x{} image",
+                    options.window->x1, options.window->y1, scene.width, scene.height));
+}
+
+Film render_with_bar(const Scene& scene, RenderOptions& options) {
+    ProgressBar bar;
+    options.progress = [&bar](double share) { bar.show(share); };
+    Film film = render(scene, options);
+    options.progress = nullptr;
+    return film;
+}
+
+void say_written(const std::filesystem::path& file) {
+    fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
+}
+
+ExitCode run_render(const Arguments& arguments) {
+    const std::filesystem::path output = output_name(arguments);
+    RenderOptions options = parse_options(arguments);
+    check_outputs(output, arguments.preview);
+    const Scene scene = load(arguments);
+    check_window(options, scene);
+    const Film film = render_with_bar(scene, options);
+    Attributes attributes;
+    for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
+    write_exr(output, film, attributes);
+    say_written(output);
+    if (!arguments.preview.empty()) {
+        write_png(arguments.preview, preview(film));
+        say_written(arguments.preview);
+    }
+    return ExitCode::ok;
+}
+
+void add_values(CLI::App& verb, Arguments& a) {
+    verb.add_option("scene", a.scene, "scene file, or the name of an installed scene")->required();
+    verb.add_option("-o,--output", a.output,
+                    "EXR to write (default: the scene's name in the current directory)");
+    verb.add_option("-D,--define", a.overrides,
+                    "override a value of the scene, as material.relief.steps=256; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb.add_option("--channels", a.channels,
+                    "comma-separated channels or groups (default R,G,B,A,Z; see list channels)");
+    verb.add_option("--size", a.size, "image size in pixels")->type_name("WxH");
+    verb.add_option("--window", a.window,
+                    "render this part only: half-open, pixels from the top-left")
+        ->type_name("X0,Y0,X1,Y1");
+    verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at");
+}
+
+void add_execution(CLI::App& verb, RenderOptions& options) {
+    verb.add_option("--number", options.number, "number type of the shading")
+        ->check(CLI::IsMember({"float", "double"}))
+        ->capture_default_str();
+    verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
+        ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
+        ->capture_default_str();
+    verb.add_option("-t,--threads", options.threads, "threads; 0: as many as there are CPUs")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    verb.add_option("--tile", options.tile, "side of a tile in pixels, even")
+        ->check(CLI::Range(2, 1024))
+        ->capture_default_str();
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand("render", "render a scene to an EXR of named channels");
+    const auto arguments = std::make_shared<Arguments>();
+    add_values(*verb, *arguments);
+    add_execution(*verb, arguments->options);
+    verb->callback(
+        [arguments, &action] { action = [arguments] { return run_render(*arguments); }; });
+}
+
+}  // namespace quadrel::cli

@@ -1,0 +1,20 @@
+// The verbs of the command line, one file each. A verb adds its subcommand and says, when that was
+// chosen, what is to be run.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel::cli {
+
+/// What the chosen verb does once the whole command line is parsed.
+using Action = std::function<ExitCode()>;
+
+void add_render(CLI::App& app, Action& action);
+void add_list(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+
+}  // namespace quadrel::cli
