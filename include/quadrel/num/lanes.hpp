@@ -127,7 +127,8 @@ class Lanes {
     friend LanesMask operator>(Lanes a, Lanes b) { return LanesMask(hn::Gt(a.v, b.v)); }
     friend LanesMask operator>=(Lanes a, Lanes b) { return LanesMask(hn::Ge(a.v, b.v)); }
     friend LanesMask operator==(Lanes a, Lanes b) { return LanesMask(hn::Eq(a.v, b.v)); }
-    friend LanesMask operator!=(Lanes a, Lanes b) { return LanesMask(hn::Ne(a.v, b.v)); }
+    // Highway's Ne is an ordered comparison on AVX2 and AVX-512: NaN != NaN would be false.
+    friend LanesMask operator!=(Lanes a, Lanes b) { return !(a == b); }
 
     friend Lanes select(LanesMask m, Lanes a, Lanes b) {
         return Lanes(hn::IfThenElse(m.m, a.v, b.v));
