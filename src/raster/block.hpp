@@ -162,4 +162,8 @@ void visit_blocks(const ScreenTriangle& triangle, const PixelRect& tile, int sam
     }
 }
 
+/// quadrel::rasterize, the arithmetic chosen by the caller.
+void rasterize(const ScreenTriangle& triangle, std::uint32_t index, TileBuffer& tile,
+               EdgeArithmetic arithmetic);
+
 }  // namespace quadrel::detail

@@ -29,7 +29,6 @@ enum class Planted {
     cut_without_w,            ///< vertices behind the eye are kept
     clip_weights_in_window,   ///< noperspective values take the clip-space weights
     linear_interpolation,     ///< no perspective correction
-    third_is_one_minus_rest,  ///< perspective weights of the wrong vertices
     planes_from_origin,       ///< float planes anchored at the window's origin
     clamped_helpers,          ///< helper lanes do not extrapolate
     unsnapped_attributes,     ///< attribute planes from unsnapped positions
