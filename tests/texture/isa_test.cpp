@@ -33,7 +33,7 @@ SweepFunction* open_sweep(const std::string& isa) {
 
 void sweep_reference(SweepRequest* request) { sweep<Quad<float>>(*request); }
 
-constexpr int count = 256;
+constexpr int count = 128;
 
 struct Sweep {
     std::vector<float> input, output;
@@ -45,7 +45,7 @@ struct Sweep {
           output(sweep_outputs * count),
           flat(width, height_, channels, 1, seed),
           height(width, height_, 1, 1, seed + 1),
-          cube(std::max(width, height_), std::max(width, height_), 4, 6, seed + 2) {
+          cube(std::min(width, 8), std::min(width, 8), 4, 6, seed + 2) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> uniform(-1, 1), exponent(-6, 3);
         for (int i = 0; i < sweep_inputs * count; ++i) {
@@ -116,7 +116,7 @@ void choose_state(Sweep& s, int index) {
 constexpr int combinations = 300;
 
 testing::AssertionResult gives_the_same_bits(SweepFunction* function, int width) {
-    constexpr int sizes[][3] = {{16, 16, 4}, {1, 1, 1}, {1, 9, 2}, {13, 6, 4}, {64, 32, 1}};
+    constexpr int sizes[][3] = {{16, 16, 4}, {1, 1, 1}, {1, 9, 2}, {13, 6, 4}, {32, 16, 1}};
     for (int index = 0; index < combinations; ++index) {
         const auto [w, h, channels] = sizes[index % 5];
         Sweep s(static_cast<std::uint32_t>(index), w, h, channels);
