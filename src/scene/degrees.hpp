@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#if __has_include("quadrel/num/math.hpp")
 #include "quadrel/num/math.hpp"
-#endif
 
 namespace quadrel {
 
@@ -19,11 +17,7 @@ inline SinCos sin_cos_degrees(double degrees) {
     const double whole = std::fmod(degrees, 360.0);
     const double quarter = std::floor(whole / 90.0 + 0.5);
     const double angle = (whole - 90.0 * quarter) * radians_per_degree;
-#if __has_include("quadrel/num/math.hpp")
     const double s = quadrel::sin(angle), c = quadrel::cos(angle);
-#else
-    const double s = std::sin(angle), c = std::cos(angle);
-#endif
     switch (static_cast<int>(quarter) & 3) {
         case 0:
             return {s, c};
