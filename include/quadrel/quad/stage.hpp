@@ -94,6 +94,14 @@ struct NoParams {};
 inline constexpr std::array<ParameterText, 0> no_parameters{};
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
+namespace detail {
+/// Where a member function of the same name hides `store`.
+template <class Element, class Packet>
+void store_packet(Element* to, const Packet& packet) {
+    store(to, packet);
+}
+}  // namespace detail
+
 template <class... V>
 constexpr std::array<Value, sizeof...(V)> values(V... v) {
     return {v...};
@@ -144,7 +152,7 @@ class StageIo {
         const int slot = slot_of(v) + light * n;
         if (!call_.values[slot]) return;
         if constexpr (info(v).kind == ValueKind::integer) {
-            quadrel::store(static_cast<std::int32_t*>(call_.values[slot]) + lane_, x);
+            detail::store_packet(static_cast<std::int32_t*>(call_.values[slot]) + lane_, x);
         } else if constexpr (n == 1) {
             put(slot, x);
         } else if constexpr (n == 6) {
@@ -184,7 +192,7 @@ class StageIo {
         return quadrel::load<F>(static_cast<const Scalar<F>*>(call_.values[slot]) + lane_);
     }
     void put(int slot, F x) const {
-        quadrel::store(static_cast<Scalar<F>*>(call_.values[slot]) + lane_, x);
+        detail::store_packet(static_cast<Scalar<F>*>(call_.values[slot]) + lane_, x);
     }
 
     const StageCall& call_;

@@ -104,10 +104,10 @@ struct ShadeThesis {
     static vec3<F> environment(Io& io, const vec3<F>& v) {
         const SampledTexture* cube = io.template texture<TextureSlot::environment>();
         if (!cube) return vec3<F>(F(0));
-        const float(&m)[9] = io.frame().eye_to_world;
-        const vec3<F> world(F(m[0]) * v.x + F(m[1]) * v.y + F(m[2]) * v.z,
+        const auto& m = io.frame().eye_to_world;
+        const vec3<F> world{F(m[0]) * v.x + F(m[1]) * v.y + F(m[2]) * v.z,
                             F(m[3]) * v.x + F(m[4]) * v.y + F(m[5]) * v.z,
-                            F(m[6]) * v.x + F(m[7]) * v.y + F(m[8]) * v.z);
+                            F(m[6]) * v.x + F(m[7]) * v.y + F(m[8]) * v.z};
         return rgb(texture_cube(*cube, io.context(io.active()), world, io.frame().derivatives));
     }
 };
