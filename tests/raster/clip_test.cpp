@@ -85,8 +85,10 @@ testing::AssertionResult stays_in_volume(const Clip& clip, Conventions conventio
     Random random;
     const Viewport viewport{64, 64, conventions};
     for (int i = 0; i < 5000; ++i) {
-        const Positions p{random_position(random), random_position(random),
-                          random_position(random)};
+        Positions p{random_position(random), random_position(random), random_position(random)};
+        // The eye itself, and points at infinity in the plane of the eye.
+        if (i % 5 == 0) p[i % 3] = glm::vec4(0);
+        if (i % 7 == 0) p[i % 3].z = p[i % 3].w = 0;
         const ClippedPolygon polygon = clip(p, viewport);
         for (int k = 0; k < polygon.count; ++k) {
             const ClipVertex& v = polygon.vertex[k];

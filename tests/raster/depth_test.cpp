@@ -59,7 +59,7 @@ testing::AssertionResult nearest_then_first(const FrontEnd& front) {
     for (int i = 0; i < 30; ++i) {
         Corners corners = random_corners(random, 0, 0.99);
         for (Corner& c : corners)
-            if (i % 2) c.depth = 0.5;
+            if (i % 3) c.depth = 0.5;
         ScreenTriangle t;
         if (set_up_triangle(to_clip(corners, state.viewport), state, t) == SetupOutcome::drawn)
             triangles.push_back(t);
@@ -103,6 +103,7 @@ TEST(Depth, ReversedZKeepsTheLargest) {
     tile.write(0, 0, 0, 0.25f, 3);
     EXPECT_FALSE(tile.passes(0, 0, 0, 0.125f, 0));
     EXPECT_TRUE(tile.passes(0, 0, 0, 0.25f, 2));
+    EXPECT_FALSE(tile.passes(0, 0, 0, 0.25f, 3));
     EXPECT_FALSE(tile.passes(0, 0, 0, 0.25f, 4));
 }
 

@@ -123,6 +123,13 @@ testing::AssertionResult meshes_are_watertight(const FrontEnd& front, int meshes
     return testing::AssertionSuccess();
 }
 
+/// Horizontal and vertical edges through pixel centres.
+void make_right_angled(std::vector<Corner>& ring) {
+    for (Corner& c : ring) c = {std::floor(c.x) + 0.5, std::floor(c.y) + 0.5};
+    ring[1].x = ring[0].x;
+    ring[2].y = ring[0].y;
+}
+
 /// Triangles of any size and both windings against the moved-sample oracle; many on a quarter-pixel
 /// grid, some reaching thousands of pixels beyond the frame.
 testing::AssertionResult agrees_with_moved_samples(const FrontEnd& front, Conventions conventions,
@@ -137,6 +144,7 @@ testing::AssertionResult agrees_with_moved_samples(const FrontEnd& front, Conven
             c = {16 + random.uniform(-reach, reach), 16 + random.uniform(-reach, reach)};
             if (i % 3 != 0) c = {std::round(c.x * 4) / 4, std::round(c.y * 4) / 4};
         }
+        if (i % 4 == 0) make_right_angled(ring);
         const auto result = covers_ring_once(coverage(front, {{ring[0], ring[1], ring[2]}}, state),
                                              snapped_ring(ring, state.viewport));
         if (!result) return testing::AssertionFailure() << i << ": " << result.message();

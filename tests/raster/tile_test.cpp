@@ -20,7 +20,7 @@ std::vector<ScreenTriangle> random_triangles(Random& random, int n, double reach
         const double x = random.uniform(0, size), y = random.uniform(0, size);
         for (Corner& c : corners)
             c = {x + random.uniform(-reach, reach), y + random.uniform(-reach, reach),
-                 random.uniform(0.5, 3), random.uniform(0, 1)};
+                 random.uniform(0.5, 3), random.uniform(-0.2, 1.2)};
         ScreenTriangle t;
         if (set_up_triangle(to_clip(corners, state.viewport), state, t) == SetupOutcome::drawn)
             triangles.push_back(t);
@@ -205,6 +205,12 @@ Centroids centroids_with(Planted planted) {
     return quad_centroids;
 }
 
+bool is_within(const QuadCoverage& quad, const PixelRect& rect) {
+    for (int k = 0; k < 4; ++k)
+        if (quad.samples[k] && !rect.contains(lane_x(quad, k), lane_y(quad, k))) return false;
+    return true;
+}
+
 /// In-order drawing with write_quad after each triangle gives what rasterize gives.
 testing::AssertionResult in_order_equals_visibility(int samples, DepthCompare compare) {
     Random random;
@@ -216,7 +222,10 @@ testing::AssertionResult in_order_equals_visibility(int samples, DepthCompare co
         rasterize(triangles[i], i, visibility);
         quads.clear();
         collect_passing(triangles[i], i, in_order, quads);
-        for (const QuadCoverage& quad : quads) write_quad(triangles[i], quad, in_order);
+        for (const QuadCoverage& quad : quads) {
+            if (!is_within(quad, rect)) return testing::AssertionFailure() << "outside the tile";
+            write_quad(triangles[i], quad, in_order);
+        }
     }
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
@@ -282,6 +291,8 @@ TEST(Tile, OrderOfTrianglesDoesNotMatter) {
     Random random;
     auto triangles = random_triangles(random, 30, 30);
     for (int i = 0; i < 10; ++i) triangles.push_back(triangles[i]);  // ties
+    std::swap(triangles[1], triangles[39]);                          // of neighbours, too
+    triangles[2] = triangles[1];
     TileBuffer forward(whole, 4), backward(whole, 4);
     for (std::uint32_t i = 0; i < 40; ++i) rasterize(triangles[i], i, forward);
     for (std::uint32_t i = 40; i-- > 0;) rasterize(triangles[i], i, backward);
@@ -295,6 +306,15 @@ TEST(Tile, InOrderEqualsVisibility) {
     for (int samples : {1, 2, 16})
         for (DepthCompare compare : {DepthCompare::less, DepthCompare::greater})
             EXPECT_TRUE(in_order_equals_visibility(samples, compare));
+}
+
+TEST(Tile, TheFarPlaneItselfIsNotNearer) {
+    const Corners far{Corner{0, 0, 1, 1}, Corner{9, 0, 1, 1}, Corner{0, 9, 1, 1}};
+    const ScreenTriangle t = set_up(far, y_down(size, size));
+    TileBuffer tile(whole, 1);
+    rasterize(t, 0, tile);
+    EXPECT_EQ(tile.triangle(1, 1, 0), no_triangle);
+    EXPECT_FALSE(tile.passes(1, 1, 0, 1.0f, 0));
 }
 
 TEST(Tile, CollectingWritesNothing) {
