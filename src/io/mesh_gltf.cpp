@@ -1,6 +1,7 @@
 #include "io/mesh_gltf.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <glm/mat4x4.hpp>
 
 #include "io/gltf_accessor.hpp"
@@ -259,8 +260,12 @@ class GltfMeshReader {
 std::string decode_percent(const std::string& uri) {
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size()) {
-            text += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
+        unsigned char code = 0;
+        const char* digits = uri.data() + i + 1;
+        const bool escaped = uri[i] == '%' && i + 2 < uri.size() &&
+                             std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+        if (escaped) {
+            text += static_cast<char>(code);
             i += 2;
         } else {
             text += uri[i];

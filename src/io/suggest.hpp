@@ -28,13 +28,15 @@ inline int edit_distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-/// The known word nearest to `word`, or empty if none is near (more than half of it changed).
+/// The known word nearest to `word`, or empty if none is near (more than half of it changed). One
+/// that begins with `word` counts as one change away.
 template <class Words>
 std::string nearest_word(std::string_view word, const Words& known) {
     std::string best;
     int least = static_cast<int>(word.size()) / 2 + 2;
     for (const auto& candidate : known) {
-        const int distance = edit_distance(word, candidate);
+        const bool begun = word.size() > 1 && std::string_view(candidate).starts_with(word);
+        const int distance = begun && word != candidate ? 1 : edit_distance(word, candidate);
         if (distance < least) {
             least = distance;
             best = std::string(candidate);
@@ -47,8 +49,7 @@ std::string nearest_word(std::string_view word, const Words& known) {
 template <class Words>
 std::string one_of(std::string_view word, const Words& known) {
     const std::string nearest = nearest_word(word, known);
-    std::string text =
-        nearest.empty() ? "one of" : "\"" + nearest + "\" (did you mean it?) or one of";
+    std::string text = nearest.empty() ? "one of" : "\"" + nearest + "\", or one of";
     const char* separator = " ";
     for (const auto& candidate : known) {
         text += separator + std::string(candidate);

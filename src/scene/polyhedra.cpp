@@ -39,7 +39,7 @@ Mesh make_cube(double size) {
 
 namespace {
 
-// Corners (0, +-1, +-golden ratio) and cyclic permutations; faces counter-clockwise from outside.
+// Corners (0, +-1, +-golden ratio) and cyclic permutations; faces clockwise from outside.
 constexpr int icosahedron_faces[20][3] = {
     {0, 4, 1}, {0, 9, 4},  {9, 5, 4},  {4, 5, 8},  {4, 8, 1},  {8, 10, 1}, {8, 3, 10},
     {5, 3, 8}, {5, 2, 3},  {2, 7, 3},  {7, 10, 3}, {7, 6, 10}, {7, 11, 6}, {11, 0, 6},
@@ -61,7 +61,7 @@ Mesh make_icosahedron(double radius, bool smooth) {
     Mesh mesh;
     mesh.name = "icosahedron";
     for (const auto& face : icosahedron_faces) {
-        // The table below is clockwise from outside; its first two corners change places.
+        // The table is clockwise from outside; its first two corners change places.
         const glm::dvec3 corners[3] = {icosahedron_corner(face[1]), icosahedron_corner(face[0]),
                                        icosahedron_corner(face[2])};
         const glm::dvec3 flat = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));

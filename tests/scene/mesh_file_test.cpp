@@ -76,7 +76,7 @@ TEST_F(MeshFile, ObjNumbersAreRoundedCorrectly) {
     const Mesh mesh =
         obj("v 0.1 16777217 1e-46\nv +1.0000000596046448 -.5e1 0\nv 0 1 2\nf 1 2 3\n");
     EXPECT_EQ(mesh.positions[0], glm::vec3(0.1f, 16777216.0f, 0.0f));
-    EXPECT_EQ(mesh.positions[1], glm::vec3(1.0f, -5.0f, 0.0f));
+    EXPECT_EQ(mesh.positions[1], glm::vec3(std::nextafter(1.0f, 2.0f), -5, 0));
 }
 
 TEST_F(MeshFile, ObjMistakesNameTheLine) {
@@ -134,13 +134,13 @@ TEST(Triangulate, ConvexAndConcavePolygons) {
         auto turned = comb;
         std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start),
                     turned.end());
-        EXPECT_TRUE(covers(triangulate, turned, 8.5)) << start;
+        EXPECT_TRUE(covers(triangulate, turned, 9.5)) << start;
         auto dart = arrow;
         std::rotate(dart.begin(), dart.begin() + static_cast<std::ptrdiff_t>(start % 4),
                     dart.end());
         EXPECT_TRUE(covers(triangulate, dart, 1 * 0.5 * 2)) << start;
     }
-    EXPECT_FALSE(covers(fan, comb, 8.5));  // Defect::fan_of_concave
+    EXPECT_FALSE(covers(fan, comb, 9.5));  // Defect::fan_of_concave
     const std::vector<glm::dvec3> point(5, glm::dvec3(1));
     EXPECT_EQ(triangulate(point).size(), 3u);
 }
@@ -256,7 +256,7 @@ TEST_F(MeshFile, GltfMistakesAreFound) {
     using nlohmann::json;
     EXPECT_TRUE(glb_refused(broken([](json& j) { j["accessors"][0]["count"] = 5; }),
                             {"accessors[0]", "5 elements", "buffer view"}));
-    EXPECT_TRUE(glb_refused(broken([](json& j) { j["accessors"][4]["bufferView"] = 0; }),
+    EXPECT_TRUE(glb_refused(broken([](json& j) { j["accessors"][4]["bufferView"] = 1; }),
                             {"meshes[0].primitives[0].indices", "vertex", "below 4"}));
     EXPECT_TRUE(glb_refused(broken([](json& j) { j["bufferViews"][0]["byteLength"] = 100000; }),
                             {"bufferViews[0]", "past", "bytes"}));

@@ -42,7 +42,7 @@ Mesh with(Defect defect, Mesh mesh) {
             mesh.normals[5] *= 1.001f;
             break;
         case Defect::moved_vertex:
-            mesh.positions[7].x += 0.001f;
+            mesh.positions[14].x += 0.001f;
             break;
         case Defect::mirrored_uvs:
             for (auto& uv : mesh.uvs) uv.x = -uv.x;
