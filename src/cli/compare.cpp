@@ -2,8 +2,8 @@
 #include "quadrel/compare.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
+#include <set>
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
@@ -20,31 +20,33 @@ struct Arguments {
     bool json = false;
 };
 
-bool belongs_to(const std::string& channel, const std::string& request) {
-    return channel == request || channel.compare(0, request.size() + 1, request + ".") == 0;
+bool is_below(const std::string& channel, const std::string& group) {
+    return channel.compare(0, group.size() + 1, group + ".") == 0;
 }
 
-bool holds(const Film& film, const std::string& request) {
-    return std::any_of(film.planes.begin(), film.planes.end(),
-                       [&](const Plane& plane) { return belongs_to(plane.name, request); });
+/// The names that a request stands for in either image: the channel of that name, else those
+/// below it.
+std::set<std::string> matches(const std::string& request, const Film& reference, const Film& test) {
+    if (reference.find(request) != nullptr || test.find(request) != nullptr) return {request};
+    std::set<std::string> names;
+    for (const Film* film : {&reference, &test})
+        for (const Plane& plane : film->planes)
+            if (is_below(plane.name, request)) names.insert(plane.name);
+    return names;
 }
 
 /// Drops the channels that no request names.
-void keep_only(Film& film, const std::vector<std::string>& requests) {
-    std::erase_if(film.planes, [&](const Plane& plane) {
-        return std::none_of(requests.begin(), requests.end(), [&](const std::string& request) {
-            return belongs_to(plane.name, request);
-        });
-    });
-}
-
 void select_channels(const std::string& list, Film& reference, Film& test) {
-    const std::vector<std::string> requests = parse_list("--channels", list);
-    for (const std::string& request : requests)
-        if (!holds(reference, request) && !holds(test, request))
+    std::set<std::string> wanted;
+    for (const std::string& request : parse_list("--channels", list)) {
+        const std::set<std::string> names = matches(request, reference, test);
+        if (names.empty())
             throw UsageError("--channels: neither image has a channel \"" + request + "\"");
-    keep_only(reference, requests);
-    keep_only(test, requests);
+        wanted.insert(names.begin(), names.end());
+    }
+    const auto unwanted = [&](const Plane& plane) { return wanted.count(plane.name) == 0; };
+    std::erase_if(reference.planes, unwanted);
+    std::erase_if(test.planes, unwanted);
 }
 
 ExitCode run_compare(const Arguments& arguments) {

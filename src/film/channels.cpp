@@ -38,16 +38,17 @@ std::string with_index(std::string name, const std::string& index) {
     return name;
 }
 
-/// Every full name that one request stands for; empty if there is none.
+/// Every full name that one request stands for; empty if there is none. A full name is never a
+/// group as well: "B" is blue, not the bitangent.
 std::vector<std::string> matches(const std::string& request) {
+    if (find_channel(request) != nullptr) return {request};
     std::string index;
     const std::string generic = generic_name(request, index);
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
         const bool per_light = channel.name.find(placeholder) != std::string::npos;
         if (per_light && index.empty()) continue;
-        if (channel.name == generic || is_below(channel.name, generic))
-            names.push_back(with_index(channel.name, index));
+        if (is_below(channel.name, generic)) names.push_back(with_index(channel.name, index));
     }
     return names;
 }

@@ -31,6 +31,7 @@ TEST(Channels, GroupsStandForTheirMembers) {
     EXPECT_EQ(expand_channels(Names{"shadow.3"}), (Names{"shadow.3.visibility", "shadow.3.steps"}));
     EXPECT_EQ(expand_channels(Names{"shadow"}), (Names{"shadow.visibility", "shadow.steps"}));
     EXPECT_EQ(expand_channels(Names{"J"}).size(), 6u);
+    EXPECT_EQ(expand_channels(Names{"R", "G", "B"}), (Names{"R", "G", "B"}));
 }
 
 TEST(Channels, EveryExpandedNameIsKnown) {

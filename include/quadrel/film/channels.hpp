@@ -27,8 +27,9 @@ const std::vector<std::string>& default_channels();
 const ChannelInfo* find_channel(const std::string& name);
 
 /// Full names for what a user asks for: each request is a full name or a group, which stands for
-/// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*). Order is kept, repetition
-/// dropped; no request at all gives the default. Throws UsageError with the nearest known name.
+/// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*; "B" is blue, the bitangent
+/// is "B.X" and so on). Order is kept, repetition dropped; no request at all gives the default.
+/// Throws UsageError with the nearest known name.
 std::vector<std::string> expand_channels(std::span<const std::string> requests);
 
 /// The bits of a pixel that nothing covers: +inf for Z, 0xffffffff for id.*, else 0 (colour is the
