@@ -144,6 +144,8 @@ inline constexpr ExpectedHash expected_hashes[] = {
     {"to_float of int", 0xad60c6cdab56ed7c, 0xc0f358b7f8af2325},
     {"gather", 0xf11bde5b41ca027d, 0x63f85241afaf2325},
     {"gather_int", 0xe6d15df656087ccb, 0x1433971b1d28eab3},
+    {"gather2", 0xa6ac62775c42dfe5, 0xede3cf158faf2325},
+    {"gather4", 0x97dec8390a46a8c7, 0xc2c48c9f2faf2325},
     {"mixed max", 0xc01ebc72fcd622fe, 0xb272460275c79049},
     {"mixed mix", 0x3cb472283e472d3a, 0x6c4fe4636040b51a},
     {"mixed clamp", 0x3a7c5c70c014acca, 0xda68a90d01b81c4f},

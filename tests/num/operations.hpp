@@ -203,6 +203,21 @@ Int<F> gathered_int(F a) {
     return gather_int<F>(table, integer_of(a) & Int<F>(3));
 }
 
+inline constexpr float texels[12] = {1.0f,   -2.5f, 0x1p-149f, 3e38f, -0.0f, 7.0f,
+                                     1e-38f, 0.1f,  -3.0f,     0.2f,  5e8f,  -1e-40f};
+template <Packet F>
+vec2<F> gathered_pair(F a) {
+    F out[2];
+    gather2(texels, integer_of(a) & Int<F>(7), out);
+    return {out[0], out[1]};
+}
+template <Packet F>
+vec4<F> gathered_four(F a) {
+    F out[4];
+    gather4(texels, integer_of(a) & Int<F>(7), out);
+    return {out[0], out[1], out[2], out[3]};
+}
+
 /// Packets differ in width: whether any() and all() agree with the packet's own lanes.
 template <Packet F>
 Mask<F> any_agrees(Mask<F> m) {
@@ -264,6 +279,8 @@ inline const auto packet_rows = std::to_array<Operation<Scalar<F>>>({
     row<F>("to_float of int", [](F a, F, F) { return to_float<F>(integer_of(a)); }),
     row<F>("gather", [](F a, F, F) { return gathered(a); }),
     row<F>("gather_int", [](F a, F, F) { return gathered_int(a); }),
+    row<F>("gather2", [](F a, F, F) { return gathered_pair(a); }),
+    row<F>("gather4", [](F a, F, F) { return gathered_four(a); }),
     row<F>("mixed max", [](F a, F, F) { return max(a, 0.25f); }),
     row<F>("mixed mix", [](F a, F b, F) { return mix(a, b, 0.25f); }),
     row<F>("mixed clamp", [](F a, F, F) { return clamp(a, -0.5f, 0.5f); }),

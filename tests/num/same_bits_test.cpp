@@ -36,6 +36,7 @@ TEST_P(Module, IsAsWideAsItsRegisters) {
     const int width = GetParam() == "avx512" ? 16 : GetParam() == "avx2" ? 8 : 4;
     EXPECT_EQ(load_module(GetParam())(0).lanes, width);
 }
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Module);
 INSTANTIATE_TEST_SUITE_P(Every, Module, testing::ValuesIn(built_isas()),
                          [](const auto& tested) { return tested.param; });
 

@@ -196,6 +196,18 @@ struct PacketOps<Lanes> {
     static LanesInt gather(const std::int32_t* base, LanesInt index) {
         return LanesInt(hn::GatherIndex(simd::IntTag(), base, index.v));
     }
+    /// Pairs by 64-bit loads, then a transpose within each quad: cheaper than two gathers.
+    static void gather2(const float* base, LanesInt index, Lanes out[2]) {
+        alignas(64) std::int32_t at[simd::lanes];
+        hn::Store(index.v, simd::IntTag(), at);
+        const simd::FloatTag tag;
+        const auto pair01 = hn::BitCast(tag, load_pairs(base, at));
+        const auto pair23 = hn::BitCast(tag, load_pairs(base, at + 2));
+        const auto even = hn::InterleaveLower(tag, pair01, pair23);
+        const auto odd = hn::InterleaveUpper(tag, pair01, pair23);
+        out[0] = Lanes(hn::InterleaveLower(tag, even, odd));
+        out[1] = Lanes(hn::InterleaveUpper(tag, even, odd));
+    }
     /// Row k: the four elements of lane k of every quad; then a 4x4 transpose within each quad.
     static void gather4(const float* base, LanesInt index, Lanes out[4]) {
         alignas(64) std::int32_t at[simd::lanes];
@@ -228,6 +240,21 @@ struct PacketOps<Lanes> {
     }
 
   private:
+    /// Two elements from base[at[0]], base[at[1]], base[at[4]], base[at[5]], ... side by side.
+    template <int lanes = simd::lanes>
+    static hn::Vec<hn::FixedTag<double, lanes / 2>> load_pairs(const float* base,
+                                                               const std::int32_t* at) {
+        if constexpr (lanes == 4) {
+            alignas(16) double pair[2];
+            __builtin_memcpy(&pair[0], base + at[0], sizeof(double));
+            __builtin_memcpy(&pair[1], base + at[1], sizeof(double));
+            return hn::Load(hn::FixedTag<double, 2>(), pair);
+        } else {
+            return hn::Combine(hn::FixedTag<double, lanes / 2>(),
+                               load_pairs<lanes / 2>(base, at + lanes / 2),
+                               load_pairs<lanes / 2>(base, at));
+        }
+    }
     /// Four elements from base[at[0]], base[at[4]], ... side by side.
     template <int lanes = simd::lanes>
     static hn::Vec<hn::FixedTag<float, lanes>> load_quads(const float* base,

@@ -34,6 +34,11 @@ template <class F>
 Int<F> gather_int(const std::int32_t* base, Int<F> index) {
     return PacketOps<F>::gather(base, index);
 }
+/// base[index] and base[index + 1] of every lane, as two values.
+template <class F>
+void gather2(const float* base, Int<F> index, F out[2]) {
+    PacketOps<F>::gather2(base, index, out);
+}
 /// base[index] to base[index + 3] of every lane, as four values.
 template <class F>
 void gather4(const float* base, Int<F> index, F out[4]) {

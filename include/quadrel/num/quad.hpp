@@ -233,6 +233,9 @@ struct PacketOps<Quad<T>> {
     static QuadInt gather(const std::int32_t* base, QuadInt index) {
         return map_lanes<QuadInt>([base](std::int32_t i) { return base[i]; }, index);
     }
+    static void gather2(const float* base, QuadInt index, Quad<T> out[2]) {
+        for (int c = 0; c < 2; ++c) out[c] = gather(base + c, index);
+    }
     static void gather4(const float* base, QuadInt index, Quad<T> out[4]) {
         for (int c = 0; c < 4; ++c) out[c] = gather(base + c, index);
     }

@@ -166,6 +166,12 @@ struct PacketOps<T> {
     static T from_int(std::int32_t a) { return static_cast<T>(a); }
     static T gather(const float* base, std::int32_t index) { return static_cast<T>(base[index]); }
     static std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+    static void gather2(const float* base, std::int32_t index, T out[2]) {
+        for (int c = 0; c < 2; ++c) out[c] = gather(base + c, index);
+    }
+    static void gather4(const float* base, std::int32_t index, T out[4]) {
+        for (int c = 0; c < 4; ++c) out[c] = gather(base + c, index);
+    }
 };
 
 }  // namespace quadrel
