@@ -39,7 +39,8 @@ void count_fetch(const SampleContext<F>& context) {
 
 /// Counts the active lanes whose coordinate is NaN or has a magnitude above `limit`.
 template <Number F>
-void count_coordinate(const SampleContext<F>& context, F coordinate, F limit) {
+[[gnu::always_inline]] inline void count_coordinate(const SampleContext<F>& context, F coordinate,
+                                                    F limit) {
     if (context.counters == nullptr) return;
     const Mask<F> odd = context.active & !(abs(coordinate) <= limit);
     if (!any(odd)) return;

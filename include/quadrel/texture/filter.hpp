@@ -128,16 +128,46 @@ struct FourTaps {
     Texel<channels, F> tap[4];
 };
 
+/// Both taps of a row.
+template <int channels, Number F>
+struct RowTaps {
+    Texel<channels, F> first, second;
+};
+
+/// `adjacent`: in every lane the second tap is the texel after the first. One channel is then read
+/// in pairs; the values are the same.
+template <int channels, Number F>
+[[gnu::always_inline]] inline RowTaps<channels, F> load_row(const SampledTexture& texture,
+                                                            const LevelGeometry<F>& level,
+                                                            const AxisTaps<F>& x, Int<F> y,
+                                                            Mask<F> inside, bool adjacent) {
+    const float* const texels = texture.view.texels;
+    RowTaps<channels, F> row;
+    if (channels == 1 && adjacent) {
+        F pair[2];
+        gather2<F>(texels, texel_index<channels, F>(level, x.first, y), pair);
+        row.first.channel[0] = pair[0];
+        row.second.channel[0] = pair[1];
+    } else {
+        row.first = load_texel<channels, F>(texels, texel_index<channels, F>(level, x.first, y));
+        row.second = load_texel<channels, F>(texels, texel_index<channels, F>(level, x.second, y));
+    }
+    if (has_border(texture.sampler)) {
+        row.first = border_or(x.first_inside & inside, row.first, texture.sampler);
+        row.second = border_or(x.second_inside & inside, row.second, texture.sampler);
+    }
+    return row;
+}
+
 template <int channels, Number F>
 FourTaps<channels, F> load_taps(const SampledTexture& texture, const LevelGeometry<F>& level,
                                 const Footprint<F>& at) {
     const auto& [x, y] = at;
-    return {
-        {load_tap<channels, F>(texture, level, x.first, y.first, x.first_inside & y.first_inside),
-         load_tap<channels, F>(texture, level, x.second, y.first, x.second_inside & y.first_inside),
-         load_tap<channels, F>(texture, level, x.first, y.second, x.first_inside & y.second_inside),
-         load_tap<channels, F>(texture, level, x.second, y.second,
-                               x.second_inside & y.second_inside)}};
+    const bool adjacent = channels == 1 && all(x.second == x.first + Int<F>(1));
+    const auto top = load_row<channels, F>(texture, level, x, y.first, y.first_inside, adjacent);
+    const auto bottom =
+        load_row<channels, F>(texture, level, x, y.second, y.second_inside, adjacent);
+    return {{top.first, top.second, bottom.first, bottom.second}};
 }
 
 template <int channels, Number F>
