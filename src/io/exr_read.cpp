@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfVersion.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <new>
@@ -19,6 +20,8 @@ namespace {
 
 constexpr std::int64_t largest_side = 65536;
 constexpr std::int64_t most_values = std::int64_t{1} << 31;
+/// No compression of OpenEXR comes near; a small damaged file cannot claim gigabytes.
+constexpr std::int64_t most_values_a_byte = 16384;
 
 [[noreturn]] void reject(const std::filesystem::path& file, const std::string& key,
                          const std::string& found, const std::string& expected) {
@@ -79,7 +82,10 @@ void add_planes(const std::filesystem::path& file, const Imf::Header& header,
     if (wanted.empty())
         reject(file, prefix, "no such channels", prefix.empty() ? "channels" : "a part or layer");
     const auto values = static_cast<std::int64_t>(result.film.window.area() * wanted.size());
-    if (values > most_values) reject(file, "", std::to_string(values) + " values", "at most 2^31");
+    const auto file_size = static_cast<std::int64_t>(std::filesystem::file_size(file));
+    const std::int64_t most = std::min(most_values, file_size * most_values_a_byte);
+    if (values > most)
+        reject(file, "", std::to_string(values) + " values", "at most " + std::to_string(most));
     for (const auto& [name, type] : wanted) {
         const bool integer = type == Imf::UINT;
         result.film.add(name, integer ? ChannelType::uint32 : ChannelType::float32);

@@ -32,7 +32,7 @@ struct ExrFile {
 /// Reads the first part, or what `layer` names: a part, or else the channels of the first part
 /// that begin with "<layer>.", which the film has without that prefix.
 /// Throws InputError for a file that is missing, truncated, damaged, deep, sub-sampled or larger
-/// than 65536 pixels a side or 2^31 values.
+/// than 65536 pixels a side, 2^31 values or 16384 values a byte of the file.
 ExrFile read_exr(const std::filesystem::path& file, const std::string& layer = "");
 
 }  // namespace quadrel
