@@ -42,6 +42,22 @@ SurfaceJacobian<F> gram_jacobian(const vec3<F>& px, const vec3<F>& py, const vec
     return j;
 }
 
+/// Unit direction of growing u (and v) in the face plane: the dual basis of grad u, grad v. Null
+/// where the UV map is degenerate.
+template <Number F>
+struct UvDirections {
+    vec3<F> T, B;
+};
+
+template <Number F>
+UvDirections<F> uv_directions(const SurfaceJacobian<F>& j) {
+    const vec3<F> n = cross(j.grad_u, j.grad_v);
+    const vec3<F> zero(F(0));
+    const Mask<F> regular = j.valid & (dot(n, n) > F(0));
+    return {select(regular, normalize(cross(j.grad_v, n)), zero),
+            select(regular, normalize(cross(n, j.grad_u)), zero)};
+}
+
 struct FrameGram {
     static constexpr StageText text{
         "frame-gram", "frame", "exact derivative frame, orthogonal split",
@@ -73,8 +89,9 @@ struct FrameGram {
         const vec2<F> shift(dot(j.grad_u, d), dot(j.grad_v, d));
         const vec2<F> rate = select(valid, shift / r, vec2<F>(F(0)));
 
-        io.template store<Value::T>(normalize(px));
-        io.template store<Value::B>(normalize(py));
+        const auto directions = uv_directions(j);
+        io.template store<Value::T>(directions.T);
+        io.template store<Value::B>(directions.B);
         io.template store<Value::frame_normal>(N);
         io.template store<Value::J>(std::array<vec3<F>, 2>{j.grad_u, j.grad_v});
         io.template store<Value::r>(select(valid, r, F(1)));

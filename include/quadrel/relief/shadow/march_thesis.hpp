@@ -17,7 +17,7 @@ struct ShadowMarchThesis {
                                     "correction of shadow-march-thesis@published"};
     static constexpr auto inputs =
         values(Value::J, Value::frame_normal, Value::frame_status, Value::dUVdx, Value::dUVdy,
-               Value::hit_uv, Value::hit_s, Value::hit_P);
+               Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_P);
     static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
@@ -53,7 +53,8 @@ struct ShadowMarchThesis {
         const GeneralHeight<F> height(*io.template texture<TextureSlot::height>(),
                                       io.template load<Value::dUVdx>(),
                                       io.template load<Value::dUVdy>());
-        const F z = F(1) - io.template load<Value::hit_s>();
+        // A march stops below the surface, by up to a step: the ray starts where the surface is.
+        const F z = max(F(1) - io.template load<Value::hit_s>(), io.template load<Value::hit_h>());
         for (int k = 1; k < n; ++k) {
             const F t(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n));
             active = active & (z + t < F(1));
