@@ -1,6 +1,5 @@
 #include "texture/source_texels.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "quadrel/num/srgb.hpp"
@@ -45,7 +44,7 @@ double SourceTexels::operator()(int x, int y, int c) const {
     const std::size_t row = flip_v_ ? image_.height - 1 - y : y;
     const float stored = image_.values[(row * image_.width + x) * image_.channels + entry.source];
     double value = stored;
-    if (codes_ != 0) value = std::nearbyint(value * codes_);
+    if (codes_ != 0) value = static_cast<int>(value * codes_ + 0.5);  // values lie in [0, 1]
     if (is_decoded(c)) {
         value = codes_ != 0 ? decoded_[static_cast<std::size_t>(value)] : srgb_decode(stored);
     }

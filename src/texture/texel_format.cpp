@@ -1,5 +1,6 @@
 #include "texture/texel_format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -67,14 +68,31 @@ float decode_srgb8(int code) {
     return table[code];
 }
 
+/// Linear values at which one code gives way to the next: decoded half codes.
+const std::array<double, 255>& srgb8_thresholds() {
+    static const std::array<double, 255> table = [] {
+        std::array<double, 255> linear{};
+        for (int i = 0; i < 255; ++i) linear[i] = srgb_decode((i + 0.5) / 255);
+        return linear;
+    }();
+    return table;
+}
+
 }  // namespace
+
+int encode_srgb8(double linear) {
+    if (std::isnan(linear)) return 0;
+    const auto& thresholds = srgb8_thresholds();
+    const auto above = std::upper_bound(thresholds.begin(), thresholds.end(), linear);
+    return static_cast<int>(above - thresholds.begin());
+}
 
 float store_and_decode(double value, double unit, TexelFormat format, bool is_alpha) {
     if (format == TexelFormat::float32) return static_cast<float>(value / unit);
     if (format == TexelFormat::half) return static_cast<float>(round_to_half(value / unit));
     const int max = max_code(format);
     if (format == TexelFormat::srgb8 && !is_alpha) {
-        return decode_srgb8(encode_unorm(srgb_encode(value / unit), 1, max));
+        return decode_srgb8(encode_srgb8(value / unit));
     }
     // By division: the product with the reciprocal misses 126 of 256 codes.
     return static_cast<float>(encode_unorm(value, unit, max)) / static_cast<float>(max);

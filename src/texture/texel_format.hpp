@@ -17,6 +17,10 @@ double round_to_half(double x);
 /// 3.2.3.6); NaN gives 0.
 int encode_unorm(double value, double unit, int max);
 
+/// The sRGB code nearest to a linear value, rounded half up on the encoded side; NaN gives 0. By
+/// search: a level of a large texture encodes millions.
+int encode_srgb8(double linear);
+
 /// `value` in multiples of 1 / `unit`, stored in `format` and decoded. `is_alpha`: linear in
 /// srgb8.
 float store_and_decode(double value, double unit, TexelFormat format, bool is_alpha);

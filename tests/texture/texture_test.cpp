@@ -124,8 +124,15 @@ TEST(Format, Srgb) {
     }
     for (int code = 0; code < 256; ++code) {
         const double linear = srgb_decode(code / 255.0);
-        EXPECT_EQ(encode_unorm(srgb_encode(linear), 1, 255), code);
+        EXPECT_EQ(encode_srgb8(linear), code);
     }
+    for (int i = 0; i <= 10000; ++i) {
+        const double linear = i / 10000.0;
+        EXPECT_EQ(encode_srgb8(linear), encode_unorm(srgb_encode(linear), 1, 255)) << linear;
+    }
+    EXPECT_EQ(encode_srgb8(-1), 0);
+    EXPECT_EQ(encode_srgb8(2), 255);
+    EXPECT_EQ(encode_srgb8(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
 // ---- Mip chains ---------------------------------------------------------------------------------

@@ -50,6 +50,9 @@ class GeneralHeight {
     /// Gradients of the undisplaced uv, per pixel. `texture` must outlive this object.
     GeneralHeight(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy)
         : texture_(texture), lod_(compute_lod(texture, dx, dy)) {}
+    /// Level of detail settled by the caller.
+    GeneralHeight(const SampledTexture& texture, const LodRecord<F>& lod)
+        : texture_(texture), lod_(lod) {}
 
     F operator()(const SampleContext<F>& context, const vec2<F>& uv) const {
         return sample_expanded(texture_, context, uv, lod_).x;
