@@ -172,15 +172,6 @@ MaterialUniforms material_uniforms(const Material& material) {
     return out;
 }
 
-bool reversed_depth(const Scene& scene) {
-    // Window depth of two points on the view axis, the nearer one first.
-    const auto depth = [&](float z) {
-        const glm::dvec4 clip = glm::dmat4(scene.camera.projection) * glm::dvec4(0, 0, z, 1);
-        return clip.z / clip.w;
-    };
-    return depth(-1.0f) > depth(-2.0f);
-}
-
 Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware) {
     Geometry geometry;
     const Viewport viewport{scene.width, scene.height, scene.conventions};

@@ -36,7 +36,4 @@ FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware);
 
 MaterialUniforms material_uniforms(const Material& material);
 
-/// True when nearer is greater: projections with reversed z.
-bool reversed_depth(const Scene& scene);
-
 }  // namespace quadrel

@@ -116,8 +116,11 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const V
         if (!any_of(stage->info->outputs, plan.values)) continue;
         for (const Value v : stage->info->inputs) plan.values.set(index_of(v));
         for (const Value v : stage->info->outputs) plan.produced.set(index_of(v));
-        for (const TextureSlot slot : stage->info->textures)
+        for (const TextureSlot slot : stage->info->textures) {
             plan.textures.set(static_cast<std::size_t>(slot));
+            const bool optional = stage->info->text.room == std::string_view("quad");
+            plan.needs_height |= slot == TextureSlot::height && !optional;
+        }
         stage->run = kernel(table, stage->info->text.id);
         plan.stages.push_back(std::move(*stage));
     }

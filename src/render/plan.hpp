@@ -31,6 +31,7 @@ struct MaterialPlan {
     ValueSet values;    ///< every value that a stage loads or that is wanted
     ValueSet produced;  ///< those that a stage stores; the others read as 0
     SlotSet textures;
+    bool needs_height = false;  ///< a relief stage reads the height map
 };
 
 /// Stage ids of a material with defaults filled in, in the order of the data flow, quad stages

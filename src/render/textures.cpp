@@ -7,15 +7,6 @@
 namespace quadrel {
 namespace {
 
-/// The scene's sampler with the hardware's freedoms.
-SamplerState hardware_sampler(SamplerState sampler, const HardwareModel& hardware) {
-    sampler.lod_form = hardware.lod_form;
-    sampler.weight_bits = hardware.weight_bits;
-    sampler.lod_bits = hardware.lod_bits;
-    sampler.scale_first = hardware.scale_first;
-    return sampler;
-}
-
 /// Heights are one channel: alpha where the file has one (the usual place beside a normal or a
 /// colour), else the first.
 std::string height_swizzle(const TextureReference& reference) {
@@ -35,8 +26,12 @@ TextureOptions texture_options(const TextureReference& reference, TextureSlot sl
     return options;
 }
 
-void load_environment(const Scene& scene, const HardwareModel& hardware, TextureCache& cache,
-                      MaterialTextures& out) {
+[[noreturn]] void reject_missing_height(const Scene& scene, const Material& material) {
+    throw InputError(scene.file.string(), fmt::format("materials.{}.height", material.name),
+                     "nothing", "a texture: the material's relief stages read heights");
+}
+
+void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
     constexpr auto slot = static_cast<std::size_t>(TextureSlot::environment);
@@ -46,27 +41,30 @@ void load_environment(const Scene& scene, const HardwareModel& hardware, Texture
     options.mip_rule = environment.mip_rule;
     options.key = environment.key;
     out.owned[slot] = cache.load_cube(environment.faces, options);
-    out.sampled[slot] = {out.owned[slot]->view(), hardware_sampler(environment.sampler, hardware)};
+    out.sampled[slot] = {out.owned[slot]->view(), environment.sampler};
 }
 
 }  // namespace
 
 MaterialTextures load_textures(const Scene& scene, const Material& material,
-                               const MaterialPlan& plan, const HardwareModel& hardware,
-                               TextureCache& cache) {
+                               const MaterialPlan& plan, TextureCache& cache) {
     MaterialTextures out;
     for (int i = 0; i < texture_slot_count; ++i) {
         const auto slot = static_cast<TextureSlot>(i);
         if (!plan.textures[i]) continue;
         if (slot == TextureSlot::environment) {
-            load_environment(scene, hardware, cache, out);
+            load_environment(scene, cache, out);
             continue;
         }
         const auto found = material.textures.find(std::string(slot_name(slot)));
-        if (found == material.textures.end()) continue;
+        if (found == material.textures.end()) {
+            if (slot == TextureSlot::height && plan.needs_height)
+                reject_missing_height(scene, material);
+            continue;
+        }
         const TextureReference& reference = found->second;
         out.owned[i] = cache.load(reference.file, texture_options(reference, slot));
-        out.sampled[i] = {out.owned[i]->view(), hardware_sampler(reference.sampler, hardware)};
+        out.sampled[i] = {out.owned[i]->view(), reference.sampler};
     }
     return out;
 }

@@ -21,7 +21,6 @@ struct MaterialTextures {
 
 /// Loads what the plan reads. A material without a height map that a stage reads is an InputError.
 MaterialTextures load_textures(const Scene& scene, const Material& material,
-                               const MaterialPlan& plan, const HardwareModel& hardware,
-                               TextureCache& cache);
+                               const MaterialPlan& plan, TextureCache& cache);
 
 }  // namespace quadrel

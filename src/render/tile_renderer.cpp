@@ -1,14 +1,16 @@
 #include "render/tile_renderer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
 
 namespace quadrel {
 namespace {
 
 DepthCompare depth_compare(const Scene& scene) {
-    return reversed_depth(scene) ? DepthCompare::greater : DepthCompare::less;
+    return scene.camera.reversed_z ? DepthCompare::greater : DepthCompare::less;
 }
 
 bool discards(const Material& material) { return material.discard_below >= 0; }
@@ -24,6 +26,10 @@ MaterialPlan discard_plan(const Scene& scene, const Material& material,
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
                             const KernelTable& kernels) {
+    if (scene.lights.size() > max_lights)
+        throw InputError(scene.file.string(), "lights",
+                         fmt::format("{} lights", scene.lights.size()),
+                         fmt::format("at most {}", max_lights));
     RenderPlan plan;
     plan.hardware = scene_hardware(scene);
     plan.scalar_bytes = kernels.scalar_bytes;
@@ -35,7 +41,8 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         plan.discard.push_back(discard_plan(scene, material, kernels));
         MaterialPlan both = plan.materials.back();
         both.textures |= plan.discard.back().textures;
-        plan.textures.push_back(load_textures(scene, material, both, plan.hardware, cache));
+        both.needs_height |= plan.discard.back().needs_height;
+        plan.textures.push_back(load_textures(scene, material, both, cache));
         plan.uniforms.push_back(material_uniforms(material));
     }
     return plan;
