@@ -2,9 +2,10 @@
 #pragma once
 
 #include <dlfcn.h>
+#include <fmt/format.h>
 
-#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,7 @@ inline bool cpu_has(const std::string& isa) {
 }
 
 inline std::string module_path(const std::string& isa) {
-    return std::string(QUADREL_TEST_MODULE_DIR) + "/quadrel-test-num-" + isa + ".so";
+    return fmt::format("{}/quadrel-test-num-{}.so", QUADREL_TEST_MODULE_DIR, isa);
 }
 
 using TableFunction = OperationTable (*)(int packets_only);
