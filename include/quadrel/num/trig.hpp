@@ -20,8 +20,8 @@ inline constexpr std::array<double, 4> half_pi<double>{
 template <class T>
 inline constexpr T two_over_pi = static_cast<T>(0x1.45f306dc9c883p-1);
 
-/// Where the spacing of the type reaches 1/2 (float) and 1/4 (double), and the multiple of pi / 2
-/// nearest to x is still computed exactly.
+/// 2^22 for float, 2^51 for double: where the spacing of the type reaches 1/2, while the multiple
+/// of pi / 2 nearest to x is still an integer that the type holds.
 template <class T>
 inline constexpr T trig_limit = static_cast<T>(1LL << (std::numeric_limits<T>::digits - 2));
 
