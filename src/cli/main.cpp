@@ -49,6 +49,8 @@ int parse_and_run(int argc, char** argv) {
     add_compare(app, action);
     add_list(app, action);
     add_info(app, action);
+    add_sheet(app, action);
+    add_mips(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -1,0 +1,85 @@
+// quadrel mips: the mip levels of an image as files, for ports that upload the very texels.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <bit>
+#include <map>
+#include <memory>
+
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "io/atomic_file.hpp"
+#include "quadrel/film/exr.hpp"
+#include "quadrel/texture/texture.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+const std::map<std::string, TexelFormat> formats{{"unorm8", TexelFormat::unorm8},
+                                                 {"srgb8", TexelFormat::srgb8},
+                                                 {"unorm16", TexelFormat::unorm16},
+                                                 {"half", TexelFormat::half},
+                                                 {"float", TexelFormat::float32}};
+const std::map<std::string, MipRule> rules{{"box", MipRule::box}, {"area", MipRule::area}};
+
+struct Arguments {
+    std::string image, prefix, format, rule = "box", swizzle;
+    bool srgb = false, flip_v = false;
+};
+
+TextureOptions texture_options(const Arguments& arguments) {
+    TextureOptions options;
+    options.swizzle = arguments.swizzle;
+    options.srgb = arguments.srgb;
+    options.flip_v = arguments.flip_v;
+    options.mip_rule = rules.at(arguments.rule);
+    if (!arguments.format.empty()) options.format = formats.at(arguments.format);
+    return options;
+}
+
+Film to_film(const Image& level) {
+    const std::vector<std::string> names =
+        level.channels == 1 ? std::vector<std::string>{"Y"}
+                            : std::vector<std::string>{"R", "G", "B", "A"};
+    Film film;
+    film.frame = film.window = {0, 0, level.width, level.height};
+    for (int c = 0; c < level.channels; ++c) {
+        Plane& plane = film.add(names[c], ChannelType::float32);
+        for (std::size_t i = 0; i < plane.bits.size(); ++i)
+            plane.bits[i] = std::bit_cast<std::uint32_t>(level.values[i * level.channels + c]);
+    }
+    return film;
+}
+
+ExitCode run_mips(const Arguments& arguments) {
+    const auto texture = make_texture(load_image(arguments.image), texture_options(arguments));
+    for (int level = 0; level < texture->view().levels; ++level) {
+        const std::string file = fmt::format("{}.{}.exr", arguments.prefix, level);
+        write_exr(file, to_film(texture_level(*texture, level)),
+                  {{"quadrel:mipLevel", fmt::format("{}", level)},
+                   {"quadrel:mipRule", arguments.rule}});
+        fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
+    }
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_mips(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand("mips", "write the mip levels of an image as EXR");
+    const auto a = std::make_shared<Arguments>();
+    verb->add_option("image", a->image, "image of any format that textures may have")->required();
+    verb->add_option("-o,--output", a->prefix, "levels go to PREFIX.0.exr, PREFIX.1.exr, ...")
+        ->required();
+    verb->add_option("--format", a->format, "round each level to this (default: the file's)")
+        ->check(CLI::IsMember(formats));
+    verb->add_option("--rule", a->rule, "reduction")
+        ->check(CLI::IsMember(rules))
+        ->capture_default_str();
+    verb->add_option("--swizzle", a->swizzle, "channels, as in scene files: rgba, a, 1-r, ...");
+    verb->add_flag("--srgb", a->srgb, "colour channels are sRGB-encoded: filter linear values");
+    verb->add_flag("--flip-v", a->flip_v, "last row first");
+    verb->callback([a, &action] { action = [a] { return run_mips(*a); }; });
+}
+
+}  // namespace quadrel::cli
