@@ -76,17 +76,20 @@ void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
     }
 }
 
-void Batch::run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives) {
+void Batch::run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives,
+                StageClock* clock) {
     call.values = values_.data();
     call.active = active_;
     call.lanes = lanes_;
     for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
     call.primitive = primitive_;
     call.primitives = primitives;
+    if (clock) clock->start();
     for (const PlannedStage& stage : plan.stages) {
         call.parameters = stage.params.data();
         call.light = stage.light;
         stage.run(&call);
+        if (clock) clock->lap(stage.info->text.id, call.lanes);
     }
 }
 

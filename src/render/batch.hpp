@@ -9,6 +9,7 @@
 #include "quadrel/raster/quad_points.hpp"
 #include "render/geometry.hpp"
 #include "render/plan.hpp"
+#include "render/stage_clock.hpp"
 
 namespace quadrel {
 
@@ -26,8 +27,10 @@ class Batch {
     void load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
               bool centroid);
 
-    /// Runs the plan's stages. `call` comes with material, frame, textures and counters set.
-    void run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives);
+    /// Runs the plan's stages. `call` comes with material, frame, textures and counters set. A
+    /// `clock`, if given, times them.
+    void run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives,
+             StageClock* clock = nullptr);
 
     int quads() const { return quads_; }
     /// The bits of lane `lane` of an array as float32 or uint32.

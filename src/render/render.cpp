@@ -12,8 +12,7 @@
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
-#include "render/geometry.hpp"
-#include "render/tile_renderer.hpp"
+#include "render/prepared.hpp"
 
 namespace quadrel {
 namespace {
@@ -92,30 +91,43 @@ class Progress {
 
 }  // namespace
 
-Film render(const Scene& scene, const RenderOptions& options) {
+PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
+                              const KernelTable& kernels) {
     check_options(options);
-    const Window window = checked_window(scene, options);
-    const std::vector<ChannelSource> channels = channel_sources(scene, options);
-    const KernelTable& kernels = select_kernels(options.number, options.isa);
-    const RenderPlan plan = make_render_plan(scene, channels, kernels);
-    const Geometry geometry = assemble_geometry(scene, plan.hardware);
-    Film film = empty_film(scene, window, channels);
+    PreparedRender prepared{
+        &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}};
+    prepared.plan = make_render_plan(scene, prepared.channels, kernels);
+    prepared.geometry = assemble_geometry(scene, prepared.plan.hardware);
+    return prepared;
+}
+
+Film draw(const PreparedRender& prepared, const RenderOptions& options, StageTimes* times) {
+    const Scene& scene = *prepared.scene;
+    Film film = empty_film(scene, prepared.window, prepared.channels);
     const Viewport viewport{scene.width, scene.height, scene.conventions};
-    const FilmTarget target{&film, &channels, viewport, scene.background};
+    const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
     const std::vector<Tile> tiles =
-        bin_triangles(geometry, quad_rect(viewport, window), options.tile);
+        bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
 
     Progress progress(options.progress, tiles.size());
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::enumerable_thread_specific<TileRenderer> renderers(
-            [&] { return TileRenderer(scene, plan, geometry, target); });
+        tbb::enumerable_thread_specific<TileRenderer> renderers([&] {
+            return TileRenderer(scene, prepared.plan, prepared.geometry, target, times != nullptr);
+        });
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
             progress.advance();
         });
+        if (times == nullptr) return;
+        for (const TileRenderer& renderer : renderers) merge(*times, renderer.stage_times());
     });
     return film;
+}
+
+Film render(const Scene& scene, const RenderOptions& options) {
+    return draw(prepare_render(scene, options, select_kernels(options.number, options.isa)),
+                options);
 }
 
 }  // namespace quadrel

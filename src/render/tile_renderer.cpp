@@ -70,13 +70,14 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
 }
 
 TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                           const FilmTarget& target)
+                           const FilmTarget& target, bool timed)
     : scene_(scene),
       plan_(plan),
       geometry_(geometry),
       buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
       film_(target, scene.samples),
-      batch_(plan.scalar_bytes) {}
+      batch_(plan.scalar_bytes),
+      timed_(timed) {}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
@@ -157,7 +158,7 @@ void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const Q
     for (int slot = 0; slot < texture_slot_count; ++slot)
         call.textures[slot] = plan_.textures[material].bound(slot);
     call.counters = &counters_;
-    batch_.run(plan, call, geometry_.data.data());
+    batch_.run(plan, call, geometry_.data.data(), timed_ ? &clock_ : nullptr);
 }
 
 }  // namespace quadrel

@@ -9,6 +9,7 @@
 #include "render/batch.hpp"
 #include "render/geometry.hpp"
 #include "render/plan.hpp"
+#include "render/stage_clock.hpp"
 #include "render/textures.hpp"
 #include "render/tile_film.hpp"
 
@@ -41,9 +42,12 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
 class TileRenderer {
   public:
     TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                 const FilmTarget& target);
+                 const FilmTarget& target, bool timed = false);
 
     void render(const Tile& tile);
+
+    /// What the stages took so far; empty unless timed.
+    const StageTimes& stage_times() const { return clock_.times(); }
 
   private:
     void draw_opaque(const Tile& tile);
@@ -61,6 +65,8 @@ class TileRenderer {
     TileFilm film_;
     Batch batch_;
     FetchCounters counters_;
+    bool timed_;
+    StageClock clock_;
     std::vector<QuadCoverage> quads_;
 };
 
