@@ -18,7 +18,7 @@ void add_color(Table& table) {
         table.push_back({name, real, "linear radiance, Rec. 709 primaries", "shaded colour"});
     table.push_back({"A", real, "0 to 1", "coverage"});
     table.push_back({"Z", real, "eye-space length", "distance of the hit along the view axis"});
-    table.push_back({"depth", real, "window depth", "depth as tested, after relief moved it"});
+    table.push_back({"depth", real, "window depth", "depth as tested"});
 }
 
 void add_geometry(Table& table) {
@@ -27,8 +27,10 @@ void add_geometry(Table& table) {
                "displaced point where the ray meets the relief");
     add_vector(table, "N", "XYZ", "eye space, unit", "shading normal");
     add_vector(table, "Ng", "XYZ", "eye space, unit", "normal of the triangle");
-    add_vector(table, "T", "XYZ", "eye space", "tangent, direction of growing u");
-    add_vector(table, "B", "XYZ", "eye space", "bitangent, direction of growing v");
+    add_vector(table, "T", "XYZ", "eye space",
+               "tangent of the frame: direction of growing u (frame-thesis: of window x)");
+    add_vector(table, "B", "XYZ", "eye space",
+               "bitangent of the frame: direction of growing v (frame-thesis: of window y)");
     for (const char* vertex : {"0", "1", "2"})
         table.push_back({std::string("bary.") + vertex, real, "0 to 1, perspective-correct",
                          std::string("barycentric coordinate of vertex ") + vertex});
@@ -69,7 +71,8 @@ void add_level_of_detail(Table& table) {
     table.push_back({"lod.rho", real, "texels a pixel", "scale factor of the pixel's footprint"});
     table.push_back(
         {"lod.lambda", real, "levels", "level of detail before clamping: log2(rho) + bias"});
-    table.push_back({"lod.level", real, "levels", "finer of the mip levels that are read"});
+    table.push_back({"lod.level", real, "levels",
+                     "level of detail after clamping; its floor is the finer level that is read"});
     table.push_back({"lod.frac", real, "0 to 1", "weight of the coarser level"});
 }
 
