@@ -1,0 +1,48 @@
+// The planted errors of this room: each is a defective implementation that a property must catch.
+#pragma once
+
+namespace quadrel::test {
+
+enum class Planted {
+    none,
+    // The stages of the published listing.
+    coarse_derivatives,    ///< both rows of a quad take the upper row's difference
+    gram_tangents,         ///< the corrected frame in place of the listed one
+    swapped_tangents,      ///< B before T in the cross product of the normal
+    one_ulp_in_rate,       ///< one component of dUVdSR a single ulp off, in one lane of a batch
+    step_not_taken,        ///< the search stops one step early
+    point_on_the_polygon,  ///< P not displaced before the light is looked at
+    normalised_normal,     ///< N normalised after the difference was added
+    corrected_shadow,      ///< heights of the shadow march scaled by the depth
+    clamped_diffuse,       ///< no negative light
+    colour_in_rgba_order,  ///< .gba of an R G B A texel
+    steps_from_zero,       ///< the loop counter in place of the number of tests
+    // Frames.
+    frame_of_the_listing,  ///< dot products with tangents that are not perpendicular
+    unsigned_area,         ///< a mirrored UV map loses its sign
+    rate_without_angle,    ///< the shift not divided by the depth rate
+    back_faces_kept,       ///< the normal of a back face not flipped
+    frame_always_valid,    ///< degenerate quads report HIT
+    degenerate_unnoticed,  ///< the flag uv_degenerate never set
+    // Searches.
+    strict_comparison,   ///< F > 0 in place of F >= 0
+    one_sample_late,     ///< the sample after the first one below
+    one_sample_early,    ///< the sample before
+    seat_forgotten,      ///< the march starts on the polygon, wherever that lies
+    steps_counted_once,  ///< the same number of steps in every lane
+    nan_is_floor,        ///< a broken map looks like a deep one
+    // Normals.
+    slope_upside_down,    ///< bumps look like dents
+    relief_without_base,  ///< the smooth-shading difference left out
+    unnormalised_sum,     ///< a normal longer or shorter than 1
+    // Shadows.
+    shadow_of_the_mirror,  ///< the march away from the light
+    unlit_side_visible,    ///< lights behind the surface shine through
+    shadow_acne,           ///< the surface shadows itself
+    // Any stage.
+    output_missing,       ///< a declared output that is never stored
+    neighbour_quad_seen,  ///< a value of the next quad of the batch
+    double_in_single,     ///< one value computed with half of the bits
+};
+
+}  // namespace quadrel::test
