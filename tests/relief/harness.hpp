@@ -69,7 +69,7 @@ class Batch {
   public:
     explicit Batch(int lane_count = batch_lanes) : lanes(lane_count), active(lane_count, 1) {
         block_.resize(std::size_t(slot_count) * lines_a_slot());
-        for (int slot = 0; slot < slot_count; ++slot) arrays_[slot] = array(slot);
+        wanted_.fill(true);
         for (auto& edge : edges) edge.resize(lane_count);
         primitive.resize(lane_count);
         poison_all();
@@ -137,9 +137,7 @@ class Batch {
     }
     /// Nobody asks for `v` any more (or again): stages find no array for it.
     void want(Value v, bool wanted) {
-        for (int slot = slot_of(v); slot < slot_of(v) + arrays_of(v); ++slot) {
-            arrays_[slot] = wanted ? array(slot) : nullptr;
-        }
+        for (int i = 0; i < arrays_of(v); ++i) wanted_[slot_of(v) + i] = wanted;
     }
 
     /// Runs the stage on Quad<T>, with defaults for parameters that are not named.
@@ -154,8 +152,12 @@ class Batch {
     }
     /// Runs any stage function, such as run_stage<Stage, Quad<T>>.
     void run(StageFunction function, const void* params, int light = 0) {
+        std::array<void*, slot_count> arrays;
+        for (int slot = 0; slot < slot_count; ++slot) {
+            arrays[slot] = wanted_[slot] ? array(slot) : nullptr;
+        }
         StageCall call{};
-        call.values = arrays_.data();
+        call.values = arrays.data();
         call.active = active.data();
         call.lanes = lanes;
         call.parameters = params;
@@ -209,19 +211,25 @@ class Batch {
     void* array(int slot) { return &block_[std::size_t(slot) * lines_a_slot()]; }
 
     std::vector<Line> block_;
-    std::array<void*, slot_count> arrays_{};
+    std::array<bool, slot_count> wanted_;
     std::array<const SampledTexture*, texture_slot_count> textures_{};
 };
 
-/// A stage under test: the registry's, or one with an error planted before or behind it.
+/// A stage under test: the registry's, or one with an error planted before or behind it, or another
+/// implementation in its place.
 template <PlainFloat T>
 struct StageUnderTest {
     std::string id;
     std::function<void(Batch<T>&)> before{}, after{};
+    std::function<void(Batch<T>&, const Parameters&)> instead{};
 
     void run(Batch<T>& batch, const Parameters& parameters = {}, int light = 0) const {
         if (before) before(batch);
-        batch.run(id, parameters, light);
+        if (instead) {
+            instead(batch, parameters);
+        } else {
+            batch.run(id, parameters, light);
+        }
         if (after) after(batch);
     }
 };
