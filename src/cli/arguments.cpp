@@ -1,5 +1,7 @@
 #include "cli/arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <optional>
 
@@ -67,6 +69,22 @@ Window parse_window(const std::string& option, const std::string& text) {
     const Window window{sides[0], sides[1], sides[2], sides[3]};
     if (window.width() < 1 || window.height() < 1) reject(option, text, expected);
     return window;
+}
+
+Pixel parse_pixel(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    constexpr const char* expected = "x,y, both 0 or more";
+    if (parts.size() != 2) reject(option, text, expected);
+    const auto x = parse_side(parts[0]), y = parse_side(parts[1]);
+    if (!x || !y) reject(option, text, expected);
+    return {*x, *y};
+}
+
+std::vector<std::string> with_size(std::vector<std::string> overrides, const std::string& size) {
+    if (size.empty()) return overrides;
+    const auto [width, height] = parse_size("--size", size);
+    overrides.push_back(fmt::format("size=[{},{}]", width, height));
+    return overrides;
 }
 
 }  // namespace quadrel::cli

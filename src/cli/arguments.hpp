@@ -21,4 +21,14 @@ Size parse_size(const std::string& option, const std::string& text);
 /// "x0,y0,x1,y1", half-open, not empty, nothing negative. Throws UsageError.
 Window parse_window(const std::string& option, const std::string& text);
 
+struct Pixel {
+    int x = 0, y = 0;
+};
+
+/// "x,y", image coordinates. Throws UsageError.
+Pixel parse_pixel(const std::string& option, const std::string& text);
+
+/// `overrides` with --size ("" for none) as the last, so that it wins over -D. Throws UsageError.
+std::vector<std::string> with_size(std::vector<std::string> overrides, const std::string& size);
+
 }  // namespace quadrel::cli

@@ -145,7 +145,8 @@ Json file_info(const std::string& file) {
     if (begins_like_exr(file)) return exr_info(file);
     const std::filesystem::path path(file);
     const bool bare_name = path.extension().empty() && !path.has_parent_path();
-    if (path.extension() == ".json" || (bare_name && !std::filesystem::exists(path)))
+    if (path.extension() == ".json" || path.extension() == ".glib" ||
+        (bare_name && !std::filesystem::exists(path)))
         return scene_info(file);
     return image_info(file);
 }

@@ -49,6 +49,7 @@ int parse_and_run(int argc, char** argv) {
     add_compare(app, action);
     add_list(app, action);
     add_info(app, action);
+    add_probe(app, action);
     add_sheet(app, action);
     add_mips(app, action);
     try {

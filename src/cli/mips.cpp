@@ -38,9 +38,9 @@ TextureOptions texture_options(const Arguments& arguments) {
 }
 
 Film to_film(const Image& level) {
-    const std::vector<std::string> names =
-        level.channels == 1 ? std::vector<std::string>{"Y"}
-                            : std::vector<std::string>{"R", "G", "B", "A"};
+    const std::vector<std::string> names = level.channels == 1
+                                               ? std::vector<std::string>{"Y"}
+                                               : std::vector<std::string>{"R", "G", "B", "A"};
     Film film;
     film.frame = film.window = {0, 0, level.width, level.height};
     for (int c = 0; c < level.channels; ++c) {
@@ -55,9 +55,9 @@ ExitCode run_mips(const Arguments& arguments) {
     const auto texture = make_texture(load_image(arguments.image), texture_options(arguments));
     for (int level = 0; level < texture->view().levels; ++level) {
         const std::string file = fmt::format("{}.{}.exr", arguments.prefix, level);
-        write_exr(file, to_film(texture_level(*texture, level)),
-                  {{"quadrel:mipLevel", fmt::format("{}", level)},
-                   {"quadrel:mipRule", arguments.rule}});
+        write_exr(
+            file, to_film(texture_level(*texture, level)),
+            {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}});
         fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
     }
     return ExitCode::ok;

@@ -29,16 +29,6 @@ std::filesystem::path output_name(const Arguments& arguments) {
     return std::filesystem::path(arguments.scene).stem().string() + ".exr";
 }
 
-/// --size comes last, so that it wins over -D.
-Scene load(const Arguments& arguments) {
-    std::vector<std::string> overrides = arguments.overrides;
-    if (!arguments.size.empty()) {
-        const Size size = parse_size("--size", arguments.size);
-        overrides.push_back(fmt::format("size=[{},{}]", size.width, size.height));
-    }
-    return load_scene(arguments.scene, overrides);
-}
-
 RenderOptions parse_options(const Arguments& arguments) {
     RenderOptions options = arguments.options;
     if (!arguments.channels.empty())
@@ -80,7 +70,7 @@ ExitCode run_render(const Arguments& arguments) {
     const std::filesystem::path output = output_name(arguments);
     RenderOptions options = parse_options(arguments);
     check_outputs(output, arguments.preview);
-    const Scene scene = load(arguments);
+    const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     check_window(options, scene);
     const Film film = render_with_bar(scene, options);
     Attributes attributes;

@@ -16,6 +16,7 @@ void add_render(CLI::App& app, Action& action);
 void add_list(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
+void add_probe(CLI::App& app, Action& action);
 void add_sheet(CLI::App& app, Action& action);
 void add_mips(CLI::App& app, Action& action);
 

@@ -4,38 +4,11 @@
 
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
+#include "render/names.hpp"
 #include "render/plan.hpp"
 
 namespace quadrel {
 namespace {
-
-const char* name_of(Conventions conventions) {
-    switch (conventions) {
-        case Conventions::gl:
-            return "gl";
-        case Conventions::vulkan:
-            return "vulkan";
-        case Conventions::d3d:
-            return "d3d";
-    }
-    return "";
-}
-
-const char* name_of(Hardware hardware) {
-    switch (hardware) {
-        case Hardware::exact:
-            return "exact";
-        case Hardware::d3d:
-            return "d3d";
-        case Hardware::vulkan_min:
-            return "vulkan-min";
-        case Hardware::llvmpipe:
-            return "llvmpipe";
-        case Hardware::swiftshader:
-            return "swiftshader";
-    }
-    return "";
-}
 
 /// Stage ids and the parameters that the scene gives, material by material.
 std::string algorithm_text(const Scene& scene) {

@@ -1,7 +1,6 @@
 #include "render/batch.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <new>
 
@@ -98,10 +97,11 @@ float Batch::real(int slot, int lane) const {
     return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
 }
 
-std::uint32_t Batch::bits(const ChannelSource& source, int lane) const {
-    if (info(source.value).kind == ValueKind::integer)
-        return static_cast<const std::uint32_t*>(values_[source.slot()])[lane];
-    return canonical_bits(std::bit_cast<std::uint32_t>(real(source.slot(), lane)));
+LaneBits Batch::bits(const ChannelSource& source) const {
+    const bool integer = info(source.value).kind == ValueKind::integer;
+    const auto real =
+        scalar_bytes_ == sizeof(float) ? LaneBits::Element::single : LaneBits::Element::wide;
+    return {values_[source.slot()], integer ? LaneBits::Element::integer : real};
 }
 
 }  // namespace quadrel

@@ -1,6 +1,7 @@
 // Memory of one batch: 64 quads of one material, each planned value an array in quad order.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,6 +13,26 @@
 #include "render/stage_clock.hpp"
 
 namespace quadrel {
+
+/// A value's array as film bits: float32 with canonical NaNs, or uint32.
+class LaneBits {
+  public:
+    enum class Element { integer, single, wide };
+
+    LaneBits(const void* array, Element element) : array_(array), element_(element) {}
+
+    std::uint32_t operator()(int lane) const {
+        if (element_ == Element::integer) return static_cast<const std::uint32_t*>(array_)[lane];
+        const float x = element_ == Element::single
+                            ? static_cast<const float*>(array_)[lane]
+                            : static_cast<float>(static_cast<const double*>(array_)[lane]);
+        return canonical_bits(std::bit_cast<std::uint32_t>(x));
+    }
+
+  private:
+    const void* array_;
+    Element element_;
+};
 
 /// The arrays of a batch, for one scalar type (float or double). One per thread, used again and
 /// again; arrays are 64-byte aligned.
@@ -33,9 +54,12 @@ class Batch {
              StageClock* clock = nullptr);
 
     int quads() const { return quads_; }
-    /// The bits of lane `lane` of an array as float32 or uint32.
-    std::uint32_t bits(const ChannelSource& source, int lane) const;
+    /// The arrays that a channel's bits come from, to be read lane by lane.
+    LaneBits bits(const ChannelSource& source) const;
     float real(int slot, int lane) const;
+    std::uint32_t integer(int slot, int lane) const {
+        return static_cast<const std::uint32_t*>(values_[slot])[lane];
+    }
     bool has(int slot) const { return values_[slot] != nullptr; }
 
   private:

@@ -28,4 +28,7 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
           StageTimes* times = nullptr);
 
+/// The quads of the prepared window that are to be shaded, in no matter how many tiles.
+std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared);
+
 }  // namespace quadrel

@@ -125,6 +125,21 @@ Film draw(const PreparedRender& prepared, const RenderOptions& options, StageTim
     return film;
 }
 
+std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared) {
+    const Scene& scene = *prepared.scene;
+    Film film;
+    const Viewport viewport{scene.width, scene.height, scene.conventions};
+    const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
+    TileRenderer renderer(scene, prepared.plan, prepared.geometry, target);
+    std::vector<QuadCoverage> quads;
+    for (const Tile& tile : bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window),
+                                          RenderOptions().tile)) {
+        const auto& of_tile = renderer.find_visible(tile);
+        quads.insert(quads.end(), of_tile.begin(), of_tile.end());
+    }
+    return quads;
+}
+
 Film render(const Scene& scene, const RenderOptions& options) {
     return draw(prepare_render(scene, options, select_kernels(options.number, options.isa)),
                 options);

@@ -80,7 +80,7 @@ std::uint32_t TileFilm::fragment_bits(const ChannelSource& source, const Batch& 
     const int lane = fragment.lane % 4;
     switch (source.kind) {
         case Kind::value:
-            return batch.bits(source, fragment.lane);
+            return batch.bits(source)(fragment.lane);
         case Kind::coverage:
             return float_bits(1.0f);
         case Kind::z:
@@ -104,8 +104,9 @@ void TileFilm::add_plane(const ChannelSource& source, std::vector<std::uint32_t>
                          const Batch& batch, const Geometry& geometry,
                          const TileBuffer& tile) const {
     if (source.kind == Kind::value) {  // the common case, without the switch
+        const LaneBits bits = batch.bits(source);
         for (const Fragment& fragment : fragments_)
-            if (fragment.owns_pixel) plane[fragment.pixel] = batch.bits(source, fragment.lane);
+            if (fragment.owns_pixel) plane[fragment.pixel] = bits(fragment.lane);
         return;
     }
     for (const Fragment& fragment : fragments_)

@@ -48,6 +48,15 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     return plan;
 }
 
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material) {
+    StageCall call{};
+    call.material = &plan.uniforms[material];
+    call.frame = &plan.frame;
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        call.textures[slot] = plan.textures[material].bound(slot);
+    return call;
+}
+
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size) {
     const int first_x = area.x0 / size, first_y = area.y0 / size;
     const int columns = (area.x1 - 1) / size - first_x + 1;
@@ -86,12 +95,19 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 void TileRenderer::render(const Tile& tile) {
     film_.begin(tile.rect);
     if (!tile.triangles.empty()) {
-        buffer_.reset(tile.rect);
-        draw_opaque(tile);
-        draw_discarding(tile);
+        find_visible(tile);
         shade();
     }
     film_.end();
+}
+
+const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
+    buffer_.reset(tile.rect);
+    draw_opaque(tile);
+    draw_discarding(tile);
+    quads_.clear();
+    collect_quads(buffer_, quads_);
+    return quads_;
 }
 
 void TileRenderer::draw_opaque(const Tile& tile) {
@@ -128,8 +144,6 @@ void TileRenderer::discard(std::vector<QuadCoverage>& quads) {
 }
 
 void TileRenderer::shade() {
-    quads_.clear();
-    collect_quads(buffer_, quads_);
     if (scene_.materials.size() > 1)
         std::stable_sort(quads_.begin(), quads_.end(),
                          [&](const QuadCoverage& a, const QuadCoverage& b) {
@@ -152,11 +166,7 @@ void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const Q
                        int count) {
     batch_.prepare(plan);
     batch_.load(quads, count, geometry_, scene_.samples, scene_.centroid);
-    StageCall call{};
-    call.material = &plan_.uniforms[material];
-    call.frame = &plan_.frame;
-    for (int slot = 0; slot < texture_slot_count; ++slot)
-        call.textures[slot] = plan_.textures[material].bound(slot);
+    StageCall call = stage_call(plan_, material);
     call.counters = &counters_;
     batch_.run(plan, call, geometry_.data.data(), timed_ ? &clock_ : nullptr);
 }

@@ -38,6 +38,9 @@ struct Tile {
 /// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
 
+/// What a stage of that material is called with, but for values and parameters.
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material);
+
 /// One thread's renderer.
 class TileRenderer {
   public:
@@ -45,6 +48,9 @@ class TileRenderer {
                  const FilmTarget& target, bool timed = false);
 
     void render(const Tile& tile);
+
+    /// Visibility alone: the quads of the tile that are to be shaded.
+    const std::vector<QuadCoverage>& find_visible(const Tile& tile);
 
     /// What the stages took so far; empty unless timed.
     const StageTimes& stage_times() const { return clock_.times(); }

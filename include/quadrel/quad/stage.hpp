@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -26,6 +27,20 @@ namespace quadrel {
 inline constexpr int batch_quads = 64;
 inline constexpr int batch_lanes = 4 * batch_quads;
 
+/// One step of a search, as a probe sees it.
+struct MarchStep {
+    QuadMask active;
+    Quad<float> s;  ///< ray parameter: depth below the top plane
+    vec2<Quad<float>> uv;
+    Quad<float> ray_height, map_height;
+};
+
+/// Receives what a probed quad goes through, look-ups included.
+class StageLog : public FetchLog {
+  public:
+    virtual void march_step(const MarchStep& step) = 0;
+};
+
 /// What a stage function is called with. Only plain data: this crosses module borders.
 struct StageCall {
     void* const* values;          ///< array per slot (value.hpp); null where not planned
@@ -37,6 +52,7 @@ struct StageCall {
     const SampledTexture* textures[texture_slot_count];  ///< null where the material has none
     std::int32_t light;                                  ///< which light a per-light stage serves
     FetchCounters* counters;
+    StageLog* log;  ///< null but in a probe
     // What the interpolation reads instead of values.
     const void* edges[3];           ///< edge functions at the evaluation point, per lane
     const std::int32_t* primitive;  ///< index into `primitives`, per lane
@@ -170,7 +186,7 @@ class StageIo {
     }
 
     Mask<F> active() const { return load_mask<F>(call_.active + lane_); }
-    SampleContext<F> context(Mask<F> mask) const { return {mask, call_.counters}; }
+    SampleContext<F> context(Mask<F> mask) const { return {mask, call_.counters, call_.log}; }
 
     /// The bound texture of a declared slot, or null.
     template <TextureSlot slot>
@@ -179,6 +195,13 @@ class StageIo {
                           Stage::textures.end(),
                       "not among the stage's textures");
         return call_.textures[static_cast<int>(slot)];
+    }
+
+    /// Every search calls this once a step, after its fetch. Costs nothing outside of a probe.
+    void march_step(Mask<F> mask, F s, const vec2<F>& uv, F ray_height, F map_height) const {
+        if constexpr (std::same_as<F, Quad<float>>) {
+            if (call_.log) call_.log->march_step({mask, s, uv, ray_height, map_height});
+        }
     }
 
     const MaterialUniforms& material() const { return *call_.material; }

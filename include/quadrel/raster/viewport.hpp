@@ -22,7 +22,7 @@ struct PixelRect {
 PixelRect intersect(const PixelRect& a, const PixelRect& b);
 
 /// Largest width and height of a frame, in pixels.
-inline constexpr int max_frame_size = 32768;
+inline constexpr int max_frame_size = 65536;
 
 /// The whole frame: origin (0, 0), sides in [1, max_frame_size], depth range [0, 1].
 struct Viewport {

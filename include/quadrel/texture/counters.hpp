@@ -14,22 +14,22 @@ struct FetchCounters {
     std::uint64_t huge_coordinates = 0;  ///< infinite or beyond 2^23, saturated
 };
 
+class FetchLog;  // fetch_log.hpp
+
 /// The lanes that ask (helper lanes included; the others' results are unspecified but harmless),
-/// and where to count. `counters` may be null.
+/// and where to count. `counters` may be null, and so
+/// may `log`, which receives every look-up of a quad that is being probed.
 template <Number F>
 struct SampleContext {
     Mask<F> active = Mask<F>(true);
     FetchCounters* counters = nullptr;
+    FetchLog* log = nullptr;
 };
 
 /// How many lanes are true.
 template <Number F>
 std::uint64_t count_lanes(Mask<F> mask) {
-    std::uint32_t lane[lanes_of<F>];
-    store(lane, mask);
-    std::uint64_t total = 0;
-    for (const std::uint32_t bits : lane) total += bits & 1u;
-    return total;
+    return static_cast<std::uint64_t>(count(mask));
 }
 
 template <Number F>

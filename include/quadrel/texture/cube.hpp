@@ -4,6 +4,7 @@
 #pragma once
 
 #include "quadrel/texture/cube_face.hpp"
+#include "quadrel/texture/fetch_log.hpp"
 #include "quadrel/texture/sampler.hpp"
 
 namespace quadrel {
@@ -85,15 +86,18 @@ vec4<F> sample_cube_expanded(const SampledTexture& texture, const SampleContext<
     count_fetch(context);
     count_coordinate(context, at.st.x, F(1));
     count_coordinate(context, at.st.y, F(1));
-    return with_channels(texture.view.channels, [&](auto channels) {
+    const vec4<F> value = with_channels(texture.view.channels, [&](auto channels) {
         constexpr int n = channels();
-        return expand(sample_mips<n, F>(texture, lod, [&](const LevelGeometry<F>& level) {
-            return choose_filter<n, F>(
-                texture.sampler, lod.magnified,
-                [&] { return sample_cube_nearest<n, F>(texture, level, at); },
-                [&] { return sample_cube_linear<n, F>(texture, level, at); });
-        }));
+        return expand(
+            sample_mips<n, F>(mip_levels(texture, lod), lod, [&](const LevelGeometry<F>& level) {
+                return choose_filter<n, F>(
+                    texture.sampler, lod.magnified,
+                    [&] { return sample_cube_nearest<n, F>(texture, level, at); },
+                    [&] { return sample_cube_linear<n, F>(texture, level, at); });
+            }));
     });
+    log_fetch(context, texture, at.st, lod, value);
+    return value;
 }
 
 /// The record of gradients of the direction, each lane on its own face.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "quadrel/num/derivative.hpp"
+#include "quadrel/texture/fetch_log.hpp"
 #include "quadrel/texture/filter.hpp"
 #include "quadrel/texture/lod.hpp"
 
@@ -46,40 +47,65 @@ Texel<channels, F> sample_level(const SampledTexture& texture, const LevelGeomet
         [&] { return sample_linear<channels, F>(texture, level, uv); });
 }
 
-/// Blends two levels that `sample(level)` filters, or takes one, as the mip filter says.
-template <int channels, Number F, class Sample>
-Texel<channels, F> sample_mips(const SampledTexture& texture, const LodRecord<F>& lod,
-                               const Sample& sample) {
+/// The levels that a record selects; settled once for all look-ups of a march.
+template <Number F>
+struct MipLevels {
+    LevelGeometry<F> fine, coarse;
+    bool blends;  ///< false: `fine` alone counts
+};
+
+template <Number F>
+MipLevels<F> mip_levels(const SampledTexture& texture, const LodRecord<F>& lod) {
     if (texture.sampler.mip == MipFilter::none || texture.view.levels == 1) {
-        return sample(level_geometry<F>(texture.view, 0));
+        const LevelGeometry<F> only = level_geometry<F>(texture.view, 0);
+        return {only, only, false};
     }
     const Int<F> finer = to_int(lod.level);
-    const auto fine = sample(level_geometry<F>(texture.view, finer));
+    const LevelGeometry<F> fine = level_geometry<F>(texture.view, finer);
     // Where no lane blends, the coarser level cannot change the result: its weight is 0.
-    if (texture.sampler.mip == MipFilter::nearest || !any(lod.frac > F(0))) return fine;
+    if (texture.sampler.mip == MipFilter::nearest || !any(lod.frac > F(0))) {
+        return {fine, fine, false};
+    }
     const Int<F> coarser = min(finer + Int<F>(1), Int<F>(texture.view.levels - 1));
-    const auto coarse = sample(level_geometry<F>(texture.view, coarser));
+    return {fine, level_geometry<F>(texture.view, coarser), true};
+}
+
+/// Blends two levels that `sample(level)` filters, or takes one, as the mip filter says.
+template <int channels, Number F, class Sample>
+Texel<channels, F> sample_mips(const MipLevels<F>& levels, const LodRecord<F>& lod,
+                               const Sample& sample) {
+    const auto fine = sample(levels.fine);
+    if (!levels.blends) return fine;
+    const auto coarse = sample(levels.coarse);
     return select(lod.frac > F(0), lerp(fine, coarse, lod.frac), fine);
 }
 
-/// The filtered texel for a record of compute_lod or lod_from_level.
+/// The filtered texel for a record of compute_lod or lod_from_level, and its levels.
 template <int channels, Number F>
 Texel<channels, F> sample_texture(const SampledTexture& texture, const vec2<F>& uv,
-                                  const LodRecord<F>& lod) {
-    return sample_mips<channels, F>(texture, lod, [&](const LevelGeometry<F>& level) {
+                                  const LodRecord<F>& lod, const MipLevels<F>& levels) {
+    return sample_mips<channels, F>(levels, lod, [&](const LevelGeometry<F>& level) {
         return sample_level<channels, F>(texture, level, uv, lod.magnified);
     });
 }
 
 template <Number F>
 vec4<F> sample_expanded(const SampledTexture& texture, const SampleContext<F>& context,
-                        const vec2<F>& uv, const LodRecord<F>& lod) {
+                        const vec2<F>& uv, const LodRecord<F>& lod, const MipLevels<F>& levels) {
     count_fetch(context);
     count_coordinate(context, uv.x, F(coordinate_limit));
     count_coordinate(context, uv.y, F(coordinate_limit));
-    return with_channels(texture.view.channels, [&](auto channels) {
-        return expand(sample_texture<channels(), F>(texture, uv, lod));
+    const vec4<F> value = with_channels(texture.view.channels, [&](auto channels) {
+        return expand(sample_texture<channels(), F>(texture, uv, lod, levels));
     });
+    log_fetch(context, texture, uv, lod, value);
+    return value;
+}
+
+template <Number F>
+vec4<F> sample_expanded(const SampledTexture& texture, const SampleContext<F>& context,
+                        const vec2<F>& uv, const LodRecord<F>& lod) {
+    return sample_expanded(texture, context, uv, lod, mip_levels(texture, lod));
 }
 
 /// Level from the gradients dx and dy of uv (per pixel). `out`, if given, receives the record.

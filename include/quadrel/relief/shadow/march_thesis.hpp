@@ -60,6 +60,7 @@ struct ShadowMarchThesis {
             active = active & (z + t < F(1));
             if (!any(active)) break;
             const F h = height(io.context(active), uv + K * t);
+            io.march_step(active, F(1) - (z + t), uv + K * t, z + t, h);
             steps = steps + select(active, Int<F>(1), Int<F>(0));
             occluded = occluded | (active & (h > z + t));
             active = active & !occluded;

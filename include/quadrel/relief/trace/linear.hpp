@@ -21,13 +21,14 @@ struct MarchResult {
 };
 
 /// First k in [0, n] with height(uv0 + (k/n - s_polygon) K) >= 1 - k/n, for the lanes in `active`.
+/// `height(active, s, uv)` fetches.
 template <Number F, class Height>
 MarchResult<F> linear_march(const Height& height, Mask<F> active, const vec2<F>& uv0,
                             const vec2<F>& K, Scalar<F> s_polygon, int n) {
     MarchResult<F> result{F(1), F(0), Mask<F>(false), Int<F>(0)};
     for (int k = 0; k <= n; ++k) {
         const Scalar<F> s = static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n);
-        const F h = height(active, uv0 + K * F(s - s_polygon));
+        const F h = height(active, s, uv0 + K * F(s - s_polygon));
         const Mask<F> below = active & (h >= F(1 - s));
         result.s = select(below, F(s), result.s);
         result.h = select(active, h, result.h);
@@ -67,8 +68,10 @@ struct Linear {
         const GeneralHeight<F> sampler(*io.template texture<TextureSlot::height>(),
                                        io.template load<Value::dUVdx>(),
                                        io.template load<Value::dUVdy>());
-        const auto height = [&](Mask<F> mask, const vec2<F>& at) {
-            return sampler(io.context(mask), at);
+        const auto height = [&](Mask<F> mask, Scalar<F> s, const vec2<F>& at) {
+            const F h = sampler(io.context(mask), at);
+            io.march_step(mask, F(s), at, F(1 - s), h);
+            return h;
         };
         const auto march = linear_march<F>(height, active, uv, K, s_polygon, params.steps);
 

@@ -42,8 +42,9 @@ struct LinearThesis {
         F offset(0), h(0);
         Int<F> fetches(0);
         for (int sample = 0; sample <= max_samples; ++sample) {
-            const F texel =
-                texture(map, io.context(active), UV + dUVdSR * offset, io.frame().derivatives).x;
+            const vec2<F> at = UV + dUVdSR * offset;
+            const F texel = texture(map, io.context(active), at, io.frame().derivatives).x;
+            io.march_step(active, offset / scalar, at, F(1) - offset / scalar, texel);
             const F tex_h = (F(1) - texel) * scalar;
             h = select(active, texel, h);
             fetches = fetches + select(active, Int<F>(1), Int<F>(0));

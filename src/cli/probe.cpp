@@ -1,0 +1,48 @@
+// quadrel probe: one pixel's quad, with everything that it goes through.
+#include "quadrel/probe.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/arguments.hpp"
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "quadrel/scene/load.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+struct Arguments {
+    std::string scene, pixel, size;
+    std::vector<std::string> overrides;
+    bool json = false;
+};
+
+ExitCode run_probe(const Arguments& arguments) {
+    const Pixel pixel = parse_pixel("--pixel", arguments.pixel);
+    const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
+    const ProbeReport report = probe(scene, pixel.x, pixel.y);
+    print(arguments.json ? to_json(report) : to_text(report));
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_probe(CLI::App& app, Action& action) {
+    CLI::App* verb =
+        app.add_subcommand("probe", "re-run one pixel's quad and print all that it goes through");
+    const auto a = std::make_shared<Arguments>();
+    verb->add_option("scene", a->scene, "scene file, or the name of an installed scene")
+        ->required();
+    verb->add_option("--pixel", a->pixel, "image coordinates from the top-left")
+        ->type_name("X,Y")
+        ->required();
+    verb->add_option("-D,--define", a->overrides, "override a value of the scene; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb->add_option("--size", a->size, "image size in pixels")->type_name("WxH");
+    verb->add_flag("--json", a->json, "machine-readable");
+    verb->callback([a, &action] { action = [a] { return run_probe(*a); }; });
+}
+
+}  // namespace quadrel::cli
