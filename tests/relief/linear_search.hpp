@@ -2,9 +2,7 @@
 // stage has to equal, and, with an error planted, what the properties have to catch.
 #pragma once
 
-#include "quadrel/texture/height_sampler.hpp"
-#include "relief/inputs.hpp"
-#include "relief/planted.hpp"
+#include "relief/facet.hpp"
 
 namespace quadrel::test {
 
@@ -26,9 +24,6 @@ inline void fill_rays(Batch<float>& batch, Random& random, double footprint = 0.
 }
 
 // ---- The same search over plain floats ----------------------------------------------------------
-
-/// One fetch at a time, in all four lanes.
-using Fetch = Quad<float>;
 
 struct Found {
     float s = 1, h = 0;
