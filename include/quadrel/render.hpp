@@ -13,12 +13,13 @@
 namespace quadrel {
 
 struct RenderOptions {
-    std::vector<std::string> channels;     ///< names or groups; none: R G B A Z
-    std::optional<Window> window;          ///< image coordinates; the whole frame if absent
-    std::string number = "float";          ///< float | double
-    std::string isa = "auto";              ///< auto | scalar | sse4 | avx2 | avx512 | neon
-    int threads = 0;                       ///< 0: as many as the process may use
-    int tile = 64;                         ///< side of a tile in pixels, even, 2 to 1024
+    std::vector<std::string> channels;  ///< names or groups; none: R G B A Z
+    std::optional<Window> window;       ///< image coordinates; the whole frame if absent
+    std::string number = "float";       ///< float | double
+    std::string isa = "auto";           ///< auto | scalar | sse4 | avx2 | avx512 | neon
+    int threads = 0;                    ///< 0: as many as the process may use
+    bool skip = true;                   ///< false: compute and load what no channel asks for, too
+    int tile = 64;                      ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
 };
 
@@ -27,6 +28,9 @@ struct RenderOptions {
 /// Throws InputError for a scene that cannot be planned or textures that cannot be read, UsageError
 /// for options that make no sense.
 Film render(const Scene& scene, const RenderOptions& options);
+
+/// The plan of a render, for people; loads and renders nothing. Throws as `render` does.
+std::string explain(const Scene& scene, const RenderOptions& options);
 
 /// The quadrel:* attributes of a render: scene hash, conventions, stages and parameters, number
 /// type, version. Nothing that changes between equal runs.

@@ -20,6 +20,7 @@ namespace {
 struct Arguments {
     std::string scene, output, preview, channels, size, window;
     std::vector<std::string> overrides;
+    bool explain = false, no_skip = false;
     RenderOptions options;
 };
 
@@ -34,6 +35,7 @@ RenderOptions parse_options(const Arguments& arguments) {
     if (!arguments.channels.empty())
         options.channels = expand_channels(parse_list("--channels", arguments.channels));
     if (!arguments.window.empty()) options.window = parse_window("--window", arguments.window);
+    options.skip = !arguments.no_skip;
     return options;
 }
 
@@ -69,9 +71,13 @@ void say_written(const std::filesystem::path& file) {
 ExitCode run_render(const Arguments& arguments) {
     const std::filesystem::path output = output_name(arguments);
     RenderOptions options = parse_options(arguments);
-    check_outputs(output, arguments.preview);
+    if (!arguments.explain) check_outputs(output, arguments.preview);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     check_window(options, scene);
+    if (arguments.explain) {
+        print(explain(scene, options));
+        return ExitCode::ok;
+    }
     const Film film = render_with_bar(scene, options);
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
@@ -98,6 +104,7 @@ void add_values(CLI::App& verb, Arguments& a) {
     verb.add_option("--window", a.window,
                     "render this part only: half-open, pixels from the top-left")
         ->type_name("X0,Y0,X1,Y1");
+    verb.add_flag("--explain", a.explain, "print the plan and render nothing");
     verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at");
 }
 
@@ -122,6 +129,8 @@ void add_render(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("render", "render a scene to an EXR of named channels");
     const auto arguments = std::make_shared<Arguments>();
     add_values(*verb, *arguments);
+    verb->add_flag("--no-skip", arguments->no_skip,
+                   "compute and load what no channel asks for, too; the bits are the same");
     add_execution(*verb, arguments->options);
     verb->callback(
         [arguments, &action] { action = [arguments] { return run_render(*arguments); }; });

@@ -17,9 +17,14 @@ struct PreparedRender {
     std::vector<ChannelSource> channels;
     RenderPlan plan;
     Geometry geometry;
+    std::vector<bool> used;  ///< materials that have a triangle in the window
 };
 
-/// Checks the options, plans, loads textures and assembles geometry. Throws as `render` does.
+/// Checks the options, plans and assembles geometry; loads no texture.
+PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
+                           const KernelTable& kernels);
+
+/// plan_render, and loads the textures that the plan reads. Throws as `render` does.
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels);
 
@@ -27,6 +32,9 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 /// stage functions and adds to it.
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
           StageTimes* times = nullptr);
+
+/// The plan for people: kernels, what each material runs and reads, and what is left out.
+std::string explain(const PreparedRender& prepared);
 
 /// The quads of the prepared window that are to be shaded, in no matter how many tiles.
 std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared);

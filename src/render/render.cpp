@@ -91,13 +91,26 @@ class Progress {
 
 }  // namespace
 
-PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
-                              const KernelTable& kernels) {
+PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
+                           const KernelTable& kernels) {
     check_options(options);
     PreparedRender prepared{
-        &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}};
-    prepared.plan = make_render_plan(scene, prepared.channels, kernels);
+        &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
+    prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
     prepared.geometry = assemble_geometry(scene, prepared.plan.hardware);
+    prepared.used = std::vector<bool>(scene.materials.size(), true);
+    if (options.skip) {
+        const Viewport viewport{scene.width, scene.height, scene.conventions};
+        prepared.used =
+            used_materials(scene, prepared.geometry, quad_rect(viewport, prepared.window));
+    }
+    return prepared;
+}
+
+PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
+                              const KernelTable& kernels) {
+    PreparedRender prepared = plan_render(scene, options, kernels);
+    load_plan_textures(scene, prepared.used, prepared.plan);
     return prepared;
 }
 
@@ -138,6 +151,12 @@ std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared) {
         quads.insert(quads.end(), of_tile.begin(), of_tile.end());
     }
     return quads;
+}
+
+std::string explain(const Scene& scene, const RenderOptions& options) {
+    const PreparedRender prepared =
+        plan_render(scene, options, select_kernels(options.number, options.isa));
+    return explain(prepared);
 }
 
 Film render(const Scene& scene, const RenderOptions& options) {

@@ -1,8 +1,6 @@
 #include "render/textures.hpp"
 
-#include <fmt/format.h>
-
-#include "quadrel/error.hpp"
+#include <string>
 
 namespace quadrel {
 namespace {
@@ -26,11 +24,6 @@ TextureOptions texture_options(const TextureReference& reference, TextureSlot sl
     return options;
 }
 
-[[noreturn]] void reject_missing_height(const Scene& scene, const Material& material) {
-    throw InputError(scene.file.string(), fmt::format("materials.{}.height", material.name),
-                     "nothing", "a texture: the material's relief stages read heights");
-}
-
 void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
     if (!scene.environment) return;
     const Environment& environment = *scene.environment;
@@ -46,22 +39,18 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
 
 }  // namespace
 
-MaterialTextures load_textures(const Scene& scene, const Material& material,
-                               const MaterialPlan& plan, TextureCache& cache) {
+MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
+                               TextureCache& cache) {
     MaterialTextures out;
     for (int i = 0; i < texture_slot_count; ++i) {
         const auto slot = static_cast<TextureSlot>(i);
-        if (!plan.textures[i]) continue;
+        if (!slots[i]) continue;
         if (slot == TextureSlot::environment) {
             load_environment(scene, cache, out);
             continue;
         }
         const auto found = material.textures.find(std::string(slot_name(slot)));
-        if (found == material.textures.end()) {
-            if (slot == TextureSlot::height && plan.needs_height)
-                reject_missing_height(scene, material);
-            continue;
-        }
+        if (found == material.textures.end()) continue;
         const TextureReference& reference = found->second;
         out.owned[i] = cache.load(reference.file, texture_options(reference, slot));
         out.sampled[i] = {out.owned[i]->view(), reference.sampler};

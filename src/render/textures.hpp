@@ -19,8 +19,8 @@ struct MaterialTextures {
     const SampledTexture* bound(int slot) const { return owned[slot] ? &sampled[slot] : nullptr; }
 };
 
-/// Loads what the plan reads. A material without a height map that a stage reads is an InputError.
-MaterialTextures load_textures(const Scene& scene, const Material& material,
-                               const MaterialPlan& plan, TextureCache& cache);
+/// Loads those of the material's textures that are in `slots`.
+MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
+                               TextureCache& cache);
 
 }  // namespace quadrel

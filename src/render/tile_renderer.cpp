@@ -1,10 +1,6 @@
 #include "render/tile_renderer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "quadrel/error.hpp"
 
 namespace quadrel {
 namespace {
@@ -15,47 +11,7 @@ DepthCompare depth_compare(const Scene& scene) {
 
 bool discards(const Material& material) { return material.discard_below >= 0; }
 
-MaterialPlan discard_plan(const Scene& scene, const Material& material,
-                          const KernelTable& kernels) {
-    ValueSet wanted;
-    if (discards(material)) wanted.set(static_cast<std::size_t>(Value::opacity));
-    return plan_material(scene, material, wanted, kernels);
-}
-
 }  // namespace
-
-RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels) {
-    if (scene.lights.size() > max_lights)
-        throw InputError(scene.file.string(), "lights",
-                         fmt::format("{} lights", scene.lights.size()),
-                         fmt::format("at most {}", max_lights));
-    RenderPlan plan;
-    plan.hardware = scene_hardware(scene);
-    plan.scalar_bytes = kernels.scalar_bytes;
-    plan.frame = frame_uniforms(scene, plan.hardware);
-    const ValueSet wanted = wanted_values(channels);
-    TextureCache cache;
-    for (const Material& material : scene.materials) {
-        plan.materials.push_back(plan_material(scene, material, wanted, kernels));
-        plan.discard.push_back(discard_plan(scene, material, kernels));
-        MaterialPlan both = plan.materials.back();
-        both.textures |= plan.discard.back().textures;
-        both.needs_height |= plan.discard.back().needs_height;
-        plan.textures.push_back(load_textures(scene, material, both, cache));
-        plan.uniforms.push_back(material_uniforms(material));
-    }
-    return plan;
-}
-
-StageCall stage_call(const RenderPlan& plan, std::uint32_t material) {
-    StageCall call{};
-    call.material = &plan.uniforms[material];
-    call.frame = &plan.frame;
-    for (int slot = 0; slot < texture_slot_count; ++slot)
-        call.textures[slot] = plan.textures[material].bound(slot);
-    return call;
-}
 
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size) {
     const int first_x = area.x0 / size, first_y = area.y0 / size;

@@ -8,26 +8,11 @@
 #include "quadrel/render.hpp"
 #include "render/batch.hpp"
 #include "render/geometry.hpp"
-#include "render/plan.hpp"
+#include "render/render_plan.hpp"
 #include "render/stage_clock.hpp"
-#include "render/textures.hpp"
 #include "render/tile_film.hpp"
 
 namespace quadrel {
-
-/// All that is settled before the first tile.
-struct RenderPlan {
-    HardwareModel hardware;
-    int scalar_bytes = 4;
-    FrameUniforms frame{};
-    std::vector<MaterialPlan> materials;  ///< per material of the scene
-    std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
-    std::vector<MaterialTextures> textures;
-    std::vector<MaterialUniforms> uniforms;
-};
-
-RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels);
 
 /// A rectangle of the frame (window coordinates, whole quads) and the triangles that meet it.
 struct Tile {
@@ -37,9 +22,6 @@ struct Tile {
 
 /// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
-
-/// What a stage of that material is called with, but for values and parameters.
-StageCall stage_call(const RenderPlan& plan, std::uint32_t material);
 
 /// One thread's renderer.
 class TileRenderer {

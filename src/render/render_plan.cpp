@@ -1,0 +1,78 @@
+#include "render/render_plan.hpp"
+
+#include <fmt/format.h>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+MaterialPlan discard_plan(const Scene& scene, const Material& material,
+                          const KernelTable& kernels) {
+    ValueSet wanted;
+    if (material.discard_below >= 0) wanted.set(static_cast<std::size_t>(Value::opacity));
+    return plan_material(scene, material, wanted, kernels);
+}
+
+void check_lights(const Scene& scene) {
+    if (scene.lights.size() > max_lights)
+        throw InputError(scene.file.string(), "lights",
+                         fmt::format("{} lights", scene.lights.size()),
+                         fmt::format("at most {}", max_lights));
+}
+
+void check_height(const Scene& scene, const Material& material, const MaterialPlan& plan) {
+    if (plan.needs_height && material.textures.count("height") == 0)
+        throw InputError(scene.file.string(), fmt::format("materials.{}.height", material.name),
+                         "nothing", "a texture: the material's relief stages read heights");
+}
+
+}  // namespace
+
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels, bool skip) {
+    check_lights(scene);
+    RenderPlan plan;
+    plan.hardware = scene_hardware(scene);
+    plan.kernels = &kernels;
+    plan.scalar_bytes = kernels.scalar_bytes;
+    plan.frame = frame_uniforms(scene, plan.hardware);
+    const ValueSet wanted = skip ? wanted_values(channels) : ValueSet().set();
+    for (const Material& material : scene.materials) {
+        plan.materials.push_back(plan_material(scene, material, wanted, kernels));
+        plan.discard.push_back(discard_plan(scene, material, kernels));
+        check_height(scene, material, plan.materials.back());
+        check_height(scene, material, plan.discard.back());
+        plan.uniforms.push_back(material_uniforms(material));
+    }
+    plan.textures.resize(scene.materials.size());
+    return plan;
+}
+
+std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
+                                 const PixelRect& area) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const DrawnTriangle& triangle : geometry.triangles)
+        if (!intersect(area, triangle.screen.bounds).empty()) used[triangle.material] = true;
+    return used;
+}
+
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan) {
+    TextureCache cache;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (!used[m]) continue;
+        const SlotSet slots = plan.materials[m].textures | plan.discard[m].textures;
+        plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache);
+    }
+}
+
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material) {
+    StageCall call{};
+    call.material = &plan.uniforms[material];
+    call.frame = &plan.frame;
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        call.textures[slot] = plan.textures[material].bound(slot);
+    return call;
+}
+
+}  // namespace quadrel

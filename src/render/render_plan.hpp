@@ -1,0 +1,39 @@
+// What a whole render computes, and what it need not: stages and textures of each material.
+#pragma once
+
+#include <vector>
+
+#include "render/geometry.hpp"
+#include "render/plan.hpp"
+#include "render/textures.hpp"
+
+namespace quadrel {
+
+/// All that is settled before the first tile, but for geometry.
+struct RenderPlan {
+    HardwareModel hardware;
+    const KernelTable* kernels = nullptr;
+    int scalar_bytes = 4;
+    FrameUniforms frame{};
+    std::vector<MaterialPlan> materials;  ///< per material of the scene
+    std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
+    std::vector<MaterialTextures> textures;
+    std::vector<MaterialUniforms> uniforms;
+};
+
+/// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
+/// `textures` are unbound. With `skip` off every stage of every material is planned.
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels, bool skip);
+
+/// Whether each material has a triangle in `area` (window coordinates).
+std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
+                                 const PixelRect& area);
+
+/// Loads the textures that the plan reads, of the materials in `used`.
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan);
+
+/// What a stage of that material is called with, but for values and parameters.
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material);
+
+}  // namespace quadrel
