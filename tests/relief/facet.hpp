@@ -4,7 +4,6 @@
 
 #include "quadrel/texture/height_sampler.hpp"
 #include "relief/frame_oracle.hpp"
-#include "relief/planted.hpp"
 
 namespace quadrel::test {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "relief/facet.hpp"
+#include "relief/planted.hpp"
 
 namespace quadrel::test {
 

@@ -1,5 +1,6 @@
 // Normals from heights against the geometry of the displaced plane.
 #include "relief/facet.hpp"
+#include "relief/planted.hpp"
 
 namespace quadrel::test {
 namespace {
