@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "io/data_path.hpp"
+#include "io/glib_commands.hpp"
+#include "io/glib_scene.hpp"
 #include "io/hash.hpp"
 #include "io/read_file.hpp"
 #include "io/scene_objects.hpp"
@@ -16,7 +18,17 @@ bool is_bare_name(const std::filesystem::path& path) {
     return !path.empty() && !path.has_parent_path() && !path.has_extension();
 }
 
+// A glman scene keeps its extension in its installed name.
+std::filesystem::path find_glib(const std::filesystem::path& file) {
+    if (file.has_parent_path() || std::filesystem::exists(file)) return file;
+    for (const auto& directory : data_directories())
+        if (const auto installed = directory / "scenes" / file; std::filesystem::exists(installed))
+            return installed;
+    return file;
+}
+
 std::filesystem::path find_scene(const std::filesystem::path& file_or_name) {
+    if (is_glib_file(file_or_name)) return find_glib(file_or_name);
     if (!is_bare_name(file_or_name)) return file_or_name;
     const std::string name = file_or_name.string();
     for (const auto& directory : data_directories()) {
@@ -29,7 +41,8 @@ std::filesystem::path find_scene(const std::filesystem::path& file_or_name) {
 
 SceneDocument open_document(const std::filesystem::path& file,
                             const std::vector<std::string>& overrides) {
-    SceneDocument document = parse_scene_text(read_whole_file(file), file);
+    const auto parse = is_glib_file(file) ? parse_glib_text : parse_scene_text;
+    SceneDocument document = parse(read_whole_file(file), file);
     check_scene_keys(document);
     for (const std::string& assignment : overrides) apply_override(document, assignment);
     check_scene_keys(document);
@@ -103,8 +116,11 @@ std::vector<std::string> installed_scenes() {
     std::vector<std::string> names;
     for (const auto& directory : data_directories()) {
         std::error_code error;
-        for (const auto& entry : std::filesystem::directory_iterator(directory / "scenes", error))
-            if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+        for (const auto& entry : std::filesystem::directory_iterator(directory / "scenes", error)) {
+            const std::filesystem::path& file = entry.path();
+            if (file.extension() == ".json") names.push_back(file.stem().string());
+            if (is_glib_file(file)) names.push_back(file.filename().string());
+        }
     }
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());

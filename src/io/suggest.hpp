@@ -12,7 +12,7 @@ namespace quadrel {
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b` (optimal
 /// string alignment).
 inline int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<int> before_previous, previous(b.size() + 1), current(b.size() + 1);
+    std::vector<int> before_previous(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
     std::iota(previous.begin(), previous.end(), 0);
     for (std::size_t i = 1; i <= a.size(); ++i) {
         current[0] = static_cast<int>(i);
@@ -22,8 +22,8 @@ inline int edit_distance(std::string_view a, std::string_view b) {
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 current[j] = std::min(current[j], before_previous[j - 2] + 1);
         }
-        before_previous = previous;
-        previous = current;
+        before_previous.swap(previous);
+        previous.swap(current);
     }
     return previous[b.size()];
 }
