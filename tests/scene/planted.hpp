@@ -21,4 +21,17 @@ enum class Defect {
     fan_of_concave,      ///< a concave polygon cut as if it were convex
 };
 
+/// Each is a reader of .glib files that is wrong in one thing.
+enum class GlibDefect {
+    least_of_slider,         ///< the range's first number taken
+    greatest_of_slider,      ///< the range's last number taken
+    comments_drawn,          ///< commented commands obeyed
+    z_and_size_swapped,      ///< QuadXY's arguments in the other order
+    size_is_the_whole_side,  ///< QuadXY half as wide
+    first_row_at_v_0,        ///< textures upside down
+    gloss_as_stored,         ///< gloss in the order A R G that 32-bit bitmaps have
+    last_texture_for_all,    ///< a unit's last file used for earlier shapes too
+    open_end_accepted,       ///< the end of a cut file made up
+};
+
 }  // namespace quadrel::planted
