@@ -18,6 +18,8 @@ target_compile_options(quadrel_warnings INTERFACE
 
 if(QUADREL_SANITIZE)
   add_compile_options(-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
-                      -fno-omit-frame-pointer)
+                      -fno-omit-frame-pointer
+                      # GCC 12 warns falsely inside of std::regex under the sanitizers.
+                      -Wno-maybe-uninitialized)
   add_link_options(-fsanitize=address,undefined,float-cast-overflow)
 endif()
