@@ -7,6 +7,7 @@
 //
 // and say in the commit message what changed and why. All builds share the file, so an unoptimised
 // build checks itself against an optimised one.
+#include <cctype>
 #include <cstdlib>
 
 #include "kernels/select.hpp"
@@ -125,7 +126,8 @@ TEST_P(SceneHashes, AreTheCommittedOnesInEveryRun) {
 INSTANTIATE_TEST_SUITE_P(All, SceneHashes, testing::ValuesIn(installed_scenes()),
                          [](const auto& scene) {
                              std::string name = scene.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
+                             for (char& c : name)
+                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;
                          });
 

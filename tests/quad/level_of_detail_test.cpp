@@ -1,0 +1,82 @@
+// The lod stage: footprint and level of the height map, of the colour map without one.
+#include "quadrel/quad/level_of_detail.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "quad/planted.hpp"
+#include "quad/stage_bench.hpp"
+
+namespace quadrel::quad_tests {
+namespace {
+
+/// Sizes of a full mip chain; the stage reads no texels.
+SampledTexture sized(int size) {
+    SampledTexture texture{};
+    texture.view.channels = 1;
+    texture.view.faces = 1;
+    for (int n = size; n >= 1; n /= 2) {
+        texture.view.width[texture.view.levels] = texture.view.height[texture.view.levels] = n;
+        ++texture.view.levels;
+    }
+    return texture;
+}
+
+constexpr std::array outputs = {Value::lod_rho, Value::lod_lambda, Value::lod_level,
+                                Value::lod_frac};
+
+/// A footprint of (3, 4) and (0, 0) texels of a map of 256 texels: rho 5, log2 5 = 2.3219...
+template <class T>
+void run(StageBench<T>& bench, StageFunction stage, const SampledTexture* height,
+         const SampledTexture* color) {
+    for (const Value v : outputs) bench.want(v);
+    bench.want(Value::dUVdx);
+    bench.want(Value::dUVdy);
+    for (int lane = 0; lane < 16; ++lane) {
+        bench.at(Value::dUVdx, 0, lane) = T(3) / 256;
+        bench.at(Value::dUVdx, 1, lane) = T(4) / 256;
+    }
+    bench.call().textures[static_cast<int>(TextureSlot::height)] = height;
+    bench.call().textures[static_cast<int>(TextureSlot::color)] = color;
+    stage(&bench.call());
+}
+
+template <class T>
+testing::AssertionResult follows_the_height_map(StageFunction stage) {
+    const SampledTexture height = sized(256), color = sized(1024);
+    const auto expect = [&](const SampledTexture* h, const SampledTexture* c,
+                            std::array<double, 4> expected) -> testing::AssertionResult {
+        StageBench<T> bench;
+        run(bench, stage, h, c);
+        for (std::size_t i = 0; i < 4; ++i)
+            if (std::abs(static_cast<double>(bench.at(outputs[i], 0, 5)) - expected[i]) > 1e-6)
+                return testing::AssertionFailure()
+                       << info(outputs[i]).name << " is " << bench.at(outputs[i], 0, 5)
+                       << ", expected " << expected[i];
+        return testing::AssertionSuccess();
+    };
+    constexpr double log2_of_5 = 2.321928094887362;
+    auto both = expect(&height, &color, {5, log2_of_5, log2_of_5, log2_of_5 - 2});
+    if (!both) return both;
+    auto only_color = expect(nullptr, &color, {20, log2_of_5 + 2, log2_of_5 + 2, log2_of_5 - 2});
+    return only_color ? expect(nullptr, nullptr, {0, 0, 0, 0}) : only_color;
+}
+
+template <class T>
+void colour_map_first(const StageCall* call) {
+    StageCall changed = *call;
+    std::swap(changed.textures[static_cast<int>(TextureSlot::height)],
+              changed.textures[static_cast<int>(TextureSlot::color)]);
+    run_stage<LevelOfDetail, Quad<T>>(&changed);
+}
+
+TEST(LevelOfDetail, FollowsTheHeightMap) {
+    EXPECT_TRUE(follows_the_height_map<float>(&run_stage<LevelOfDetail, Quad<float>>));
+    EXPECT_TRUE(follows_the_height_map<double>(&run_stage<LevelOfDetail, Quad<double>>));
+    EXPECT_FALSE(follows_the_height_map<float>(&colour_map_first<float>));
+    EXPECT_FALSE(follows_the_height_map<double>(&colour_map_first<double>));
+}
+
+}  // namespace
+}  // namespace quadrel::quad_tests
