@@ -36,6 +36,7 @@ struct QuadMask {
 
 inline bool any(QuadMask m) { return m.lane[0] || m.lane[1] || m.lane[2] || m.lane[3]; }
 inline bool all(QuadMask m) { return m.lane[0] && m.lane[1] && m.lane[2] && m.lane[3]; }
+inline int count(QuadMask m) { return m.lane[0] + m.lane[1] + m.lane[2] + m.lane[3]; }
 
 /// Four 32-bit integers. Sums and products wrap around, as they do in SIMD registers.
 struct QuadInt {

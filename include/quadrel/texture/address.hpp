@@ -27,7 +27,7 @@ inline bool is_periodic(Wrap wrap) { return wrap == Wrap::repeat || wrap == Wrap
 
 /// NaN becomes 0 and magnitudes beyond the limit saturate.
 template <Number F>
-F saturate_coordinate(F u) {
+[[gnu::always_inline]] inline F saturate_coordinate(F u) {
     const F limit(coordinate_limit);
     return select(abs(u) <= limit, u, select(is_nan(u), F(0), copysign(limit, u)));
 }
@@ -35,7 +35,7 @@ F saturate_coordinate(F u) {
 /// The part of u in [0, 1): u - floor(u), and 0 for what rounds up to 1, is not a number, or is
 /// beyond the limit.
 template <Number F>
-F reduce_coordinate(F u) {
+[[gnu::always_inline]] inline F reduce_coordinate(F u) {
     const F known = select(abs(u) <= F(coordinate_limit), u, F(0));
     const F part = known - floor(known);
     return select(part < F(1), part, F(0));
@@ -59,7 +59,7 @@ template <Number F>
 /// Rounds to `bits` fraction bits, halves to even, as fixed-point samplers do before they split
 /// the coordinate. 0 bits: exact.
 template <Number F>
-F round_to_bits(F x, std::int32_t bits) {
+[[gnu::always_inline]] inline F round_to_bits(F x, std::int32_t bits) {
     if (bits == 0) return x;
     const float scale = static_cast<float>(std::int64_t(1) << bits);
     return round_even(x * F(scale)) * F(1 / scale);
@@ -81,7 +81,7 @@ Int<F> mirror_index(Int<F> i) {
 /// The texel that index i stands for in a level of n texels. Periodic modes take i at most one
 /// period outside, clamp_to_border gives the edge texel.
 template <Number F>
-Int<F> wrap_index(Int<F> i, Int<F> n, Wrap wrap) {
+[[gnu::always_inline]] inline Int<F> wrap_index(Int<F> i, Int<F> n, Wrap wrap) {
     const Int<F> zero(0);
     if (wrap == Wrap::repeat) {
         const Int<F> raised = select(i < zero, i + n, i);
@@ -98,7 +98,7 @@ Int<F> wrap_index(Int<F> i, Int<F> n, Wrap wrap) {
 }
 
 template <Number F>
-Mask<F> inside_level(Int<F> i, Int<F> n, Wrap wrap) {
+[[gnu::always_inline]] inline Mask<F> inside_level(Int<F> i, Int<F> n, Wrap wrap) {
     if (wrap != Wrap::clamp_to_border) return Mask<F>(true);
     return (i >= Int<F>(0)) & (i < n);
 }
@@ -120,8 +120,8 @@ template <Number F>
 
 /// The texels of normalised coordinate u in a level of n texels (`size` is n as a number).
 template <Number F>
-AxisTaps<F> address_axis(F u, Int<F> n, F size, Wrap wrap, Filter filter,
-                         const SamplerState& sampler) {
+[[gnu::always_inline]] inline AxisTaps<F> address_axis(F u, Int<F> n, F size, Wrap wrap,
+                                                       Filter filter, const SamplerState& sampler) {
     const F texel = texel_coordinate(u, size, wrap, sampler.scale_first != 0);
     return split_coordinate(texel, n, size, wrap, filter, sampler);
 }

@@ -43,12 +43,13 @@ LevelGeometry<F> level_geometry(const TextureView& view, Int<F> level) {
 
 /// Index of the first float of texel (x, y), which must be inside the level.
 template <int channels, Number F>
-Int<F> texel_index(const LevelGeometry<F>& level, Int<F> x, Int<F> y) {
+[[gnu::always_inline]] inline Int<F> texel_index(const LevelGeometry<F>& level, Int<F> x,
+                                                 Int<F> y) {
     return level.offset + (y * level.width + x) * Int<F>(channels);
 }
 
 template <int channels, Number F>
-Texel<channels, F> load_texel(const float* texels, Int<F> index) {
+[[gnu::always_inline]] inline Texel<channels, F> load_texel(const float* texels, Int<F> index) {
     Texel<channels, F> texel;
     if constexpr (channels == 4) {
         gather4<F>(texels, index, texel.channel);
@@ -106,8 +107,9 @@ struct Footprint {
 };
 
 template <Number F>
-Footprint<F> address(const SampledTexture& texture, const LevelGeometry<F>& level,
-                     const vec2<F>& uv, Filter filter) {
+[[gnu::always_inline]] inline Footprint<F> address(const SampledTexture& texture,
+                                                   const LevelGeometry<F>& level, const vec2<F>& uv,
+                                                   Filter filter) {
     const SamplerState& sampler = texture.sampler;
     return {address_axis(uv.x, level.width, level.width_number, sampler.wrap_u, filter, sampler),
             address_axis(uv.y, level.height, level.height_number, sampler.wrap_v, filter, sampler)};
@@ -160,8 +162,9 @@ template <int channels, Number F>
 }
 
 template <int channels, Number F>
-FourTaps<channels, F> load_taps(const SampledTexture& texture, const LevelGeometry<F>& level,
-                                const Footprint<F>& at) {
+[[gnu::always_inline]] inline FourTaps<channels, F> load_taps(const SampledTexture& texture,
+                                                              const LevelGeometry<F>& level,
+                                                              const Footprint<F>& at) {
     const auto& [x, y] = at;
     const bool adjacent = channels == 1 && all(x.second == x.first + Int<F>(1));
     const auto top = load_row<channels, F>(texture, level, x, y.first, y.first_inside, adjacent);
@@ -171,7 +174,8 @@ FourTaps<channels, F> load_taps(const SampledTexture& texture, const LevelGeomet
 }
 
 template <int channels, Number F>
-Texel<channels, F> blend(const FourTaps<channels, F>& of, F weight_x, F weight_y) {
+[[gnu::always_inline]] inline Texel<channels, F> blend(const FourTaps<channels, F>& of, F weight_x,
+                                                       F weight_y) {
     return lerp(lerp(of.tap[0], of.tap[1], weight_x), lerp(of.tap[2], of.tap[3], weight_x),
                 weight_y);
 }

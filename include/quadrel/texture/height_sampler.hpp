@@ -49,13 +49,13 @@ class GeneralHeight {
   public:
     /// Gradients of the undisplaced uv, per pixel. `texture` must outlive this object.
     GeneralHeight(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy)
-        : texture_(texture), lod_(compute_lod(texture, dx, dy)) {}
+        : GeneralHeight(texture, compute_lod(texture, dx, dy)) {}
     /// Level of detail settled by the caller.
     GeneralHeight(const SampledTexture& texture, const LodRecord<F>& lod)
-        : texture_(texture), lod_(lod) {}
+        : texture_(texture), lod_(lod), levels_(mip_levels(texture, lod)) {}
 
     F operator()(const SampleContext<F>& context, const vec2<F>& uv) const {
-        return sample_expanded(texture_, context, uv, lod_).x;
+        return sample_expanded(texture_, context, uv, lod_, levels_).x;
     }
 
     const LodRecord<F>& lod() const { return lod_; }
@@ -63,6 +63,7 @@ class GeneralHeight {
   private:
     const SampledTexture& texture_;
     LodRecord<F> lod_;
+    MipLevels<F> levels_;
 };
 
 }  // namespace quadrel
