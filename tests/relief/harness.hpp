@@ -90,7 +90,7 @@ class Batch {
     const SampledTexture* bound(TextureSlot slot) const {
         return textures_[static_cast<int>(slot)];
     }
-    void bind_all(const Batch& other) { textures_ = other.textures_; }
+    void unbind(TextureSlot slot) { textures_[static_cast<int>(slot)] = nullptr; }
 
     T& real(Value v, int lane, int component = 0, int light = 0) {
         QUADREL_CHECK(info(v).kind == ValueKind::real, info(v).name);

@@ -115,7 +115,8 @@ inline FrameInputs interpolated_inputs(const Batch<float>& batch, int lane, cons
 
 /// Puts quads of `t` into the batch, each around a random point of the triangle: up to three of a
 /// quad's lanes may be helpers.
-inline void fill_quads_of(Batch<float>& batch, const Triangle& t, Random& random) {
+template <PlainFloat T>
+void fill_quads_of(Batch<T>& batch, const Triangle& t, Random& random) {
     batch.primitives = {t.data()};
     for (int quad = 0; quad < batch.lanes / 4; ++quad) {
         double a = random.uniform(0, 1), b = random.uniform(0, 1);

@@ -1,0 +1,82 @@
+// Inputs for any stage of the registry: random quads, maps and lights, and every value that the
+// stages before it would have handed on.
+#pragma once
+
+#include "relief/triangle.hpp"
+
+namespace quadrel::test {
+
+/// A batch in which every value holds what a chain of corrected stages gives, and every slot a map.
+/// Filters are bilinear, so that no value jumps; the plan and the seed decide everything.
+struct StageInputs {
+    Random random;
+    Batch<float> batch;
+    std::array<Map, texture_slot_count> maps;
+
+    explicit StageInputs(int seed) : random(static_cast<std::uint64_t>(seed)) {
+        random_material(random, batch.material);
+        batch.material.depth = static_cast<float>(random.uniform(0.01, 0.3));
+        batch.frame.light_count = 2;
+        for (LightUniforms& light : batch.frame.lights) random_light(random, light);
+        for (int slot = 0; slot < texture_slot_count; ++slot) bind(static_cast<TextureSlot>(slot));
+        // What `interpolate` reads, before the values that it would store.
+        fill_quads_of(batch, random_triangle(random, 0.2), random);
+        batch.run("interpolate");
+        fill_quads(batch, random);
+        run_chain();
+    }
+    StageInputs(const StageInputs&) = delete;
+    StageInputs& operator=(const StageInputs&) = delete;
+
+  private:
+    void bind(TextureSlot slot) {
+        Map& map = maps[static_cast<std::size_t>(slot)];
+        map = slot == TextureSlot::environment
+                  ? random_cube(random)
+                  : random_map(random, slot == TextureSlot::height ? 1 : 4);
+        map.sampled.sampler = plain_sampler();
+        batch.bind(slot, map.sampled);
+    }
+    void run_chain() {
+        for (const char* id :
+             {"differentiate", "lod", "frame-gram", "linear", "displace", "h2n-thesis"}) {
+            batch.run(id);
+        }
+        for (int light = 0; light < max_lights; ++light) {
+            batch.run("shadow-march-thesis", {}, light);
+        }
+        batch.run("shade-thesis");
+    }
+};
+
+/// The same batch in double: equal values, uniforms and maps.
+inline Batch<double> in_double(Batch<float>& from) {
+    Batch<double> to(from.lanes);
+    to.active = from.active;
+    to.frame = from.frame;
+    to.material = from.material;
+    to.primitive = from.primitive;
+    to.primitives = from.primitives;
+    for (int i = 0; i < 3; ++i) to.edges[i].assign(from.edges[i].begin(), from.edges[i].end());
+    for (int slot = 0; slot < texture_slot_count; ++slot) {
+        const auto* map = from.bound(static_cast<TextureSlot>(slot));
+        if (map) to.bind(static_cast<TextureSlot>(slot), *map);
+    }
+    for (int i = 0; i < static_cast<int>(Value::count); ++i) {
+        const auto v = static_cast<Value>(i);
+        for (int lane = 0; lane < from.lanes; ++lane) {
+            for (int light = 0; light < (info(v).per_light ? max_lights : 1); ++light) {
+                if (info(v).kind == ValueKind::integer) {
+                    to.integer(v, lane, light) = from.integer(v, lane, light);
+                    continue;
+                }
+                for (int c = 0; c < info(v).components; ++c) {
+                    to.real(v, lane, c, light) = from.real(v, lane, c, light);
+                }
+            }
+        }
+    }
+    return to;
+}
+
+}  // namespace quadrel::test
