@@ -41,8 +41,9 @@ enum class Planted {
     shadow_acne,           ///< the surface shadows itself
     // Any stage.
     output_missing,       ///< a declared output that is never stored
+    undeclared_output,    ///< a value that the stage does not declare is stored
     neighbour_quad_seen,  ///< a value of the next quad of the batch
-    double_in_single,     ///< one value computed with half of the bits
+    rough_result,         ///< a value that is a hundredth off
 };
 
 }  // namespace quadrel::test
