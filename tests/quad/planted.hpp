@@ -11,7 +11,6 @@ enum class Planted {
     coarse_for_fine,   ///< one difference for the whole quad
     odd_row_coarse,    ///< the coarse difference of the odd row
     width_of_sum,      ///< fwidth = |dFdx + dFdy|
-    neighbour_quad,    ///< swaps reach into the next quad
     // interpolation
     linear_interpolation,  ///< no perspective correction
     clamped_helpers,       ///< helper lanes do not extrapolate

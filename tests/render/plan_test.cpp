@@ -1,6 +1,6 @@
-// A channel has the same bits whatever else is asked for: what the plan leaves out was not needed.
-#include <mutex>
-
+// What the plan leaves out was not needed: a channel has the same bits whatever else is asked for,
+// and as when nothing is left out.
+#include "quadrel/error.hpp"
 #include "render/planted.hpp"
 #include "render/scenes.hpp"
 
@@ -13,10 +13,22 @@ testing::AssertionResult same_within(const Renderer& renderer, const Scene& scen
            << ", asked for with " << channels.size() - 1 << " others";
 }
 
-/// Each channel alone, each with its neighbour in the data flow, the default set.
+/// A render that computes and loads everything.
+Film take_without_skipping(const Renderer& renderer, const Scene& scene,
+                           const std::vector<std::string>& channels) {
+    RenderOptions options;
+    options.channels = channels;
+    options.isa = "scalar";
+    options.skip = false;
+    return renderer(scene, options);
+}
+
+/// Against a render of everything: all channels, each alone, each with its neighbour in the data
+/// flow, the default set.
 testing::AssertionResult plan_leaves_no_trace(const Renderer& renderer, const Scene& scene) {
     const auto names = all_channels(scene);
-    const Film all = take(renderer, scene, names);
+    const Film all = take_without_skipping(render, scene, names);
+    if (auto same = same_within(renderer, scene, all, names); !same) return same;
     for (const std::string& name : names)
         if (auto same = same_within(renderer, scene, all, {name}); !same) return same;
     for (std::size_t i = 0; i + 1 < names.size(); ++i)
@@ -28,6 +40,28 @@ testing::AssertionResult plan_leaves_no_trace(const Renderer& renderer, const Sc
 TEST(Plan, LeavesNoTrace) {
     EXPECT_TRUE(plan_leaves_no_trace(render, varied_scene(1, Conventions::gl, 21, 15)));
     EXPECT_TRUE(plan_leaves_no_trace(render, varied_scene(4, Conventions::vulkan, 12, 10)));
+}
+
+/// Without skipping, what is asked for makes no difference either.
+TEST(Plan, ComputesEverythingOnRequest) {
+    const Scene scene = varied_scene(1, Conventions::d3d, 21, 15);
+    const Film all = take_without_skipping(render, scene, all_channels(scene));
+    for (const char* name : {"R", "Z", "uv.U", "hit.steps", "lod.rho", "shadow.1.visibility"})
+        EXPECT_TRUE(
+            same_bits(with_planes(all, {name}), take_without_skipping(render, scene, {name})));
+}
+
+/// Textures that nothing asks for are not opened, nor those of materials that are not in view.
+TEST(Plan, LoadsWhatIsNeeded) {
+    Scene scene = varied_scene();
+    for (const char* map : {"color", "gloss", "emissive", "height"})
+        scene.materials[0].textures[map].file = texture_folder() / "missing.exr";
+    EXPECT_NO_THROW(take(render, scene, {"uv", "K", "depth"}));
+    EXPECT_THROW(take(render, scene, {"hit.s"}), InputError);
+    EXPECT_THROW(take(render, scene, {"R"}), InputError);
+    EXPECT_THROW(take_without_skipping(render, scene, {"uv"}), InputError);
+    for (Object& object : scene.objects) object.visible = object.material != 0;
+    EXPECT_NO_THROW(take(render, scene));
 }
 
 TEST(Plan, AForgottenInputIsNoticed) {
