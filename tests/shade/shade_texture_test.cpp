@@ -56,6 +56,20 @@ TEST(ShadeThesisPublished, SeesTheFirstLightAlone) {
     EXPECT_TRUE(same_bits<float>(both, first, color));
 }
 
+/// Without lights nothing wrote their visibilities, and nothing reads them.
+TEST(ShadeThesisPublished, NoLightIsDark) {
+    Random random(5);
+    Batch<float> batch = random_points(random, 0);
+    batch.poison(Value::shadow_visibility);
+    const Map map = constant_map({1, 1, 1, 1});
+    batch.bind(TextureSlot::color, map.sampled);
+    batch.run("shade-thesis@published");
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        EXPECT_EQ(batch.vector3(Value::light_diffuse, lane), vec3<float>(0));
+        EXPECT_EQ(batch.vector3(Value::light_specular, lane), vec3<float>(0));
+    }
+}
+
 /// Diffuse light is negative on the far side: the listing does not clamp it.
 TEST(ShadeThesisPublished, DiffuseIsNotClamped) {
     Random random(4);

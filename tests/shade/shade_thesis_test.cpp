@@ -147,6 +147,31 @@ TEST(ShadeThesis, TermsFollowTheFormulas) {
     }
 }
 
+/// Without maps: white, opaque, the material's own shininess, and no mirror.
+testing::AssertionResult maps_have_defaults(const Shading& implementation) {
+    Random random(20);
+    Batch<float> batch = random_points(random, 2);
+    Surface surface;
+    surface.gloss.r = batch.material.shininess / 255;
+    Batch<float> given = batch;
+    implementation.run(batch);
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        const Lighting sum = all_lights(given, lane, surface);
+        const dvec3 phong =
+            three(batch.material.emission) + sum.ambient + sum.diffuse + sum.specular;
+        const bool good = near(batch.vector3(Value::light_specular, lane), sum.specular) &&
+                          near(batch.vector3(Value::color, lane), phong) &&
+                          batch.real(Value::opacity, lane) == 1;
+        if (!good) return testing::AssertionFailure() << "lane " << lane;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(ShadeThesis, MapsHaveDefaults) {
+    EXPECT_TRUE(maps_have_defaults(shading()));
+    EXPECT_FALSE(maps_have_defaults(shading(Planted::as_published)));
+}
+
 /// Bit for bit.
 testing::AssertionResult terms_add_up_to_the_colour(const Shading& implementation) {
     for (int i = 0; i < 50; ++i) {
