@@ -54,11 +54,11 @@ const bool registered = [] {
             benchmark::RegisterBenchmark((std::string("pixel/") + text.name + "/" + isa).c_str(),
                                          pixel, text, isa)
                 ->UseManualTime()
-                ->Iterations(isa == "scalar" ? 3 : 15)
+                ->Iterations(isa == "scalar" ? 2 : 9)
                 ->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark((std::string("threads/") + text.name).c_str(), threads, text)
             ->UseManualTime()
-            ->Iterations(25)
+            ->Iterations(9)
             ->Unit(benchmark::kMillisecond);
     }
     return true;
