@@ -82,7 +82,7 @@ Scene odd(Conventions conventions) { return varied_scene(1, conventions, 37, 27)
 MakeScene installed(const std::string& name) {
     return [name](Conventions conventions) {
         const char* const names[] = {"gl", "vulkan", "d3d"};
-        return load_scene(name, {"size=[28,20]", std::string("conventions=\"") +
+        return load_scene(name, {"size=[20,14]", std::string("conventions=\"") +
                                                      names[static_cast<int>(conventions)] + "\""});
     };
 }

@@ -7,7 +7,7 @@
 namespace quadrel::render_tests {
 namespace {
 
-Scene installed(const std::string& name) { return load_scene(name, {"size=[44,33]"}); }
+Scene installed(const std::string& name) { return load_scene(name, {"size=[26,19]"}); }
 
 void set_depth_zero(Scene& scene) {
     for (Material& material : scene.materials) material.depth = 0;

@@ -57,6 +57,7 @@ bool inside(const Shape& s, int x, int y) {
 struct Expected {
     float a = 0, z = std::numeric_limits<float>::infinity();
     glm::vec3 color{0};
+    float depth = 0;        ///< of the lowest covered sample
     int object = -1;        ///< of the lowest covered sample
     double px = 0, py = 0;  ///< where its attributes are evaluated, in pixels
 };
@@ -94,7 +95,9 @@ Expected expected_at(int x, int y, int samples, bool centroid) {
         if (!visible) continue;
         e.a += 1;
         e.z = std::min(e.z, -shapes[*visible].z);
-        if (e.object < 0) e.object = *visible;
+        if (e.object >= 0) continue;
+        e.object = *visible;
+        e.depth = (-shapes[*visible].z - 1) / 8;  // near 1, far 9
     }
     e.a /= static_cast<float>(samples);
     e.color /= static_cast<float>(samples);
@@ -108,7 +111,8 @@ std::string pixel_differs(const Film& film, int x, int y, const Expected& e) {
     };
     for (const std::string& complaint :
          {exact("A", e.a), exact("R", e.color.r), exact("G", e.color.g), exact("B", e.color.b),
-          differs("Z", value(film, "Z", x, y), e.z, 1e-6)})
+          differs("Z", value(film, "Z", x, y), e.z, 1e-6),
+          differs("depth", value(film, "depth", x, y), e.depth, 1e-6)})
         if (!complaint.empty()) return complaint;
     if (bits(film, "id.object", x, y) != static_cast<std::uint32_t>(e.object))
         return fmt::format("id.object is {}, expected {}", bits(film, "id.object", x, y), e.object);
@@ -118,8 +122,8 @@ std::string pixel_differs(const Film& film, int x, int y, const Expected& e) {
 }
 
 testing::AssertionResult resolves(const Renderer& renderer, int samples, bool centroid) {
-    const Film film =
-        take(renderer, scene_of_shapes(samples, centroid), {"R", "G", "B", "A", "Z", "id", "P"});
+    const Film film = take(renderer, scene_of_shapes(samples, centroid),
+                           {"R", "G", "B", "A", "Z", "depth", "id", "P"});
     return everywhere(film, {},
                       [&](int x, int y) {
                           return pixel_differs(film, x, y,

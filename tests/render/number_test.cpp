@@ -84,11 +84,11 @@ testing::AssertionResult differs_by_rounding(const Renderer& renderer, const Sce
 
 TEST(Double, DiffersFromFloatByRounding) {
     for (const char* name : {"thesis-quad", "thesis-sphere", "spikes-60", "thesis-quad-published"})
-        EXPECT_TRUE(differs_by_rounding(render, load_scene(name, {"size=[32,24]"}))) << name;
+        EXPECT_TRUE(differs_by_rounding(render, load_scene(name, {"size=[26,20]"}))) << name;
 }
 
 TEST(Double, ErrorsAreNoticed) {
-    const Scene scene = load_scene("thesis-quad", {"size=[32,24]"});
+    const Scene scene = load_scene("thesis-quad", {"size=[26,20]"});
     EXPECT_FALSE(differs_by_rounding(with(Planted::float_as_double), scene));
     EXPECT_FALSE(differs_by_rounding(with(Planted::uncovered_object_zero), scene));
 }

@@ -38,7 +38,7 @@ testing::AssertionResult plan_leaves_no_trace(const Renderer& renderer, const Sc
 }
 
 TEST(Plan, LeavesNoTrace) {
-    EXPECT_TRUE(plan_leaves_no_trace(render, varied_scene(1, Conventions::gl, 21, 15)));
+    EXPECT_TRUE(plan_leaves_no_trace(render, varied_scene(1, Conventions::gl, 17, 13)));
     EXPECT_TRUE(plan_leaves_no_trace(render, varied_scene(4, Conventions::vulkan, 12, 10)));
 }
 
@@ -65,7 +65,7 @@ TEST(Plan, LoadsWhatIsNeeded) {
 }
 
 TEST(Plan, AForgottenInputIsNoticed) {
-    const Scene scene = varied_scene(1, Conventions::gl, 21, 15);
+    const Scene scene = varied_scene(1, Conventions::gl, 17, 13);
     EXPECT_FALSE(plan_leaves_no_trace(with(Planted::needs_forgotten), scene));
 }
 
