@@ -32,10 +32,9 @@ vec3<float> combine(Batch<float>& b, int lane, bool mirror_first, bool emission)
     return mix(mix(bent, phong, a), back, mirror);
 }
 
-Shading shading(Planted planted = Planted::none) {
+/// The stage with an error in what it is given.
+Shading misled(Planted planted) {
     switch (planted) {
-        case Planted::as_published:
-            return {"shade-thesis@published"};
         case Planted::no_attenuation:
             return before([](Batch<float>& b) {
                 for (LightUniforms& light : b.frame.lights) light.directional = 1;
@@ -60,6 +59,16 @@ Shading shading(Planted planted = Planted::none) {
             return before([](Batch<float>& b) {
                 std::copy_n(default_frame().eye_to_world, 9, b.frame.eye_to_world);
             });
+        default:
+            return {"shade-thesis"};
+    }
+}
+
+/// The stage with an error in what it gives, or in neither.
+Shading shading(Planted planted = Planted::none) {
+    switch (planted) {
+        case Planted::as_published:
+            return {"shade-thesis@published"};
         case Planted::highlight_on_dark_side:
             return after(
                 [](Batch<float>& b, int lane) { b.real(Value::light_specular, lane) = 1; });
@@ -87,7 +96,7 @@ Shading shading(Planted planted = Planted::none) {
         case Planted::opacity_of_white:
             return after([](Batch<float>& b, int lane) { b.real(Value::opacity, lane) = 1; });
         default:
-            return {"shade-thesis"};
+            return misled(planted);
     }
 }
 
