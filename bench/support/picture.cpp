@@ -24,7 +24,11 @@ Picture::Picture(const PictureText& text, const KernelTable& kernels)
 Film Picture::draw(int threads, StageTimes* times) const {
     RenderOptions options;
     options.threads = threads;
-    return quadrel::draw(prepared_, options, times);
+    if (times == nullptr) return quadrel::draw(prepared_, options);
+    quadrel::DrawRecord record;
+    Film film = quadrel::draw(prepared_, options, &record);
+    merge(*times, record.stages);
+    return film;
 }
 
 std::size_t Picture::covered() const {

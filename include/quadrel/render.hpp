@@ -12,6 +12,8 @@
 
 namespace quadrel {
 
+struct RenderStats;  // stats.hpp
+
 struct RenderOptions {
     std::vector<std::string> channels;  ///< names or groups; none: R G B A Z
     std::optional<Window> window;       ///< image coordinates; the whole frame if absent
@@ -19,6 +21,7 @@ struct RenderOptions {
     std::string isa = "auto";           ///< auto | scalar | sse4 | avx2 | avx512 | neon
     int threads = 0;                    ///< 0: as many as the process may use
     bool skip = true;                   ///< false: compute and load what no channel asks for, too
+    RenderStats* stats = nullptr;       ///< receives what the render did and took
     int tile = 64;                      ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
 };

@@ -13,12 +13,13 @@
 #include "quadrel/film/exr.hpp"
 #include "quadrel/film/preview.hpp"
 #include "quadrel/scene/load.hpp"
+#include "quadrel/stats.hpp"
 
 namespace quadrel::cli {
 namespace {
 
 struct Arguments {
-    std::string scene, output, preview, channels, size, window;
+    std::string scene, output, preview, stats, channels, size, window;
     std::vector<std::string> overrides;
     bool explain = false, no_skip = false;
     RenderOptions options;
@@ -64,6 +65,12 @@ Film render_with_bar(const Scene& scene, RenderOptions& options) {
     return film;
 }
 
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    AtomicFile out(file);
+    out.write(text.data(), text.size());
+    out.commit();
+}
+
 void say_written(const std::filesystem::path& file) {
     fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
 }
@@ -78,6 +85,8 @@ ExitCode run_render(const Arguments& arguments) {
         print(explain(scene, options));
         return ExitCode::ok;
     }
+    RenderStats stats;
+    if (!arguments.stats.empty()) options.stats = &stats;
     const Film film = render_with_bar(scene, options);
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
@@ -87,6 +96,7 @@ ExitCode run_render(const Arguments& arguments) {
         write_png(arguments.preview, preview(film));
         say_written(arguments.preview);
     }
+    if (!arguments.stats.empty()) write_text(arguments.stats, to_json(stats));
     return ExitCode::ok;
 }
 
@@ -105,6 +115,7 @@ void add_values(CLI::App& verb, Arguments& a) {
                     "render this part only: half-open, pixels from the top-left")
         ->type_name("X0,Y0,X1,Y1");
     verb.add_flag("--explain", a.explain, "print the plan and render nothing");
+    verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON");
     verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at");
 }
 

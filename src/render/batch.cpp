@@ -83,12 +83,14 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const PrimitiveData* p
     for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
     call.primitive = primitive_;
     call.primitives = primitives;
+    const auto fetches = [&] { return call.counters ? call.counters->fetches : 0; };
     if (clock) clock->start();
     for (const PlannedStage& stage : plan.stages) {
+        const std::uint64_t before = fetches();
         call.parameters = stage.params.data();
         call.light = stage.light;
         stage.run(&call);
-        if (clock) clock->lap(stage.info->text.id, call.lanes);
+        if (clock) clock->lap(stage.info->text.id, call.lanes, fetches() - before);
     }
 }
 

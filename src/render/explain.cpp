@@ -35,43 +35,71 @@ ValueSet needed_outputs(const MaterialPlan& plan, const PlannedStage& stage) {
     return out;
 }
 
-void append_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                     std::string& out) {
-    for (const auto& [slot, reference] : material.textures) {
+/// What a material's part of the plan says.
+struct MaterialText {
+    std::vector<std::string> does, leaves_out;
+};
+
+void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
+    const Scene& scene = *prepared.scene;
+    const MaterialPlan& plan = prepared.plan.materials[m];
+    for (const PlannedStage& stage : material_stages(scene, scene.materials[m])) {
+        if (planned(plan, stage))
+            text.does.push_back(
+                fmt::format("runs {}: {}", stage_name(stage), names(needed_outputs(plan, stage))));
+        else
+            text.leaves_out.push_back(fmt::format("stage {}", stage_name(stage)));
+    }
+    for (const PlannedStage& stage : prepared.plan.discard[m].stages)
+        text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
+}
+
+void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
+    const Scene& scene = *prepared.scene;
+    const SlotSet slots = prepared.plan.materials[m].textures | prepared.plan.discard[m].textures;
+    const auto describe = [&](const std::string& slot, const std::string& file) {
         bool read = false;
         for (int i = 0; i < texture_slot_count; ++i)
             read |= slots[i] && slot == slot_name(static_cast<TextureSlot>(i));
-        out += fmt::format("  {} {} {}\n", read ? "loads" : "leaves out texture", slot,
-                           reference.file.string());
-    }
-    if (!scene.environment) return;
-    const bool read = slots[static_cast<std::size_t>(TextureSlot::environment)];
-    out += fmt::format("  {} environment {}\n", read ? "loads" : "leaves out texture",
-                       scene.environment->faces[0].string());
+        if (read)
+            text.does.push_back(fmt::format("loads {} {}", slot, file));
+        else
+            text.leaves_out.push_back(fmt::format("texture {} {}", slot, file));
+    };
+    for (const auto& [slot, reference] : scene.materials[m].textures)
+        describe(slot, reference.file.string());
+    if (scene.environment) describe("environment", scene.environment->faces[0].string());
 }
 
-void append_material(const PreparedRender& prepared, std::size_t m, std::string& out) {
-    const Scene& scene = *prepared.scene;
-    const Material& material = scene.materials[m];
-    const MaterialPlan& plan = prepared.plan.materials[m];
-    out += fmt::format("material \"{}\"\n", material.name);
+MaterialText describe(const PreparedRender& prepared, std::size_t m) {
+    MaterialText text;
     if (!prepared.used[m]) {
-        out += "  left out: nothing of it is in the window\n";
-        return;
+        text.leaves_out.emplace_back("all of it: nothing of it is in the window");
+        return text;
     }
-    for (const PlannedStage& stage : material_stages(scene, material)) {
-        if (planned(plan, stage))
-            out += fmt::format("  runs {}: {}\n", stage_name(stage),
-                               names(needed_outputs(plan, stage)));
-        else
-            out += fmt::format("  leaves out {}\n", stage_name(stage));
-    }
-    for (const PlannedStage& stage : prepared.plan.discard[m].stages)
-        out += fmt::format("  to discard, runs {}\n", stage_name(stage));
-    append_textures(scene, material, plan.textures | prepared.plan.discard[m].textures, out);
+    describe_stages(prepared, m, text);
+    describe_textures(prepared, m, text);
+    return text;
+}
+
+std::vector<std::string> hidden_objects(const Scene& scene) {
+    std::vector<std::string> lines;
+    for (const Object& object : scene.objects)
+        if (!object.visible)
+            lines.push_back(fmt::format("object \"{}\": not visible", object.name));
+    return lines;
 }
 
 }  // namespace
+
+std::vector<std::string> left_out(const PreparedRender& prepared) {
+    std::vector<std::string> lines = hidden_objects(*prepared.scene);
+    for (std::size_t m = 0; m < prepared.scene->materials.size(); ++m)
+        for (const std::string& line : describe(prepared, m).leaves_out)
+            lines.push_back(
+                fmt::format("material \"{}\": {}", prepared.scene->materials[m].name, line));
+    return lines;
+}
 
 std::string explain(const PreparedRender& prepared) {
     const Scene& scene = *prepared.scene;
@@ -89,10 +117,13 @@ std::string explain(const PreparedRender& prepared) {
         "without area, {} off the frame, {} not finite\n",
         counts.submitted, counts.drawn, counts.outside, counts.culled, counts.zero_area,
         counts.off_frame, counts.non_finite);
-    for (const Object& object : scene.objects)
-        if (!object.visible)
-            out += fmt::format("object \"{}\": left out, not visible\n", object.name);
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) append_material(prepared, m, out);
+    for (const std::string& line : hidden_objects(scene)) out += "leaves out " + line + "\n";
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const MaterialText text = describe(prepared, m);
+        out += fmt::format("material \"{}\"\n", scene.materials[m].name);
+        for (const std::string& line : text.does) out += "  " + line + "\n";
+        for (const std::string& line : text.leaves_out) out += "  leaves out " + line + "\n";
+    }
     return out;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "quadrel/render.hpp"
-#include "render/stage_clock.hpp"
+#include "render/draw_record.hpp"
 #include "render/tile_renderer.hpp"
 
 namespace quadrel {
@@ -28,13 +28,15 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels);
 
-/// Draws. Takes threads, tile and progress from `options`; where `times` is given, measures the
-/// stage functions and adds to it.
+/// Draws. Takes threads, tile and progress from `options`; where `record` is given, times the
+/// stage functions, counts, and adds to it.
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
-          StageTimes* times = nullptr);
+          DrawRecord* record = nullptr);
 
 /// The plan for people: kernels, what each material runs and reads, and what is left out.
 std::string explain(const PreparedRender& prepared);
+/// Stages, textures and materials that nothing asked for, a line each.
+std::vector<std::string> left_out(const PreparedRender& prepared);
 
 /// The quads of the prepared window that are to be shaded, in no matter how many tiles.
 std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared);

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 
 #include "kernels/select.hpp"
@@ -13,6 +14,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "render/prepared.hpp"
+#include "render/stats_record.hpp"
 
 namespace quadrel {
 namespace {
@@ -89,6 +91,20 @@ class Progress {
     std::mutex mutex_;
 };
 
+class Stopwatch {
+  public:
+    /// Wall time since the last lap, or the beginning.
+    double lap_ms() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double, std::milli> lap = now - last_;
+        last_ = now;
+        return lap.count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
@@ -114,7 +130,7 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
     return prepared;
 }
 
-Film draw(const PreparedRender& prepared, const RenderOptions& options, StageTimes* times) {
+Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawRecord* record) {
     const Scene& scene = *prepared.scene;
     Film film = empty_film(scene, prepared.window, prepared.channels);
     const Viewport viewport{scene.width, scene.height, scene.conventions};
@@ -126,14 +142,14 @@ Film draw(const PreparedRender& prepared, const RenderOptions& options, StageTim
     tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] {
         tbb::enumerable_thread_specific<TileRenderer> renderers([&] {
-            return TileRenderer(scene, prepared.plan, prepared.geometry, target, times != nullptr);
+            return TileRenderer(scene, prepared.plan, prepared.geometry, target, record != nullptr);
         });
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
             progress.advance();
         });
-        if (times == nullptr) return;
-        for (const TileRenderer& renderer : renderers) merge(*times, renderer.stage_times());
+        if (record == nullptr) return;
+        for (const TileRenderer& renderer : renderers) merge(*record, renderer.record());
     });
     return film;
 }
@@ -160,8 +176,22 @@ std::string explain(const Scene& scene, const RenderOptions& options) {
 }
 
 Film render(const Scene& scene, const RenderOptions& options) {
-    return draw(prepare_render(scene, options, select_kernels(options.number, options.isa)),
-                options);
+    const KernelTable& kernels = select_kernels(options.number, options.isa);
+    if (options.stats == nullptr) return draw(prepare_render(scene, options, kernels), options);
+
+    RenderStats& stats = *options.stats;
+    stats = {};
+    Stopwatch watch;
+    PreparedRender prepared = plan_render(scene, options, kernels);
+    stats.plan_ms = watch.lap_ms();
+    load_plan_textures(scene, prepared.used, prepared.plan);
+    stats.load_ms = watch.lap_ms();
+    DrawRecord record;
+    Film film = draw(prepared, options, &record);
+    stats.draw_ms = watch.lap_ms();
+    record_plan(prepared, options, stats);
+    record_drawing(record, stats);
+    return film;
 }
 
 }  // namespace quadrel

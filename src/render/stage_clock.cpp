@@ -16,6 +16,7 @@ std::int64_t nanoseconds(clockid_t clock) {
 StageTime& StageTime::operator+=(const StageTime& other) {
     batches += other.batches;
     lanes += other.lanes;
+    fetches += other.fetches;
     wall_ns += other.wall_ns;
     cpu_ns += other.cpu_ns;
     return *this;
@@ -33,9 +34,9 @@ StageClock::Moment StageClock::now() {
 
 void StageClock::start() { last_ = now(); }
 
-void StageClock::lap(const char* id, int lanes) {
+void StageClock::lap(const char* id, int lanes, std::uint64_t fetches) {
     const Moment moment = now();
-    times_[id] += {1, static_cast<std::uint64_t>(lanes), moment.wall_ns - last_.wall_ns,
+    times_[id] += {1, static_cast<std::uint64_t>(lanes), fetches, moment.wall_ns - last_.wall_ns,
                    moment.cpu_ns - last_.cpu_ns};
     last_ = now();  // without the booking itself
 }

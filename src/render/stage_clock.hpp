@@ -10,6 +10,7 @@ namespace quadrel {
 /// What one stage took, summed over batches and threads.
 struct StageTime {
     std::uint64_t batches = 0, lanes = 0;  ///< lanes: helper and padding lanes included
+    std::uint64_t fetches = 0;             ///< texture look-ups
     std::int64_t wall_ns = 0;              ///< as the clock on the wall, summed over threads
     std::int64_t cpu_ns = 0;               ///< while the thread ran
 
@@ -27,7 +28,7 @@ class StageClock {
   public:
     void start();
     /// Books the time since the last lap, or start, on stage `id`.
-    void lap(const char* id, int lanes);
+    void lap(const char* id, int lanes, std::uint64_t fetches);
     const StageTimes& times() const { return times_; }
 
   private:

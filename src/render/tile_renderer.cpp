@@ -35,14 +35,14 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
 }
 
 TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                           const FilmTarget& target, bool timed)
+                           const FilmTarget& target, bool recording)
     : scene_(scene),
       plan_(plan),
       geometry_(geometry),
       buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
       film_(target, scene.samples),
       batch_(plan.scalar_bytes),
-      timed_(timed) {}
+      recording_(recording) {}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
@@ -99,7 +99,21 @@ void TileRenderer::discard(std::vector<QuadCoverage>& quads) {
     }
 }
 
+DrawRecord TileRenderer::record() const {
+    DrawRecord record = record_;
+    record.stages = clock_.times();
+    return record;
+}
+
+void TileRenderer::count_quads() {
+    record_.quads += quads_.size();
+    for (const QuadCoverage& quad : quads_)
+        for (const std::uint16_t samples : quad.samples)
+            ++(samples != 0 ? record_.covered_lanes : record_.helper_lanes);
+}
+
 void TileRenderer::shade() {
+    if (recording_) count_quads();
     if (scene_.materials.size() > 1)
         std::stable_sort(quads_.begin(), quads_.end(),
                          [&](const QuadCoverage& a, const QuadCoverage& b) {
@@ -123,8 +137,8 @@ void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const Q
     batch_.prepare(plan);
     batch_.load(quads, count, geometry_, scene_.samples, scene_.centroid);
     StageCall call = stage_call(plan_, material);
-    call.counters = &counters_;
-    batch_.run(plan, call, geometry_.data.data(), timed_ ? &clock_ : nullptr);
+    if (recording_) call.counters = &record_.fetches;
+    batch_.run(plan, call, geometry_.data.data(), recording_ ? &clock_ : nullptr);
 }
 
 }  // namespace quadrel

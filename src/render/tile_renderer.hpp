@@ -7,9 +7,9 @@
 #include "quadrel/raster/tile_buffer.hpp"
 #include "quadrel/render.hpp"
 #include "render/batch.hpp"
+#include "render/draw_record.hpp"
 #include "render/geometry.hpp"
 #include "render/render_plan.hpp"
-#include "render/stage_clock.hpp"
 #include "render/tile_film.hpp"
 
 namespace quadrel {
@@ -27,21 +27,22 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
 class TileRenderer {
   public:
     TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                 const FilmTarget& target, bool timed = false);
+                 const FilmTarget& target, bool recording = false);
 
     void render(const Tile& tile);
 
     /// Visibility alone: the quads of the tile that are to be shaded.
     const std::vector<QuadCoverage>& find_visible(const Tile& tile);
 
-    /// What the stages took so far; empty unless timed.
-    const StageTimes& stage_times() const { return clock_.times(); }
+    /// What was drawn so far and what it took; empty unless recording.
+    DrawRecord record() const;
 
   private:
     void draw_opaque(const Tile& tile);
     void draw_discarding(const Tile& tile);
     void discard(std::vector<QuadCoverage>& quads);
     void shade();
+    void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
     std::uint32_t material_of(const QuadCoverage& quad) const;
@@ -52,9 +53,9 @@ class TileRenderer {
     TileBuffer buffer_;
     TileFilm film_;
     Batch batch_;
-    FetchCounters counters_;
-    bool timed_;
+    bool recording_;
     StageClock clock_;
+    DrawRecord record_;
     std::vector<QuadCoverage> quads_;
 };
 
