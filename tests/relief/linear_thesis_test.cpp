@@ -26,6 +26,25 @@ TEST(LinearThesis, MovesOneStepAtDepthZero) {
     }
 }
 
+/// hit.s is in units of the depth; hit.h the height of the last test, in every lane of a quad.
+TEST(LinearThesis, ReportsTheLastTest) {
+    Random random(17);
+    const Map map = noise_map(random, 16, 16);
+    Batch<float> batch(64);
+    fill_rays(batch, random);
+    batch.bind(TextureSlot::height, map.sampled);
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        batch.set(Value::uv_rate, lane, batch.vector2(Value::K, lane));
+    }
+    batch.run("linear-thesis");
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        const float depth = batch.real(Value::hit_depth, lane);
+        EXPECT_EQ(batch.real(Value::hit_s, lane), depth / batch.material.depth);
+        EXPECT_EQ(batch.real(Value::hit_h, lane),
+                  height_at(batch, lane, batch.vector2(Value::hit_uv, lane)));
+    }
+}
+
 /// Deeper than one world unit the march ends above the floor, at 129/128.
 TEST(LinearThesis, EndsBehindOneWorldUnit) {
     Random random(16);
