@@ -78,8 +78,8 @@ TEST_P(EveryScene, ProbeHasTheBitsOfTheRender) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Installed, EveryScene, ::testing::ValuesIn(installed_scenes()),
-                         [](const auto& info) {
-                             std::string name = info.param;
+                         [](const auto& instance) {
+                             std::string name = instance.param;
                              for (char& c : name)
                                  if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;
