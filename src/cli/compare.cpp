@@ -2,76 +2,130 @@
 #include "quadrel/compare.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
-#include <set>
 
 #include "cli/arguments.hpp"
+#include "cli/compare_arguments.hpp"
+#include "cli/compare_blame.hpp"
 #include "cli/console.hpp"
 #include "cli/verbs.hpp"
-#include "quadrel/film/exr.hpp"
+#include "quadrel/error.hpp"
 #include "quadrel/film/preview.hpp"
 
 namespace quadrel::cli {
 namespace {
 
 struct Arguments {
-    std::string reference, test, channels, heatmap;
-    Tolerance tolerance;
-    bool json = false;
+    std::string reference, test, layer, channels, heatmap, encode, blame;
+    std::vector<std::string> mappings, overrides;
+    ToleranceArguments tolerances;
+    bool flip_y = false, json = false;
 };
 
-bool is_below(const std::string& channel, const std::string& group) {
-    return channel.compare(0, group.size() + 1, group + ".") == 0;
-}
-
-/// The names that a request stands for in either image: the channel of that name, else those
-/// below it.
-std::set<std::string> matches(const std::string& request, const Film& reference, const Film& test) {
-    if (reference.find(request) != nullptr || test.find(request) != nullptr) return {request};
+/// "float32 uint32": how the channels that are compared are stored.
+std::string storage_text(const ComparableImage& image) {
     std::set<std::string> names;
-    for (const Film* film : {&reference, &test})
-        for (const Plane& plane : film->planes)
-            if (is_below(plane.name, request)) names.insert(plane.name);
-    return names;
+    for (const Plane& plane : image.film.planes)
+        names.insert(storage_name(image.stored.at(plane.name)));
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
 }
 
-/// Drops the channels that no request names.
-void select_channels(const std::string& list, Film& reference, Film& test) {
-    std::set<std::string> wanted;
-    for (const std::string& request : parse_list("--channels", list)) {
-        const std::set<std::string> names = matches(request, reference, test);
-        if (names.empty())
-            throw UsageError("--channels: neither image has a channel \"" + request + "\"");
-        wanted.insert(names.begin(), names.end());
-    }
-    const auto unwanted = [&](const Plane& plane) { return wanted.count(plane.name) == 0; };
-    std::erase_if(reference.planes, unwanted);
-    std::erase_if(test.planes, unwanted);
+Encoding encoding_argument(const std::string& text) {
+    if (text.empty()) return Encoding::none;
+    const std::optional<Encoding> encoding = parse_encoding(text);
+    if (!encoding)
+        throw UsageError("--encode: found \"" + text + "\", expected srgb8, unorm8 or half");
+    return *encoding;
+}
+
+/// Both images as they are to be compared, and how they became so.
+struct Images {
+    ComparableImage reference, test;
+    Preparation preparation;
+    CompareRules rules;
+};
+
+Images prepare(const Arguments& arguments) {
+    const Encoding encoding = encoding_argument(arguments.encode);
+    const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
+    Images images{read_comparable(arguments.reference),
+                  read_comparable(arguments.test, arguments.layer),
+                  {},
+                  {}};
+    ComparableImage &reference = images.reference, &test = images.test;
+    if (arguments.flip_y) flip_y(test.film);
+    map_channels(test, mappings);
+    images.rules = parse_tolerances(arguments.tolerances, reference.film, test.film);
+    if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
+    images.rules.encodings = encode_both(reference, test, encoding);
+    images.preparation = {
+        arguments.reference, arguments.test, storage_text(reference), storage_text(test), encoding,
+        arguments.flip_y,    mappings};
+    return images;
 }
 
 ExitCode run_compare(const Arguments& arguments) {
-    Film reference = read_exr(arguments.reference).film;
-    Film test = read_exr(arguments.test).film;
-    if (!arguments.channels.empty()) select_channels(arguments.channels, reference, test);
-    const CompareReport report = compare(reference, test, arguments.tolerance);
+    std::optional<ProbedScene> scene;
+    if (!arguments.blame.empty()) scene = open_probed_scene(arguments.blame, arguments.overrides);
+    if (!scene && !arguments.overrides.empty()) throw UsageError("-D: expected with --blame only");
+    const Images images = prepare(arguments);
+    const Film &reference = images.reference.film, &test = images.test.film;
+    CompareReport report = compare(reference, test, images.rules);
+    report.preparation = images.preparation;
+    if (scene) {
+        report.blame = find_blame(reference, test, images.rules, report);
+        if (report.blame) point_at_probe(*report.blame, *scene, images.reference);
+    }
     print(arguments.json ? to_json(report) : to_text(report));
-    if (!arguments.heatmap.empty()) write_png(arguments.heatmap, heatmap(reference, test));
+    if (!arguments.heatmap.empty()) {
+        if (reference.window == test.window)
+            write_png(arguments.heatmap, heatmap(reference, test));
+        else
+            std::fputs("quadrel: no heat map: the windows differ\n", stderr);
+    }
     return report.equal() ? ExitCode::ok : ExitCode::difference;
+}
+
+void add_tolerances(CLI::App& verb, ToleranceArguments& tolerances) {
+    const auto add = [&](const char* option, std::vector<std::string>& values, const char* help) {
+        verb.add_option(option, values, help)
+            ->type_name("[CHANNEL=]VALUE")
+            ->allow_extra_args(false);
+    };
+    add("--abs", tolerances.abs, "allow this absolute error; repeatable, as all of these");
+    add("--rel", tolerances.rel, "allow this error relative to the reference");
+    add("--ulp", tolerances.ulp, "allow values to be so many floats (halves, codes) apart");
+    add("--fraction", tolerances.fraction, "share of pixels, 0 to 1, that may exceed");
+}
+
+void add_preparation(CLI::App& verb, Arguments& a) {
+    verb.add_option("--encode", a.encode, "round both to what 8 bits or half can hold")
+        ->type_name("srgb8|unorm8|half");
+    verb.add_flag("--flip-y", a.flip_y, "the test image's first row is its bottom");
+    verb.add_option("--map", a.mappings, "the test image's channel or group for a reference's")
+        ->type_name("REF=TEST")
+        ->allow_extra_args(false);
+    verb.add_option("--layer", a.layer, "part or layer of the test image, an EXR");
+    verb.add_option("--channels", a.channels, "compare these comma-separated channels only");
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-    CLI::App* verb = app.add_subcommand("compare", "compare two EXR images, value by value");
+    CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
     const auto a = std::make_shared<Arguments>();
     verb->add_option("reference", a->reference, "the image that is right")->required();
-    verb->add_option("test", a->test, "the image to be judged")->required();
-    verb->add_option("--abs", a->tolerance.abs, "allow this absolute error of floats")
-        ->check(CLI::NonNegativeNumber);
-    verb->add_option("--rel", a->tolerance.rel, "allow this error relative to the reference")
-        ->check(CLI::NonNegativeNumber);
-    verb->add_option("--ulp", a->tolerance.ulp, "allow floats to be so many values apart");
-    verb->add_option("--channels", a->channels, "compare these comma-separated channels only");
+    verb->add_option("test", a->test, "the image to be judged, of any format")->required();
+    add_tolerances(*verb, a->tolerances);
+    add_preparation(*verb, *a);
+    verb->add_option("--blame", a->blame, "find the first wrong value of the worst pixel")
+        ->type_name("SCENE");
+    verb->add_option("-D,--define", a->overrides, "override a value of that scene; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
     verb->add_option("--heatmap", a->heatmap, "write a PNG of the largest error of each pixel");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });

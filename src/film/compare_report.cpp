@@ -1,82 +1,108 @@
+// A comparison for people.
 #include <fmt/format.h>
 
 #include <bit>
-#include <nlohmann/json.hpp>
 
 #include "quadrel/compare.hpp"
 
 namespace quadrel {
 namespace {
 
-std::string value_text(ChannelType type, std::uint32_t bits) {
-    if (type == ChannelType::uint32) return fmt::format("{}", bits);
-    return fmt::format("{} ({:a})", std::bit_cast<float>(bits), std::bit_cast<float>(bits));
+constexpr int name_width = 20;
+
+std::string value_text(const ChannelReport& channel, std::uint32_t bits) {
+    if (channel.type == ChannelType::uint32) return fmt::format("{} ({:#x})", bits, bits);
+    const float value = std::bit_cast<float>(bits);
+    const bool has_code =
+        (channel.encoding == Encoding::unorm8 || channel.encoding == Encoding::srgb8) &&
+        value == value;
+    if (has_code)
+        return fmt::format("{} (code {} = {:#04x})", value, code_of(value), code_of(value));
+    return fmt::format("{} ({:a})", value, value);
 }
 
-std::string channel_text(const ChannelReport& channel) {
-    if (channel.differing == 0 && channel.max_abs == 0)
-        return fmt::format("{:<20} equal\n", channel.name);
-    std::string text = fmt::format("{:<20} {} of {} differ, max {:.6g}, mean {:.6g}, rms {:.6g}",
-                                   channel.name, channel.differing, channel.pixels, channel.max_abs,
+const char* ulp_unit(Encoding encoding) {
+    if (encoding == Encoding::none) return "ulp";
+    return encoding == Encoding::half ? "halves" : "codes";
+}
+
+std::string tolerance_text(const Tolerance& tolerance) {
+    std::string text;
+    if (tolerance.abs > 0) text += fmt::format(" abs {:g}", tolerance.abs);
+    if (tolerance.rel > 0) text += fmt::format(" rel {:g}", tolerance.rel);
+    if (tolerance.ulp > 0) text += fmt::format(" ulp {}", tolerance.ulp);
+    if (tolerance.fraction > 0) text += fmt::format(" fraction {:g}", tolerance.fraction);
+    return text.empty() ? "" : " [tolerance" + text + "]";
+}
+
+std::string statistics_text(const ChannelReport& channel) {
+    std::string text = fmt::format("max {:.6g}, mean {:.6g}, rms {:.6g}", channel.max_abs,
                                    channel.mean_abs, channel.rms);
-    if (channel.type == ChannelType::float32) text += fmt::format(", {} ulp", channel.max_ulp);
+    if (channel.type == ChannelType::float32)
+        text += fmt::format(", psnr {:.2f} dB, {} {}", channel.psnr, channel.max_ulp,
+                            ulp_unit(channel.encoding));
     if (channel.nan_mismatches > 0)
         text += fmt::format(", NaN on one side: {}", channel.nan_mismatches);
     if (channel.infinite_mismatches > 0)
         text += fmt::format(", infinite: {}", channel.infinite_mismatches);
-    if (channel.worst_x >= 0)
-        text += fmt::format("\n{:<20} worst at {},{}: reference {}, test {}", "", channel.worst_x,
-                            channel.worst_y, value_text(channel.type, channel.worst_reference),
-                            value_text(channel.type, channel.worst_test));
-    return text + "\n";
+    return text;
 }
 
-/// JSON has no NaN and no infinity: such values are the strings that fmt gives.
-nlohmann::ordered_json value_json(ChannelType type, std::uint32_t bits) {
-    if (type == ChannelType::uint32) return bits;
-    const float value = std::bit_cast<float>(bits);
-    if ((bits & 0x7f800000u) == 0x7f800000u) return fmt::format("{}", value);
-    return value;
+std::string channel_text(const ChannelReport& channel) {
+    if (channel.unequal == 0) return fmt::format("{:<{}} equal\n", channel.name, name_width);
+    const char* verdict = channel.differing == 0 ? ", within" : channel.passes() ? ", allowed" : "";
+    std::string text =
+        fmt::format("{:<{}} {} of {} differ ({} unequal{}): {}{}\n", channel.name, name_width,
+                    channel.differing, channel.pixels, channel.unequal, verdict,
+                    statistics_text(channel), tolerance_text(channel.tolerance));
+    const char* label = "worst at";
+    for (const PixelDifference& pixel : channel.worst) {
+        text += fmt::format("{:<{}} {} {},{}: reference {}, test {}\n", "", name_width, label,
+                            pixel.x, pixel.y, value_text(channel, pixel.reference),
+                            value_text(channel, pixel.test));
+        label = "     and";
+    }
+    return text;
 }
 
-nlohmann::ordered_json channel_json(const ChannelReport& channel) {
-    nlohmann::ordered_json json = {
-        {"name", channel.name},
-        {"type", channel.type == ChannelType::float32 ? "float" : "uint"},
-        {"pixels", channel.pixels},
-        {"differing", channel.differing},
-        {"nan_mismatches", channel.nan_mismatches},
-        {"infinite_mismatches", channel.infinite_mismatches},
-        {"max_abs", channel.max_abs},
-        {"mean_abs", channel.mean_abs},
-        {"rms", channel.rms},
-        {"max_ulp", channel.max_ulp},
-        {"worst", nullptr},
-    };
-    if (channel.worst_x >= 0)
-        json["worst"] = {{"x", channel.worst_x},
-                         {"y", channel.worst_y},
-                         {"reference", value_json(channel.type, channel.worst_reference)},
-                         {"test", value_json(channel.type, channel.worst_test)}};
-    return json;
+std::string preparation_text(const Preparation& preparation) {
+    std::string text =
+        fmt::format("reference {} ({}), test {} ({})\n", preparation.reference_file,
+                    preparation.reference_storage, preparation.test_file, preparation.test_storage);
+    if (preparation.encoding != Encoding::none)
+        text += fmt::format("encoded as {}\n", encoding_name(preparation.encoding));
+    if (preparation.flip_y) text += "test flipped in y\n";
+    for (const auto& [reference, test] : preparation.mappings)
+        text += fmt::format("channel {} is {} of the test\n", reference, test);
+    return text;
+}
+
+std::string blame_text(const CompareReport& report, const Blame& blame) {
+    std::string text = fmt::format("worst pixel of {}: {},{}\n", blame.symptom, blame.x, blame.y);
+    if (!blame.upstream.empty()) {
+        text += "still right there:";
+        for (const std::string& name : blame.upstream) text += " " + name;
+        text += "\n";
+    }
+    for (const ChannelReport& channel : report.channels)
+        if (channel.name == blame.first)
+            text +=
+                fmt::format("first wrong there: {}, reference {}, test {}\n", blame.first,
+                            value_text(channel, blame.reference), value_text(channel, blame.test));
+    if (blame.same_scene.has_value() && !*blame.same_scene)
+        text += "the reference was rendered from another scene, or with other values\n";
+    return blame.command.empty() ? text : text + "look: " + blame.command + "\n";
 }
 
 }  // namespace
 
 std::string to_text(const CompareReport& report) {
     std::string text;
+    if (report.preparation) text += preparation_text(*report.preparation);
     for (const std::string& line : report.structure) text += line + "\n";
     for (const ChannelReport& channel : report.channels) text += channel_text(channel);
+    if (report.blame) text += blame_text(report, *report.blame);
     return text + (report.equal() ? "equal\n" : "different\n");
-}
-
-std::string to_json(const CompareReport& report) {
-    nlohmann::ordered_json json = {{"equal", report.equal()},
-                                   {"structure", report.structure},
-                                   {"channels", nlohmann::ordered_json::array()}};
-    for (const ChannelReport& channel : report.channels)
-        json["channels"].push_back(channel_json(channel));
-    return json.dump(2) + "\n";
 }
 
 }  // namespace quadrel

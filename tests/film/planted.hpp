@@ -17,6 +17,24 @@ enum class FilmError {
     compare_reference_only,  ///< channels that only the test image has are overlooked
     compare_signed_error,    ///< negative errors count as small
     compare_zero_signs,      ///< -0 and +0 taken as equal bits
+    compare_fraction_nan,    ///< a fraction that may exceed excuses a NaN too
+    compare_any_fraction,    ///< any number of pixels may exceed once a fraction is given
+    compare_worst_first,     ///< the first ten pixels instead of the worst ten
+    compare_group_is_all,    ///< one channel's tolerance holds for every channel
+    ulp_raw_bits,            ///< difference of the bit patterns: across zero it is huge
+    ulp_flush_denormals,     ///< denormals count as zero
+    ulp_of_absolute_values,  ///< the signs are lost: -1 and 1 are 0 apart
+    ulp_saturating_int,      ///< distances stop at 2^31 - 1
+    ulp_nan_is_zero,         ///< NaN is 0 apart from everything
+    ulp_zero_signs,          ///< -0 and +0 are 1 apart
+    encode_truncates,        ///< codes are rounded down
+    encode_gamma_22,         ///< sRGB taken for a power of 2.2
+    encode_nan_is_zero,      ///< a NaN becomes code 0, as on a GPU
+    encode_half_truncates,   ///< halves rounded towards zero
+    flip_rows_only,          ///< the window stays where it is in the frame
+    map_one_by_one,          ///< a swap of two channels gives the same one twice
+    blame_last,              ///< the symptom itself is blamed
+    blame_other_pixel,       ///< a channel is blamed for what it does in another pixel
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
 };
 

@@ -1,0 +1,56 @@
+// Images made comparable: what engines write is turned into a film that has a reference's channel
+// names, orientation and precision.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadrel/film/encoding.hpp"
+#include "quadrel/film/exr.hpp"
+
+namespace quadrel {
+
+/// How a file stores a channel. Codes (unorm8, unorm16) are read as code / (2^bits - 1); which
+/// transfer function they went through, a file does not say.
+enum class Storage : std::int32_t { unorm8, unorm16, half, float32, uint32 };
+
+const char* storage_name(Storage storage);
+
+struct ComparableImage {
+    std::filesystem::path file;
+    Film film;
+    std::map<std::string, Storage> stored;  ///< by channel
+    Attributes attributes;                  ///< of an EXR's header
+};
+
+/// Reads any image: an EXR with all its channels, or those of a part or layer (see read_exr);
+/// everything else by load_image, with its channels named R G B A, or Y A if it is gray, as a whole
+/// frame. Throws InputError.
+ComparableImage read_comparable(const std::filesystem::path& file, const std::string& layer = "");
+
+/// The bottom row becomes the top row; the window is mirrored within the frame.
+void flip_y(Film& film);
+
+/// The test image's channel that stands for a reference's: full names, or groups on both sides
+/// ("N" = "gbuffer.normal").
+struct ChannelMapping {
+    std::string reference, test;
+    bool operator==(const ChannelMapping&) const = default;
+};
+
+/// Renames channels, all at once: R = B with B = R swaps the two. A channel whose name another one
+/// takes is dropped. Throws UsageError if the image lacks what a mapping names or if two channels
+/// take one name.
+void map_channels(ComparableImage& image, std::span<const ChannelMapping> mappings);
+
+/// Rounds both images to what `encoding` can hold, and returns the encoding of each channel so
+/// treated. 8 bits: R, G, B and A, and every channel that either image stores in 8 bits; A is
+/// always linear; codes of an 8-bit file stay as they are. half: every float channel. Throws
+/// InputError for codes of 16 bits, or for codes at all with half.
+std::map<std::string, Encoding> encode_both(ComparableImage& reference, ComparableImage& test,
+                                            Encoding encoding);
+
+}  // namespace quadrel
