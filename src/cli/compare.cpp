@@ -51,6 +51,7 @@ struct Images {
 Images prepare(const Arguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
+    const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
     Images images{read_comparable(arguments.reference),
                   read_comparable(arguments.test, arguments.layer),
                   {},
@@ -58,7 +59,7 @@ Images prepare(const Arguments& arguments) {
     ComparableImage &reference = images.reference, &test = images.test;
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
-    images.rules = parse_tolerances(arguments.tolerances, reference.film, test.film);
+    images.rules = match_tolerances(tolerances, reference.film, test.film);
     if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
     images.rules.encodings = encode_both(reference, test, encoding);
     images.preparation = {
@@ -68,10 +69,11 @@ Images prepare(const Arguments& arguments) {
 }
 
 ExitCode run_compare(const Arguments& arguments) {
+    if (arguments.blame.empty() && !arguments.overrides.empty())
+        throw UsageError("-D: expected with --blame only");
+    const Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
     if (!arguments.blame.empty()) scene = open_probed_scene(arguments.blame, arguments.overrides);
-    if (!scene && !arguments.overrides.empty()) throw UsageError("-D: expected with --blame only");
-    const Images images = prepare(arguments);
     const Film &reference = images.reference.film, &test = images.test.film;
     CompareReport report = compare(reference, test, images.rules);
     report.preparation = images.preparation;

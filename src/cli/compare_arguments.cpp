@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <functional>
 
 #include "cli/arguments.hpp"
 #include "io/suggest.hpp"
@@ -20,7 +19,7 @@ bool is_below(const std::string& channel, const std::string& group) {
     throw UsageError(option + ": found \"" + text + "\", expected " + expected);
 }
 
-/// An argument with the channel that it is for, "" for all.
+/// "channel=value", or a value alone, whose channel is empty.
 struct Assignment {
     std::string channel, value;
 };
@@ -39,39 +38,22 @@ Number parse_number(const std::string& option, const std::string& text, double m
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     const auto real = static_cast<double>(value);
     if (error != std::errc() || stop != end || !(real >= 0 && real <= most))
-        reject(option, text, "[CHANNEL=]VALUE, " + expected);
+        reject(option, text, "[CHANNEL=]VALUE, the value " + expected);
     return value;
 }
 
-/// One of the four kinds of tolerance.
-struct Kind {
-    std::string option;
-    const std::vector<std::string>& arguments;
-    bool integers;  ///< whether a group's integer channels are meant too
-    std::function<void(Tolerance&, const std::string&)> assign;
-};
-
-std::vector<Kind> kinds(const ToleranceArguments& arguments) {
-    constexpr double most = 1e300;
-    const std::string real = "a number of 0 or more", share = "0 to 1";
-    return {
-        {"--abs", arguments.abs, false,
-         [=](Tolerance& t, const std::string& v) {
-             t.abs = parse_number<double>("--abs", v, most, real);
-         }},
-        {"--rel", arguments.rel, false,
-         [=](Tolerance& t, const std::string& v) {
-             t.rel = parse_number<double>("--rel", v, most, real);
-         }},
-        {"--ulp", arguments.ulp, false,
-         [](Tolerance& t, const std::string& v) {
-             t.ulp = parse_number<std::uint32_t>("--ulp", v, 0xffffffffu, "an integer");
-         }},
-        {"--fraction", arguments.fraction, true,
-         [=](Tolerance& t, const std::string& v) {
-             t.fraction = parse_number<double>("--fraction", v, 1, share);
-         }},
-    };
+/// Reads the arguments of one option into rules that set one member of a tolerance.
+template <class Number>
+void parse_option(const std::string& option, const std::vector<std::string>& arguments,
+                  Number Tolerance::*member, double most, const std::string& expected,
+                  std::vector<ToleranceRule>& rules) {
+    for (const std::string& text : arguments) {
+        const Assignment assignment = split_assignment(text);
+        if (text.starts_with('=')) reject(option, text, "[CHANNEL=]VALUE");
+        const auto value = parse_number<Number>(option, assignment.value, most, expected);
+        rules.push_back({option, assignment.channel, option == "--fraction",
+                         [=](Tolerance& tolerance) { tolerance.*member = value; }});
+    }
 }
 
 bool is_integer(const std::string& channel, const Film& reference, const Film& test) {
@@ -80,16 +62,15 @@ bool is_integer(const std::string& channel, const Film& reference, const Film& t
     return plane != nullptr && plane->type == ChannelType::uint32;
 }
 
-void add_rule(const Kind& kind, const Assignment& assignment, const Film& reference,
-              const Film& test, CompareRules& rules) {
-    for (const std::string& name :
-         matching_channels(kind.option, assignment.channel, reference, test)) {
+void add_rule(const ToleranceRule& rule, const Film& reference, const Film& test,
+              CompareRules& rules) {
+    for (const std::string& name : matching_channels(rule.option, rule.channel, reference, test)) {
         const bool integer = is_integer(name, reference, test);
-        if (integer && !kind.integers && name != assignment.channel) continue;
+        if (integer && !rule.for_integers && name != rule.channel) continue;
         // What holds for all floats does not become an allowance for this integer.
         const Tolerance start =
             rules.tolerance_of(name, integer ? ChannelType::uint32 : ChannelType::float32);
-        kind.assign(rules.channels.try_emplace(name, start).first->second, assignment.value);
+        rule.assign(rules.channels.try_emplace(name, start).first->second);
     }
 }
 
@@ -120,22 +101,25 @@ void select_channels(const std::string& list, Film& reference, Film& test) {
     std::erase_if(test.planes, unwanted);
 }
 
-CompareRules parse_tolerances(const ToleranceArguments& arguments, const Film& reference,
-                              const Film& test) {
-    CompareRules rules;
-    // First what is for all, since a channel's own entry starts from that.
-    for (const bool for_all : {true, false})
-        for (const Kind& kind : kinds(arguments))
-            for (const std::string& text : kind.arguments) {
-                const Assignment assignment = split_assignment(text);
-                if ((text.find('=') == std::string::npos) != for_all) continue;
-                if (for_all) {
-                    kind.assign(rules.all, assignment.value);
-                } else {
-                    add_rule(kind, assignment, reference, test, rules);
-                }
-            }
+std::vector<ToleranceRule> parse_tolerances(const ToleranceArguments& arguments) {
+    constexpr double most = 1e300, most_ulp = 0xffffffffu;
+    std::vector<ToleranceRule> rules;
+    parse_option("--abs", arguments.abs, &Tolerance::abs, most, "0 or more", rules);
+    parse_option("--rel", arguments.rel, &Tolerance::rel, most, "0 or more", rules);
+    parse_option("--ulp", arguments.ulp, &Tolerance::ulp, most_ulp, "an integer", rules);
+    parse_option("--fraction", arguments.fraction, &Tolerance::fraction, 1, "0 to 1", rules);
     return rules;
+}
+
+CompareRules match_tolerances(std::span<const ToleranceRule> rules, const Film& reference,
+                              const Film& test) {
+    CompareRules matched;
+    // First what is for all, since a channel's own entry starts from that.
+    for (const ToleranceRule& rule : rules)
+        if (rule.channel.empty()) rule.assign(matched.all);
+    for (const ToleranceRule& rule : rules)
+        if (!rule.channel.empty()) add_rule(rule, reference, test, matched);
+    return matched;
 }
 
 std::vector<ChannelMapping> parse_mappings(std::span<const std::string> arguments) {

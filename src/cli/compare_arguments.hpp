@@ -1,6 +1,7 @@
 // What compare's options mean for two given images.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -23,9 +24,21 @@ std::set<std::string> matching_channels(const std::string& option, const std::st
 /// Drops the channels that the comma-separated `list` does not name. Throws UsageError.
 void select_channels(const std::string& list, Film& reference, Film& test);
 
+/// One of them, read but not yet matched with the channels of images.
+struct ToleranceRule {
+    std::string option;                      ///< "--abs"; for messages
+    std::string channel;                     ///< a channel or group; empty for all
+    bool for_integers = false;               ///< whether a group's integer channels are meant too
+    std::function<void(Tolerance&)> assign;  ///< sets its part of a tolerance
+};
+
+/// Throws UsageError.
+std::vector<ToleranceRule> parse_tolerances(const ToleranceArguments& arguments);
+
 /// For each of abs, rel, ulp and fraction, a channel's own value wins over one for all; of several,
-/// the last. A group stands for its float channels, and with fraction for all. Throws UsageError.
-CompareRules parse_tolerances(const ToleranceArguments& arguments, const Film& reference,
+/// the last. A group stands for its float channels, and with fraction for all. Throws UsageError
+/// for a channel that neither image has.
+CompareRules match_tolerances(std::span<const ToleranceRule> rules, const Film& reference,
                               const Film& test);
 
 /// "REF=TEST" each. Throws UsageError.
