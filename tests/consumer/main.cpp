@@ -14,8 +14,8 @@ int main() {
     const Film film = render(scene, options);
     const bool covered = film.find("A")->as_float(film.index(8, 8)) == 1.0f;
 
-    const auto quad = unit::run_quad<Quad<float>>(
-        4, 4, [](const auto& xy) { return xy.x * Quad<float>(0.25f); });
+    const auto quad =
+        unit::run_quad<Quad<float>>(4, 4, [](const auto& xy) { return xy.x * Quad<float>(0.25f); });
     const bool derived = quad.dFdx_fine(0) == 0.25f;
     std::printf("covered %d derived %d\n", covered, derived);
     return covered && derived ? 0 : 1;

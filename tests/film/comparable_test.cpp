@@ -1,6 +1,11 @@
 // Images made comparable: files of engines, flips, channel names, and encodings of both sides.
 #include "quadrel/film/comparable.hpp"
 
+#include <Imath/half.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -158,6 +163,42 @@ TEST(Comparable, HalfRoundsBothAndRefusesCodes) {
     EXPECT_THROW(encode_both(reference, codes, Encoding::half), InputError);
     ComparableImage deep = as_comparable(film, Storage::unorm16);
     EXPECT_THROW(encode_both(reference, deep, Encoding::srgb8), InputError);
+}
+
+/// The film as an EXR of halves, rounded by OpenEXR's own type.
+void write_halves(const std::filesystem::path& file, const Film& film) {
+    Imf::Header header(film.frame.width(), film.frame.height());
+    std::vector<std::vector<half>> planes;
+    for (const Plane& plane : film.planes) {
+        header.channels().insert(plane.name, Imf::Channel(Imf::HALF));
+        std::vector<half>& halves = planes.emplace_back();
+        for (const std::uint32_t one : plane.bits) halves.emplace_back(std::bit_cast<float>(one));
+    }
+    Imf::OutputFile output(file.c_str(), header);
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        buffer.insert(film.planes[i].name,
+                      Imf::Slice::Make(Imf::HALF, planes[i].data(), header.dataWindow()));
+    output.setFrameBuffer(buffer);
+    output.writePixels(film.frame.height());
+}
+
+TEST(Comparable, AHalfExrPassesWithoutTolerance) {
+    const TemporaryFolder folder;
+    const Film film = ramp();
+    write_halves(folder / "port.exr", film);
+    ComparableImage reference = as_comparable(film);
+    ComparableImage test = read_comparable(folder / "port.exr");
+    EXPECT_EQ(test.stored.at("G"), Storage::half);
+    EXPECT_FALSE(compare(reference.film, test.film).equal());
+    const CompareRules rules{{}, {}, encode_both(reference, test, Encoding::half)};
+    EXPECT_TRUE(compare(reference.film, test.film, rules).equal());
+    Film off = test.film;
+    off.planes[2].bits[77] += 0x2000;
+    const CompareReport report = compare(reference.film, off, rules);
+    EXPECT_FALSE(report.equal());
+    EXPECT_EQ(report.channels[0].max_ulp + report.channels[1].max_ulp + report.channels[2].max_ulp,
+              1u);
 }
 
 TEST(Comparable, FilesThatAreNoImages) {

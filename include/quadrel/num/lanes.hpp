@@ -53,9 +53,7 @@ class LanesMask {
     friend LanesMask operator!(LanesMask a) { return LanesMask(hn::Not(a.m)); }
     friend bool any(LanesMask a) { return !hn::AllFalse(simd::FloatTag(), a.m); }
     friend bool all(LanesMask a) { return hn::AllTrue(simd::FloatTag(), a.m); }
-    friend int count(LanesMask a) {
-        return static_cast<int>(hn::CountTrue(simd::FloatTag(), a.m));
-    }
+    friend int count(LanesMask a) { return static_cast<int>(hn::CountTrue(simd::FloatTag(), a.m)); }
 
     simd::FloatMask m;
 };
