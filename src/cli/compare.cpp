@@ -16,6 +16,20 @@
 namespace quadrel::cli {
 namespace {
 
+constexpr const char* details =
+    "A channel differs where its bits differ and no tolerance given for it allows that; a NaN on "
+    "one\n"
+    "side, a missing channel, another size or window always do. CHANNEL is a channel or a group, "
+    "as\n"
+    "in --abs N=1e-3, and wins over a bare VALUE. Integers pass by equal bits, or by --abs of "
+    "their\n"
+    "full name.\n"
+    "--encode srgb8 and unorm8: R G B A, and what either image stores in 8 bits, become the "
+    "nearest\n"
+    "code (rounded on the encoded side, 0.5 up; below 0 gives 0, above 1 gives 255; A is linear).\n"
+    "Codes of an 8-bit file stay as they are; --ulp counts codes. half: every float becomes the\n"
+    "nearest half, ties to even; --ulp counts halves.";
+
 struct Arguments {
     std::string reference, test, layer, channels, heatmap, encode, blame;
     std::vector<std::string> mappings, overrides;
@@ -121,6 +135,7 @@ void add_compare(CLI::App& app, Action& action) {
     const auto a = std::make_shared<Arguments>();
     verb->add_option("reference", a->reference, "the image that is right")->required();
     verb->add_option("test", a->test, "the image to be judged, of any format")->required();
+    verb->footer(details);
     add_tolerances(*verb, a->tolerances);
     add_preparation(*verb, *a);
     verb->add_option("--blame", a->blame, "find the first wrong value of the worst pixel")
