@@ -17,8 +17,7 @@ std::string algorithm_text(const Scene& scene) {
         auto& entry = all[material.name];
         for (const PlannedStage& stage : material_stages(scene, material)) {
             const std::string room = stage.info->text.room;
-            if (room != "quad" && stage.info->text.id != std::string("displace"))
-                entry[room] = stage.info->text.id;
+            if (room != "quad" && room != "hit") entry[room] = stage.info->text.id;
         }
         for (const StageChoice* choice : {&material.frame, &material.trace, &material.surface,
                                           &material.shadow, &material.shade})

@@ -26,7 +26,8 @@ testing::AssertionResult failure(const StageInfo& stage, const std::string& what
 
 testing::AssertionResult texts_are_complete(const Stages& stages) {
     const std::regex id("[a-z0-9]+(-[a-z0-9]+)*(@published)?");
-    const std::set<std::string> rooms = {"quad", "frame", "trace", "surface", "shadow", "shade"};
+    const std::set<std::string> rooms = {"quad",    "frame",  "trace", "hit",
+                                         "surface", "shadow", "shade"};
     std::set<std::string> seen;
     for (const StageInfo& stage : stages) {
         if (!std::regex_match(stage.text.id, id)) return failure(stage, "no proper id");

@@ -62,8 +62,10 @@ struct StageCall {
 using StageFunction = void (*)(const StageCall*);
 
 struct StageText {
-    const char* id;    ///< `name` or `name@published`
-    const char* room;  ///< frame, trace, surface, shadow, shade
+    const char* id;  ///< `name` or `name@published`
+    /// quad, frame, trace, hit, surface, shadow or shade. A scene chooses one stage of each room
+    /// but quad and hit, whose stages run whenever something asks for what they store.
+    const char* room;
     const char* summary;
     const char* source;
 };

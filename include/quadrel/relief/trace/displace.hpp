@@ -6,7 +6,7 @@
 namespace quadrel {
 
 struct Displace {
-    static constexpr StageText text{"displace", "trace", "the hit as a point in eye space",
+    static constexpr StageText text{"displace", "hit", "the hit as a point in eye space",
                                     "Derivative-Based Relief Mapping (2012), P + SSR * Offset"};
     static constexpr auto inputs = values(Value::P, Value::r, Value::hit_depth);
     static constexpr auto outputs = values(Value::hit_P);
