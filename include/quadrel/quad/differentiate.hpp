@@ -5,15 +5,12 @@
 
 namespace quadrel {
 
-struct Differentiate {
+struct Differentiate : StageDefaults {
     static constexpr StageText text{"differentiate", "quad",
                                     "dFdx and dFdy of position and texture coordinates",
                                     "Vulkan specification, derivative operations"};
     static constexpr auto inputs = values(Value::P, Value::uv);
     static constexpr auto outputs = values(Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -48,15 +48,12 @@ class PrimitiveReader {
     bool uniform_ = true;
 };
 
-struct Interpolate {
+struct Interpolate : StageDefaults {
     static constexpr StageText text{"interpolate", "quad", "perspective-correct varyings",
                                     "Vulkan specification, basic polygon rasterization"};
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs =
         values(Value::P, Value::vertex_normal, Value::Ng, Value::uv, Value::bary);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

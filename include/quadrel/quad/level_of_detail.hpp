@@ -6,7 +6,7 @@
 
 namespace quadrel {
 
-struct LevelOfDetail {
+struct LevelOfDetail : StageDefaults {
     static constexpr StageText text{
         "lod", "quad", "footprint and mip level of the undisplaced UV",
         "Vulkan specification, texel scale factors and level of detail"};
@@ -14,8 +14,6 @@ struct LevelOfDetail {
     static constexpr auto outputs =
         values(Value::lod_rho, Value::lod_lambda, Value::lod_level, Value::lod_frac);
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::color);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -112,6 +112,13 @@ struct NoParams {};
 inline constexpr std::array<ParameterText, 0> no_parameters{};
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
+/// What a stage has that declares nothing else: no textures, no parameters.
+struct StageDefaults {
+    static constexpr auto textures = no_textures;
+    using Params = NoParams;
+    static constexpr auto parameters = no_parameters;
+};
+
 namespace detail {
 /// Where a member function of the same name hides `store`.
 template <class Element, class Packet>

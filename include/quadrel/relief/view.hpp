@@ -1,7 +1,7 @@
 // The view vector, shared by every frame and shading text.
 #pragma once
 
-#include "quadrel/quad/stage.hpp"
+#include "quadrel/relief/rooms.hpp"
 
 namespace quadrel {
 

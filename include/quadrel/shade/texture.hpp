@@ -5,13 +5,11 @@
 
 namespace quadrel {
 
-struct ShadeTexture {
+struct ShadeTexture : StageDefaults {
     static constexpr StageText text{"shade-texture", "shade", "the colour map, unlit", "-"};
     static constexpr auto inputs = values(Value::dUVdx, Value::dUVdy, Value::hit_uv);
     static constexpr auto outputs = values(Value::color, Value::opacity);
     static constexpr auto textures = slots(TextureSlot::color);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -17,19 +17,15 @@
 
 namespace quadrel {
 
-struct ShadeThesis {
+struct ShadeThesis : StageDefaults {
     static constexpr StageText text{"shade-thesis", "shade",
                                     "Phong lighting with reflection and refraction",
                                     "correction of shade-thesis@published"};
     static constexpr auto inputs = values(Value::P, Value::dUVdx, Value::dUVdy, Value::hit_P,
                                           Value::hit_uv, Value::N, Value::shadow_visibility);
-    static constexpr auto outputs = values(
-        Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,
-        Value::light_reflection, Value::light_refraction, Value::color, Value::opacity);
+    static constexpr auto outputs = shade_outputs;
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

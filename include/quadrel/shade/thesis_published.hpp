@@ -14,19 +14,15 @@
 
 namespace quadrel {
 
-struct ShadeThesisPublished {
+struct ShadeThesisPublished : StageDefaults {
     static constexpr StageText text{
         "shade-thesis@published", "shade", "the thesis' lighting with environment maps",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 2-4"};
     static constexpr auto inputs =
         values(Value::P, Value::hit_P, Value::hit_uv, Value::N, Value::shadow_visibility);
-    static constexpr auto outputs = values(
-        Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,
-        Value::light_reflection, Value::light_refraction, Value::color, Value::opacity);
+    static constexpr auto outputs = shade_outputs;
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -58,18 +58,13 @@ UvDirections<F> uv_directions(const SurfaceJacobian<F>& j) {
             select(regular, normalize(cross(n, j.grad_u)), zero)};
 }
 
-struct FrameGram {
+struct FrameGram : StageDefaults {
     static constexpr StageText text{
         "frame-gram", "frame", "exact derivative frame, orthogonal split",
         "correction of frame-thesis by the Gram system of the tangents"};
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx,
                                           Value::dPdy, Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs =
-        values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate,
-               Value::K, Value::frame_status, Value::frame_flags);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -5,15 +5,10 @@
 
 namespace quadrel {
 
-struct FrameNone {
+struct FrameNone : StageDefaults {
     static constexpr StageText text{"frame-none", "frame", "no frame: plain texturing", "-"};
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::Ng);
-    static constexpr auto outputs =
-        values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate,
-               Value::K, Value::frame_status, Value::frame_flags);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -47,18 +47,13 @@ SubSurfaceRay<F> sub_surface_ray(const vec3<F>& E, const vec3<F>& N) {
     return ray;
 }
 
-struct FrameThesis {
+struct FrameThesis : StageDefaults {
     static constexpr StageText text{
         "frame-thesis", "frame", "derivative frame of the thesis, unorthogonalised tangents",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy,
                                           Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs =
-        values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate,
-               Value::K, Value::frame_status, Value::frame_flags);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -11,14 +11,14 @@
 
 namespace quadrel {
 
-struct ShadowMarchThesis {
+struct ShadowMarchThesis : StageDefaults {
     static constexpr StageText text{"shadow-march-thesis", "shadow",
                                     "linear march from the hit up to the top plane",
                                     "correction of shadow-march-thesis@published"};
     static constexpr auto inputs =
         values(Value::J, Value::frame_normal, Value::frame_status, Value::dUVdx, Value::dUVdy,
                Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_P);
-    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
+    static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 128;

@@ -10,17 +10,15 @@
 
 namespace quadrel {
 
-struct ShadowMarchThesisPublished {
+struct ShadowMarchThesisPublished : StageDefaults {
     static constexpr StageText text{
         "shadow-march-thesis@published", "shadow", "the thesis' march from the hit to the light",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 3"};
     static constexpr auto inputs =
         values(Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy,
                Value::hit_uv, Value::hit_depth, Value::hit_P);
-    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
+    static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
 

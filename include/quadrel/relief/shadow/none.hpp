@@ -5,13 +5,10 @@
 
 namespace quadrel {
 
-struct ShadowNone {
+struct ShadowNone : StageDefaults {
     static constexpr StageText text{"shadow-none", "shadow", "no self-shadowing", "-"};
     static constexpr std::array<Value, 0> inputs{};
-    static constexpr auto outputs = values(Value::shadow_visibility, Value::shadow_steps);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = shadow_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -12,17 +12,15 @@
 
 namespace quadrel {
 
-struct H2nThesis {
+struct H2nThesis : StageDefaults {
     static constexpr StageText text{"h2n-thesis", "surface",
                                     "normal from central differences of the height, smooth shaded",
                                     "correction of h2n-thesis@published"};
     static constexpr auto inputs =
         values(Value::P, Value::Ng, Value::frame_normal, Value::J, Value::frame_status,
                Value::dUVdx, Value::dUVdy, Value::hit_uv);
-    static constexpr auto outputs = values(Value::N);
+    static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

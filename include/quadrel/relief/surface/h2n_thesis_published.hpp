@@ -11,17 +11,15 @@
 
 namespace quadrel {
 
-struct H2nThesisPublished {
+struct H2nThesisPublished : StageDefaults {
     static constexpr StageText text{
         "h2n-thesis@published", "surface", "normal from four heights 1/128 world units apart",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy,
                Value::hit_uv, Value::hit_depth);
-    static constexpr auto outputs = values(Value::N);
+    static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
 

@@ -5,13 +5,10 @@
 
 namespace quadrel {
 
-struct SurfaceNone {
+struct SurfaceNone : StageDefaults {
     static constexpr StageText text{"surface-none", "surface", "the frame's normal", "-"};
     static constexpr auto inputs = values(Value::frame_normal);
-    static constexpr auto outputs = values(Value::N);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = surface_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -5,14 +5,11 @@
 
 namespace quadrel {
 
-struct Displace {
+struct Displace : StageDefaults {
     static constexpr StageText text{"displace", "hit", "the hit as a point in eye space",
                                     "Derivative-Based Relief Mapping (2012), P + SSR * Offset"};
     static constexpr auto inputs = values(Value::P, Value::r, Value::hit_depth);
     static constexpr auto outputs = values(Value::hit_P);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

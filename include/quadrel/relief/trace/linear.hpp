@@ -40,14 +40,12 @@ MarchResult<F> linear_march(const Height& height, Mask<F> active, const vec2<F>&
     return result;
 }
 
-struct Linear {
+struct Linear : StageDefaults {
     static constexpr StageText text{"linear", "trace", "linear search in equal steps of depth",
                                     "correction of linear-thesis; McGuire and McGuire 2005"};
     static constexpr auto inputs = values(Value::uv, Value::dUVdx, Value::dUVdy, Value::K,
                                           Value::frame_status, Value::frame_flags);
-    static constexpr auto outputs =
-        values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
-               Value::hit_flags, Value::hit_steps, Value::hit_fetches);
+    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 128;

@@ -14,18 +14,14 @@
 
 namespace quadrel {
 
-struct LinearThesis {
+struct LinearThesis : StageDefaults {
     static constexpr StageText text{
         "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs =
         values(Value::uv, Value::uv_rate, Value::frame_status, Value::frame_flags);
-    static constexpr auto outputs =
-        values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
-               Value::hit_flags, Value::hit_steps, Value::hit_fetches);
+    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
 
     static constexpr int max_samples = 128;
     static constexpr float offset_per_sample = 0.0f + 1.0f / 128.0f;

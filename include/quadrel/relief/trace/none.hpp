@@ -5,15 +5,10 @@
 
 namespace quadrel {
 
-struct TraceNone {
+struct TraceNone : StageDefaults {
     static constexpr StageText text{"trace-none", "trace", "no search: the undisplaced UV", "-"};
     static constexpr auto inputs = values(Value::uv, Value::frame_status, Value::frame_flags);
-    static constexpr auto outputs =
-        values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
-               Value::hit_flags, Value::hit_steps, Value::hit_fetches);
-    static constexpr auto textures = no_textures;
-    using Params = NoParams;
-    static constexpr auto parameters = no_parameters;
+    static constexpr auto outputs = trace_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -1,0 +1,29 @@
+// What the stages of each room store, so that any of a room can take another's place.
+#pragma once
+
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel {
+
+/// frame: P, normals and derivatives to the UV shift along the view ray.
+inline constexpr auto frame_outputs =
+    values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate, Value::K,
+           Value::frame_status, Value::frame_flags);
+
+/// trace: the height field and the ray to the hit.
+inline constexpr auto trace_outputs =
+    values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
+           Value::hit_flags, Value::hit_steps, Value::hit_fetches);
+
+/// surface: the hit to the shading normal.
+inline constexpr auto surface_outputs = values(Value::N);
+
+/// shadow: hit and light to visibility, one light at a time.
+inline constexpr auto shadow_outputs = values(Value::shadow_visibility, Value::shadow_steps);
+
+/// shade: everything to colour; models without the thesis' terms store the last two alone.
+inline constexpr auto shade_outputs =
+    values(Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,
+           Value::light_reflection, Value::light_refraction, Value::color, Value::opacity);
+
+}  // namespace quadrel
