@@ -40,7 +40,8 @@ std::filesystem::path write_texture(const std::string& name, int size, const Tex
 
 /// Values in [0, 1] that look like noise; all of them different.
 inline double noise(int x, int y, int channel) {
-    std::uint32_t h = static_cast<std::uint32_t>(x * 73856093 ^ y * 19349663 ^ channel * 83492791);
+    std::uint32_t h = std::uint32_t(x) * 73856093u ^ std::uint32_t(y) * 19349663u ^
+                      std::uint32_t(channel) * 83492791u;
     h = (h ^ (h >> 13)) * 0x5bd1e995u;
     return static_cast<double>((h ^ (h >> 15)) & 0xffff) / 65535.0;
 }
