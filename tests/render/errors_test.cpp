@@ -1,4 +1,6 @@
 // What cannot be rendered is refused, with the right exception, key and text.
+#include <algorithm>
+
 #include "built_isas.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
