@@ -1,0 +1,130 @@
+// The dual cells of a height field: cell (i, j) is the bilinear patch between the centres of texels
+// (i, j), (i+1, j), (i, j+1) and (i+1, j+1), so in cell coordinates x = u * width - 1/2,
+// y = v * height - 1/2 it is the unit square at (i, j). Beyond the texture the wrap mode goes on:
+// a periodic axis repeats its stored cells, on any other axis all cells outside of the stored ones
+// equal the outermost one, so that a finite grid stands for the whole plane.
+// Wrapping is that of texture/address.hpp.
+#pragma once
+
+#include "quadrel/texture/filter.hpp"
+
+namespace quadrel {
+
+/// One axis of a grid over the plane: indices [first, first + count) are stored, every other index
+/// stands for one of them.
+struct GridAxis {
+    std::int32_t first, count;
+    bool periodic;  ///< index + count is the same; else indices outside are the outermost stored
+};
+
+struct Grid {
+    GridAxis u, v;
+};
+
+/// The dual cells that `texels` texels have under a wrap mode.
+inline GridAxis cell_axis(std::int32_t texels, Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return {0, texels, true};
+        case Wrap::mirrored_repeat:
+            return {0, 2 * texels, true};
+        case Wrap::clamp_to_edge:
+            return {-1, texels + 1, false};
+        case Wrap::clamp_to_border:
+            return {-2, texels + 3, false};
+        case Wrap::mirror_once:
+            break;
+    }
+    return {-texels - 1, 2 * texels + 1, false};
+}
+
+/// The texels themselves as such a grid: mirrored axes store the image as well, an axis with a
+/// border one texel of it at either end.
+inline GridAxis texel_axis(std::int32_t texels, Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return {0, texels, true};
+        case Wrap::mirrored_repeat:
+            return {0, 2 * texels, true};
+        case Wrap::clamp_to_edge:
+            return {0, texels, false};
+        case Wrap::clamp_to_border:
+            return {-1, texels + 2, false};
+        case Wrap::mirror_once:
+            break;
+    }
+    return {-texels, 2 * texels, false};
+}
+
+inline Grid cell_grid(std::int32_t width, std::int32_t height, const SamplerState& sampler) {
+    return {cell_axis(width, sampler.wrap_u), cell_axis(height, sampler.wrap_v)};
+}
+
+inline Grid texel_grid(std::int32_t width, std::int32_t height, const SamplerState& sampler) {
+    return {texel_axis(width, sampler.wrap_u), texel_axis(height, sampler.wrap_v)};
+}
+
+/// Remainder of dividing by a positive n, in [0, n). |i| at most 2^24 if F has float's precision.
+template <Number F>
+[[gnu::always_inline]] inline Int<F> floor_mod(Int<F> i, std::int32_t n) {
+    const Int<F> period(n);
+    const F turns = floor(to_float<F>(i) / to_float<F>(period));
+    const Int<F> rest = i - to_int(turns) * period;
+    // The quotient of a multiple of n may have been rounded across it.
+    const Int<F> raised = select(rest < Int<F>(0), rest + period, rest);
+    return select(raised >= period, raised - period, raised);
+}
+
+/// Where index i (of a cell or texel anywhere in the plane) is stored: [0, count). For periodic
+/// axes |i| is at most 2^24 if F has float's precision.
+template <Number F>
+[[gnu::always_inline]] inline Int<F> stored_index(Int<F> i, const GridAxis& axis) {
+    const Int<F> from_first = i - Int<F>(axis.first);
+    if (axis.periodic) return floor_mod<F>(from_first, axis.count);
+    return min(max(from_first, Int<F>(0)), Int<F>(axis.count - 1));
+}
+
+/// The two texels of one axis between which a cell lies.
+template <Number F>
+struct CellTexels {
+    Int<F> first, second;                 ///< in [0, texels)
+    Mask<F> first_inside, second_inside;  ///< false: the border colour (clamp_to_border only)
+};
+
+/// The texels of a stored cell; `stored` is in [0, axis.count).
+template <Number F>
+[[gnu::always_inline]] inline CellTexels<F> cell_texels(Int<F> stored, const GridAxis& axis,
+                                                        std::int32_t texels, Wrap wrap) {
+    const Int<F> first = stored + Int<F>(axis.first);
+    const Int<F> second = first + Int<F>(1);
+    const Int<F> n(texels);
+    return {wrap_index<F>(first, n, wrap), wrap_index<F>(second, n, wrap),
+            inside_level<F>(first, n, wrap), inside_level<F>(second, n, wrap)};
+}
+
+/// Heights at the corners of a cell.
+template <Number F>
+struct CellHeights {
+    F h00, h10, h01, h11;  ///< at (i, j), (i+1, j), (i, j+1), (i+1, j+1)
+};
+
+/// Corner heights (channel 0 of level 0; outside of a border its first component) of stored cell
+/// (i, j), both in [0, count) of their axis. `cells` is cell_grid of level 0.
+template <Number F>
+CellHeights<F> cell_heights(const SampledTexture& texture, const Grid& cells, Int<F> i, Int<F> j) {
+    const TextureView& view = texture.view;
+    const SamplerState& sampler = texture.sampler;
+    const auto x = cell_texels<F>(i, cells.u, view.width[0], sampler.wrap_u);
+    const auto y = cell_texels<F>(j, cells.v, view.height[0], sampler.wrap_v);
+    const auto height = [&](Int<F> column, Int<F> row, Mask<F> inside) {
+        const Int<F> texel = row * Int<F>(view.width[0]) + column;
+        const F h = gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
+        return has_border(sampler) ? select(inside, h, F(sampler.border[0])) : h;
+    };
+    return {height(x.first, y.first, x.first_inside & y.first_inside),
+            height(x.second, y.first, x.second_inside & y.first_inside),
+            height(x.first, y.second, x.first_inside & y.second_inside),
+            height(x.second, y.second, x.second_inside & y.second_inside)};
+}
+
+}  // namespace quadrel

@@ -1,0 +1,101 @@
+#include "quadrel/bake.hpp"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+
+#include "bake/kinds.hpp"
+#include "io/hash.hpp"
+#include "io/suggest.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+
+namespace {
+
+const BakeParameter& find_parameter(const BakeKindInfo& kind, const std::string& name) {
+    std::vector<std::string> names;
+    for (const BakeParameter& parameter : kind.parameters) {
+        if (name == parameter.name) return parameter;
+        names.emplace_back(parameter.name);
+    }
+    throw UsageError(fmt::format("{} maps have no parameter \"{}\"; expected {}", kind.name, name,
+                                 one_of(name, names)));
+}
+
+std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
+                                                  const BakeOptions& options) {
+    std::map<std::string, double> all;
+    for (const BakeParameter& parameter : kind.parameters) {
+        all[parameter.name] = parameter.standard;
+    }
+    for (const auto& [name, value] : options.parameters) {
+        const BakeParameter& p = find_parameter(kind, name);
+        if (!(value >= p.low && value <= p.high) || (p.whole && value != std::floor(value))) {
+            throw UsageError(fmt::format("{} is {}; {} maps take {} from {} to {}", name, value,
+                                         kind.name, p.whole ? "whole numbers" : "numbers", p.low,
+                                         p.high));
+        }
+        all[name] = value;
+    }
+    return all;
+}
+
+void require_finite(const HeightPlane& plane, const BakeKindInfo& kind) {
+    for (std::size_t k = 0; k < plane.heights.size(); ++k) {
+        if (std::isfinite(plane.heights[k])) continue;
+        const int i = static_cast<int>(k % plane.grid.u.count) + plane.grid.u.first;
+        const int j = static_cast<int>(k / plane.grid.u.count) + plane.grid.v.first;
+        throw InputError("", "", fmt::format("height {} at texel {}, {}", plane.heights[k], i, j),
+                         fmt::format("finite heights for a {} map", kind.name));
+    }
+}
+
+/// Before the plane is stored: mirrored axes take twice the texels.
+void require_size(const Texture& height, const SamplerState& sampler) {
+    const TextureView& view = height.view();
+    const Grid grid = texel_grid(view.width[0], view.height[0], sampler);
+    if (std::int64_t(grid.u.count) * grid.v.count <= max_texture_floats) return;
+    throw InputError("", "", fmt::format("{} x {} texels", view.width[0], view.height[0]),
+                     "at most 2^29 texels, mirror images included");
+}
+
+const char* wrap_name(Wrap wrap) {
+    static constexpr const char* names[] = {"repeat", "mirrored-repeat", "clamp-to-edge",
+                                            "clamp-to-border", "mirror-once"};
+    return names[static_cast<int>(wrap)];
+}
+
+}  // namespace
+
+std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
+                     const BakeOptions& options) {
+    const BakeKindRow& row = bake_row(kind);
+    std::string text = fmt::format("{} {} {} {} {}", height.id(), row.info.name, row.version,
+                                   wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
+    if (has_border(sampler)) text += fmt::format(" border={:a}", sampler.border[0]);
+    for (const auto& [name, value] : complete_parameters(row.info, options)) {
+        text += fmt::format(" {}={:a}", name, value);
+    }
+    return sha256_hex(text);
+}
+
+std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
+                                    const SamplerState& sampler, const BakeOptions& options) {
+    const BakeKindRow& row = bake_row(kind);
+    const auto parameters = complete_parameters(row.info, options);
+    const std::string id = baked_id(height, kind, sampler, options);
+    require_size(height, sampler);
+    const HeightPlane plane(height, sampler);
+    if (row.finite) require_finite(plane, row.info);
+    Progress progress(options.progress);
+    const BakeJob job{plane, sampler, parameters, id, progress};
+    std::shared_ptr<Texture> map;
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] { map = row.generate(job); });
+    progress.finish();
+    return map;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,27 @@
+// A height field with its wrap modes worked in: the stored grid of texels (texel_grid), so that
+// generators see one kind of plane, periodic or not an axis, whatever the mode.
+#pragma once
+
+#include <vector>
+
+#include "quadrel/relief/cells.hpp"
+#include "quadrel/texture/texture.hpp"
+
+namespace quadrel {
+
+struct HeightPlane {
+    HeightPlane(const Texture& height, const SamplerState& sampler);
+
+    /// Stored index of any texel index of one axis.
+    static int wrap(int i, const GridAxis& axis) { return stored_index<double>(i, axis); }
+    /// By stored indices.
+    float at(int i, int j) const { return heights[static_cast<std::size_t>(j) * grid.u.count + i]; }
+    /// By texel indices anywhere in the plane; (0, 0) is the texture's first texel.
+    float texel(int i, int j) const { return at(wrap(i, grid.u), wrap(j, grid.v)); }
+
+    int width, height;  ///< of the texture
+    Grid grid;
+    std::vector<float> heights;  ///< grid.u.count * grid.v.count, row by row
+};
+
+}  // namespace quadrel

@@ -1,0 +1,89 @@
+#include "bake/kinds.hpp"
+
+#include <fmt/format.h>
+
+#include "bake/generators.hpp"
+#include "io/suggest.hpp"
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+
+namespace {
+
+double linear_time(double texels) { return 5e-8 * texels; }
+
+std::vector<BakeKindRow> make_rows() {
+    return {
+        {{BakeKind::max_mip,
+          "max-mip",
+          "pyramid of the greatest heights of dual cells",
+          "bilinear",
+          "exact",
+          {}},
+         bake_max_mip,
+         1,
+         false,
+         linear_time},
+        {{BakeKind::min_max,
+          "min-max",
+          "pyramid of least and greatest heights of dual cells",
+          "bilinear",
+          "exact",
+          {}},
+         bake_min_max,
+         1,
+         false,
+         linear_time},
+        {{BakeKind::texel_max,
+          "texel-max",
+          "pyramid of the greatest heights of texels",
+          "block",
+          "exact",
+          {}},
+         bake_texel_max,
+         1,
+         false,
+         linear_time},
+    };
+}
+
+}  // namespace
+
+const std::vector<BakeKindRow>& bake_rows() {
+    static const std::vector<BakeKindRow> rows = make_rows();
+    return rows;
+}
+
+const BakeKindRow& bake_row(BakeKind kind) {
+    const BakeKindRow& row = bake_rows().at(static_cast<std::size_t>(kind));
+    QUADREL_CHECK_OP(==, static_cast<int>(row.info.kind), static_cast<int>(kind));
+    return row;
+}
+
+const std::vector<BakeKindInfo>& bake_kinds() {
+    static const std::vector<BakeKindInfo> kinds = [] {
+        std::vector<BakeKindInfo> all;
+        for (const BakeKindRow& row : bake_rows()) all.push_back(row.info);
+        return all;
+    }();
+    return kinds;
+}
+
+const BakeKindInfo& bake_kind_info(BakeKind kind) { return bake_row(kind).info; }
+
+BakeKind bake_kind_from_name(std::string_view name) {
+    std::vector<std::string> names;
+    for (const BakeKindRow& row : bake_rows()) {
+        if (name == row.info.name) return row.info.kind;
+        names.emplace_back(row.info.name);
+    }
+    throw UsageError(fmt::format("kind of baked map: \"{}\" is unknown; expected {}", name,
+                                 one_of(name, names)));
+}
+
+double bake_seconds_estimate(BakeKind kind, int width, int height) {
+    return bake_row(kind).seconds(static_cast<double>(width) * height);
+}
+
+}  // namespace quadrel
