@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct RenderStats {
     std::uint64_t pixels = 0;  ///< of the window
     std::uint64_t quads = 0;   ///< shaded: one for each triangle visible in a quad
     std::uint64_t covered_lanes = 0, helper_lanes = 0;
-    FetchCounters fetches;  ///< all stages together
+    FetchCounters fetches;                                 ///< all stages together
+    std::map<std::string, std::uint64_t> fetches_by_kind;  ///< look-ups by texture slot
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;

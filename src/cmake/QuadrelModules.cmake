@@ -23,6 +23,49 @@ else()
   set(QUADREL_ISAS "")
 endif()
 
+# Fewer lane sets than the architecture has build faster: for development.
+set(QUADREL_ONLY_ISAS "" CACHE STRING "Lane sets to build modules of; empty: all")
+if(QUADREL_ONLY_ISAS)
+  set(QUADREL_ISAS ${QUADREL_ONLY_ISAS})
+endif()
+
+# Groups of stages that are compiled together: name, header, list.
+set(QUADREL_KERNEL_GROUPS
+  "quad|quad/stages.hpp|QuadStages"
+  "frame|relief/frame/stages.hpp|FrameStages"
+  "offset|relief/trace/offset_stages.hpp|OffsetStages"
+  "march|relief/trace/march_stages.hpp|MarchStages"
+  "cone|relief/trace/cone_stages.hpp|ConeStages"
+  "exact|relief/trace/exact_stages.hpp|ExactStages"
+  "hit|relief/hit/stages.hpp|HitStages"
+  "surface|relief/surface/stages.hpp|SurfaceStages"
+  "shadow|relief/shadow/stages.hpp|ShadowStages"
+  "occlusion|relief/occlusion/stages.hpp|OcclusionStages"
+  "shade|shade/stages.hpp|ShadeStages")
+
+# quadrel_kernel_sources(<variable> <number> <header> <function>)
+# Writes the sources of the stages on a number type: a file a group, so that they compile beside
+# each other, and one with <function>(isa), which returns their table. Lists them in <variable>.
+function(quadrel_kernel_sources variable number number_header function)
+  set(templates ${PROJECT_SOURCE_DIR}/src/kernels)
+  set(folder ${PROJECT_BINARY_DIR}/kernels/${function})
+  set(declarations "")
+  set(calls "")
+  set(sources ${folder}/table.cpp)
+  foreach(group IN LISTS QUADREL_KERNEL_GROUPS)
+    string(REPLACE "|" ";" group "${group}")
+    list(GET group 0 name)
+    list(GET group 1 stages_header)
+    list(GET group 2 list)
+    string(APPEND declarations "KernelGroup ${name}_kernels(NumberTag<${number}>);\n")
+    string(APPEND calls "${name}_kernels(NumberTag<${number}>()), ")
+    configure_file(${templates}/group.cpp.in ${folder}/${name}.cpp @ONLY)
+    list(APPEND sources ${folder}/${name}.cpp)
+  endforeach()
+  configure_file(${templates}/table.cpp.in ${folder}/table.cpp @ONLY)
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
 # quadrel_add_isa_modules(<prefix> EXPORTS <symbol> SOURCES <file>...)
 # Builds <prefix>-<isa>.so for every instruction set of this machine's architecture. Each exports
 # only <symbol>.

@@ -68,8 +68,13 @@ constexpr SceneKey keys[] = {
     {"relief", "trace", Below::object, "stage"},
     {"relief", "surface", Below::object, "stage"},
     {"relief", "shadow", Below::object, "stage"},
-    {"relief", "depth"},
+    {"relief", "occlusion", Below::object, "stage"},
+    {"relief", "depth", Below::object, "depth"},
+    {"relief", "grazing_fade"},
     {"relief", "seat"},
+
+    {"depth", "thickness"},
+    {"depth", "tile"},
 
     {"stage", "id"},
 

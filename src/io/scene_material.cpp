@@ -31,13 +31,36 @@ StageChoice read_stage(Fields& fields, const std::string& key) {
     return stage;
 }
 
+// A length in world units, or the thickness of the relief and the size of a tile, both in one unit.
+void read_depth(Fields& relief, Material& material) {
+    if (!relief.has("depth") || !relief.get("depth").json().is_object())
+        return relief.read("depth", material.depth, not_negative);
+    Fields fields(relief.get("depth"));
+    const double thickness = fields.get("thickness").number(not_negative);
+    const double tile = fields.get("tile").number(positive);
+    fields.finish("a depth");
+    material.depth = static_cast<float>(thickness / tile);
+    material.depth_in_tiles = true;
+}
+
+void read_fade(Fields& relief, Material& material) {
+    if (!relief.has("grazing_fade")) return;
+    const auto angles = relief.get("grazing_fade").numbers(2, 2);
+    if (!(angles[0] >= 0 && angles[0] < angles[1] && angles[1] <= 90))
+        relief.get("grazing_fade").reject("two angles in degrees, 0 <= from < to <= 90");
+    material.fade_from = angles[0];
+    material.fade_to = angles[1];
+}
+
 void read_relief(const Value& value, Material& material) {
     Fields relief(value);
     material.frame = read_stage(relief, "frame");
     material.trace = read_stage(relief, "trace");
     material.surface = read_stage(relief, "surface");
     material.shadow = read_stage(relief, "shadow");
-    relief.read("depth", material.depth, not_negative);
+    material.occlusion = read_stage(relief, "occlusion");
+    read_depth(relief, material);
+    read_fade(relief, material);
     relief.read("seat", material.seat, unit_interval);
     read_parameters(relief, material.trace);
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
+#include <vector>
 
 #include "quadrel/quad/stage.hpp"
 
@@ -18,14 +20,25 @@ struct KernelRow {
     StageFunction run;
 };
 
+struct KernelGroup {
+    const KernelRow* rows;
+    std::int32_t count;
+};
+
 struct KernelTable {
     std::uint32_t magic, abi_version;
     const char* isa;
     std::int32_t lanes;
     std::int32_t scalar_bytes;  ///< 4: float values, 8: double values
     std::int32_t count;
-    const KernelRow* rows;
+    const KernelGroup* groups;
 };
+
+/// The stage of that id, or null.
+StageFunction find_kernel(const KernelTable& table, std::string_view id);
+
+/// Ids of all stages of a table.
+std::vector<std::string_view> kernel_ids(const KernelTable& table);
 
 /// Name of the one exported symbol.
 inline constexpr const char* kernel_symbol = "quadrel_kernel_table";

@@ -17,13 +17,17 @@ std::string algorithm_text(const Scene& scene) {
         auto& entry = all[material.name];
         for (const PlannedStage& stage : material_stages(scene, material)) {
             const std::string room = stage.info->text.room;
-            if (room != "quad" && room != "hit") entry[room] = stage.info->text.id;
+            if (room != "quad" && room != "depth" && room != "hit")
+                entry[room] = stage.info->text.id;
         }
         for (const StageChoice* choice : {&material.frame, &material.trace, &material.surface,
-                                          &material.shadow, &material.shade})
+                                          &material.shadow, &material.occlusion, &material.shade})
             for (const auto& [name, value] : choice->parameters)
                 entry["parameters"][choice->key + "." + name] = value;
         entry["depth"] = material.depth;
+        if (material.depth_in_tiles) entry["depth_in_tiles"] = true;
+        if (material.fade_from < material.fade_to)
+            entry["grazing_fade"] = {material.fade_from, material.fade_to};
         entry["seat"] = material.seat;
     }
     return all.dump();

@@ -75,15 +75,21 @@ void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
     }
 }
 
-void Batch::run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives,
+void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
                 StageClock* clock) {
     call.values = values_.data();
     call.active = active_;
     call.lanes = lanes_;
     for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
     call.primitive = primitive_;
-    call.primitives = primitives;
-    const auto fetches = [&] { return call.counters ? call.counters->fetches : 0; };
+    call.primitives = geometry.data.data();
+    call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
+    const auto fetches = [&] {
+        std::uint64_t sum = 0;
+        for (int slot = 0; call.counters && slot < texture_slot_count; ++slot)
+            sum += call.counters[slot].fetches;
+        return sum;
+    };
     if (clock) clock->start();
     for (const PlannedStage& stage : plan.stages) {
         const std::uint64_t before = fetches();

@@ -50,7 +50,7 @@ class Batch {
 
     /// Runs the plan's stages. `call` comes with material, frame, textures and counters set. A
     /// `clock`, if given, times them.
-    void run(const MaterialPlan& plan, StageCall call, const PrimitiveData* primitives,
+    void run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
              StageClock* clock = nullptr);
 
     int quads() const { return quads_; }

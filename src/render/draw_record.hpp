@@ -1,8 +1,10 @@
 // What drawing counts, on demand.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "quadrel/quad/uniforms.hpp"
 #include "quadrel/texture/counters.hpp"
 #include "render/stage_clock.hpp"
 
@@ -10,16 +12,15 @@ namespace quadrel {
 
 struct DrawRecord {
     StageTimes stages;
-    FetchCounters fetches;
+    std::array<FetchCounters, texture_slot_count> fetches{};  ///< by slot
     std::uint64_t quads = 0, covered_lanes = 0, helper_lanes = 0;
 };
 
 /// Adds what another thread recorded.
 inline void merge(DrawRecord& into, const DrawRecord& from) {
     merge(into.stages, from.stages);
-    into.fetches.fetches += from.fetches.fetches;
-    into.fetches.nan_coordinates += from.fetches.nan_coordinates;
-    into.fetches.huge_coordinates += from.fetches.huge_coordinates;
+    for (std::size_t slot = 0; slot < into.fetches.size(); ++slot)
+        into.fetches[slot] += from.fetches[slot];
     into.quads += from.quads;
     into.covered_lanes += from.covered_lanes;
     into.helper_lanes += from.helper_lanes;

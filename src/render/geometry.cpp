@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include "quadrel/num/functions.hpp"
+#include "render/primitive_frame.hpp"
+#include "scene/degrees.hpp"
 
 namespace quadrel {
 namespace {
@@ -69,13 +71,14 @@ PrimitiveData primitive_data(const AssembledTriangle& piece, const ShadedVertice
 }
 
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
-                     Geometry& geometry) {
+                     bool with_frames, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
     const Mesh& mesh = scene.meshes[object.mesh];
     const Material& material = scene.materials[object.material];
     const glm::mat4 model_view = scene.camera.view * object.transform;
     const ShadedVertices vertices =
         shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
+    const PrimitiveFrames frames(mesh, model_view, vertices.eye, vertices.uv);
     // A mirroring transform turns the winding round; the outside stays the outside.
     const bool mirrored = glm::determinant(glm::dmat3(glm::dmat4(model_view))) < 0;
     std::vector<AssembledTriangle> pieces;
@@ -90,6 +93,7 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
             geometry.triangles.push_back(
                 {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
             geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
+            if (with_frames) geometry.frames.push_back(frames.of(piece, index));
         }
     }
 }
@@ -153,6 +157,12 @@ FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware) 
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             frame.eye_to_world[3 * row + column] = scene.camera.view[row][column];
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            frame.projection[4 * row + column] = scene.camera.projection[column][row];
+    const bool symmetric = scene.conventions == Conventions::gl;  // clip z in [-w, w]
+    frame.depth_scale = symmetric ? 0.5f : 1.0f;
+    frame.depth_offset = symmetric ? 0.5f : 0.0f;
     frame.derivatives = hardware.derivatives;
     frame.light_count = static_cast<std::int32_t>(scene.lights.size());
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
@@ -163,6 +173,9 @@ FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware) 
 MaterialUniforms material_uniforms(const Material& material) {
     MaterialUniforms out{};
     out.depth = material.depth;
+    out.depth_in_tiles = material.depth_in_tiles;
+    out.fade_from = static_cast<float>(sin_cos_degrees(material.fade_from).cosine);
+    out.fade_to = static_cast<float>(sin_cos_degrees(material.fade_to).cosine);
     out.seat = material.seat;
     copy3(out.ambient, material.ambient);
     copy3(out.diffuse, material.diffuse);
@@ -172,14 +185,14 @@ MaterialUniforms material_uniforms(const Material& material) {
     return out;
 }
 
-Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware) {
+Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware, bool with_frames) {
     Geometry geometry;
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.visible) continue;
         const Cull cull = scene.materials[object.material].cull;
-        assemble_object(scene, i, raster_state(viewport, hardware, cull), geometry);
+        assemble_object(scene, i, raster_state(viewport, hardware, cull), with_frames, geometry);
     }
     return geometry;
 }

@@ -22,11 +22,14 @@ struct DrawnTriangle {
 struct Geometry {
     std::vector<DrawnTriangle> triangles;
     std::vector<PrimitiveData> data;
+    std::vector<PrimitiveFrame> frames;  ///< as long as `data`, or empty where nothing reads them
     PrimitiveCounts counts;
 };
 
-/// Vertex stage, clipping, snapping and culling of every visible object.
-Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware);
+/// Vertex stage, clipping, snapping and culling of every visible object. `with_frames`: tangents,
+/// the triangles' own J and the objects' axes too.
+Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
+                           bool with_frames = false);
 
 /// The scene's hardware model with its own settings applied.
 HardwareModel scene_hardware(const Scene& scene);

@@ -83,12 +83,15 @@ bool any_of(std::span<const Value> list, const ValueSet& set) {
 }
 
 StageFunction kernel(const KernelTable& table, std::string_view id) {
-    for (int i = 0; i < table.count; ++i)
-        if (id == table.rows[i].id) return table.rows[i].run;
+    if (const StageFunction run = find_kernel(table, id)) return run;
     check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
 }
 
 }  // namespace
+
+bool grades_depth(const Material& material) {
+    return material.depth_in_tiles || material.fade_from < material.fade_to;
+}
 
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
     const bool relief = material.textures.count("height") > 0;
@@ -96,6 +99,8 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     std::vector<PlannedStage> stages;
     for (const char* id : {"interpolate", "differentiate", "lod"})
         stages.push_back(make_stage(*find_stage(id)));
+    stages.push_back(
+        make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
     stages.push_back(make_chosen(scene, material.frame, "frame", fallback("frame-gram")));
     stages.push_back(make_chosen(scene, material.trace, "trace", fallback("linear")));
     stages.push_back(make_stage(*find_stage("displace")));
@@ -103,6 +108,7 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
         stages.push_back(
             make_chosen(scene, material.shadow, "shadow", fallback("shadow-march-thesis"), light));
+    stages.push_back(make_chosen(scene, material.occlusion, "occlusion", "none"));
     stages.push_back(make_chosen(scene, material.shade, "shade", "shade-thesis"));
     return stages;
 }
@@ -119,7 +125,8 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const V
         for (const TextureSlot slot : stage->info->textures) {
             plan.textures.set(static_cast<std::size_t>(slot));
             const bool optional = stage->info->text.room == std::string_view("quad");
-            plan.needs_height |= slot == TextureSlot::height && !optional;
+            plan.needs_height |=
+                (slot == TextureSlot::height || slot >= first_baked_slot) && !optional;
         }
         stage->run = kernel(table, stage->info->text.id);
         plan.stages.push_back(std::move(*stage));

@@ -34,6 +34,9 @@ struct MaterialPlan {
     bool needs_height = false;  ///< a relief stage reads the height map
 };
 
+/// Whether the relief's depth differs from fragment to fragment.
+bool grades_depth(const Material& material);
+
 /// Stage ids of a material with defaults filled in, in the order of the data flow, quad stages
 /// included; their parameters checked. Throws InputError.
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material);

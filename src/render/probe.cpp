@@ -124,7 +124,7 @@ std::vector<ProbeStage> run_stages(const PreparedRender& prepared, const Materia
         stage.id = planned.info->text.id;
         stage.light = planned.light;
         collector.begin(stage);
-        batch.run(alone, call, prepared.geometry.data.data());
+        batch.run(alone, call, prepared.geometry);
         for (const Value v : planned.info->outputs)
             append_value(batch, v, planned.light, stage.outputs);
     }

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "quadrel/relief/stages.hpp"
 #include "quadrel/shade/stages.hpp"
 
 namespace quadrel {
@@ -22,15 +23,24 @@ StageInfo describe() {
             [](void* params) { *static_cast<typename Stage::Params*>(params) = {}; }};
 }
 
-template <class... R, class... S>
-auto describe_all(StageList<R...>, StageList<S...>) {
-    return std::array{describe<R>()..., describe<S>()...};
+template <class... S>
+void describe_all(StageList<S...>, std::vector<StageInfo>& all) {
+    (all.push_back(describe<S>()), ...);
+}
+
+template <class... Lists>
+std::vector<StageInfo> describe_lists() {
+    std::vector<StageInfo> all;
+    (describe_all(Lists(), all), ...);
+    return all;
 }
 
 }  // namespace
 
 std::span<const StageInfo> all_stages() {
-    static const auto stages = describe_all(ReliefStages(), ShadeStages());
+    static const auto stages =
+        describe_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
+                       HitStages, SurfaceStages, ShadowStages, OcclusionStages, ShadeStages>();
     return stages;
 }
 
@@ -42,7 +52,11 @@ const StageInfo* find_stage(std::string_view id) {
 
 std::string_view slot_name(TextureSlot slot) {
     constexpr std::array<std::string_view, texture_slot_count> names{
-        "height", "color", "gloss", "emissive", "normal", "environment"};
+        "height",          "color",      "gloss",     "emissive",       "normal",
+        "environment",     "max-mip",    "min-max",   "texel-max",      "cone",
+        "cone-robust",     "cone-quick", "cone-cell", "relaxed-cone",   "relaxed-cone-exact",
+        "quad-cone",       "aniso-cone", "distance",  "distance-exact", "horizon",
+        "horizon-sampled", "rmq"};
     return names[static_cast<std::size_t>(slot)];
 }
 

@@ -113,7 +113,8 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
     PreparedRender prepared{
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
     prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
-    prepared.geometry = assemble_geometry(scene, prepared.plan.hardware);
+    prepared.geometry =
+        assemble_geometry(scene, prepared.plan.hardware, reads_frames(prepared.plan));
     prepared.used = std::vector<bool>(scene.materials.size(), true);
     if (options.skip) {
         const Viewport viewport{scene.width, scene.height, scene.conventions};

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "quadrel/error.hpp"
+#include "quadrel/quad/interpolate.hpp"
 
 namespace quadrel {
 namespace {
@@ -47,6 +50,16 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     }
     plan.textures.resize(scene.materials.size());
     return plan;
+}
+
+bool reads_frames(const RenderPlan& plan) {
+    const auto reads = [](const MaterialPlan& material) {
+        for (const Value v : frame_values)
+            if (material.values[static_cast<std::size_t>(v)]) return true;
+        return false;
+    };
+    return std::any_of(plan.materials.begin(), plan.materials.end(), reads) ||
+           std::any_of(plan.discard.begin(), plan.discard.end(), reads);
 }
 
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,

@@ -26,6 +26,9 @@ struct RenderPlan {
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
                             const KernelTable& kernels, bool skip);
 
+/// Whether a stage reads PrimitiveFrame rows.
+bool reads_frames(const RenderPlan& plan);
+
 /// Whether each material has a triangle in `area` (window coordinates).
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
                                  const PixelRect& area);

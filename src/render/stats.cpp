@@ -70,9 +70,13 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
     stats.quads += record.quads;
     stats.covered_lanes += record.covered_lanes;
     stats.helper_lanes += record.helper_lanes;
-    stats.fetches.fetches += record.fetches.fetches;
-    stats.fetches.nan_coordinates += record.fetches.nan_coordinates;
-    stats.fetches.huge_coordinates += record.fetches.huge_coordinates;
+    for (int slot = 0; slot < texture_slot_count; ++slot) {
+        const FetchCounters& fetches = record.fetches[static_cast<std::size_t>(slot)];
+        stats.fetches += fetches;
+        if (fetches.fetches > 0)
+            stats.fetches_by_kind[std::string(slot_name(static_cast<TextureSlot>(slot)))] +=
+                fetches.fetches;
+    }
     for (const auto& [id, time] : record.stages)
         stats.stages.push_back({id, time.batches, time.lanes, time.fetches,
                                 1e-6 * static_cast<double>(time.wall_ns),
@@ -91,7 +95,8 @@ std::string to_json(const RenderStats& stats) {
              {"fetches",
               {{"look_ups", stats.fetches.fetches},
                {"nan_coordinates", stats.fetches.nan_coordinates},
-               {"huge_coordinates", stats.fetches.huge_coordinates}}},
+               {"huge_coordinates", stats.fetches.huge_coordinates},
+               {"by_kind", stats.fetches_by_kind}}},
              {"primitives", to_json(stats.primitives)},
              {"stages", Json::array()},
              {"textures", Json::array()},

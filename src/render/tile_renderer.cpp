@@ -137,8 +137,8 @@ void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const Q
     batch_.prepare(plan);
     batch_.load(quads, count, geometry_, scene_.samples, scene_.centroid);
     StageCall call = stage_call(plan_, material);
-    if (recording_) call.counters = &record_.fetches;
-    batch_.run(plan, call, geometry_.data.data(), recording_ ? &clock_ : nullptr);
+    if (recording_) call.counters = record_.fetches.data();
+    batch_.run(plan, call, geometry_, recording_ ? &clock_ : nullptr);
 }
 
 }  // namespace quadrel

@@ -126,9 +126,7 @@ TEST(Interpolate, IsPerspectiveCorrectAndExtrapolates) {
 }
 
 StageFunction kernel(const KernelTable& table, const std::string& id) {
-    for (int i = 0; i < table.count; ++i)
-        if (id == table.rows[i].id) return table.rows[i].run;
-    return nullptr;
+    return find_kernel(table, id);
 }
 
 /// Three rows of PrimitiveData that differ in every float.

@@ -24,7 +24,7 @@ class StageBench {
         call_.parameters = &parameters_;
         call_.material = &material;
         call_.frame = &frame;
-        call_.counters = &counters_;
+        call_.counters = counters_.data();
         for (std::size_t i = 0; i < 3; ++i) call_.edges[i] = edges[i].data();
         call_.primitive = primitive.data();
     }
@@ -54,7 +54,7 @@ class StageBench {
     std::vector<void*> values_;
     std::array<std::uint32_t, lanes> active_{};
     NoParams parameters_;
-    FetchCounters counters_;
+    std::array<FetchCounters, texture_slot_count> counters_{};
     StageCall call_{};
 };
 

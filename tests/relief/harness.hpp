@@ -58,7 +58,12 @@ inline FrameUniforms default_frame() {
     return frame;
 }
 inline MaterialUniforms default_material() {
-    return {0, 1, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {0, 0, 0}, 50};
+    MaterialUniforms material{};
+    material.seat = 1;
+    for (int i = 0; i < 3; ++i)
+        material.ambient[i] = material.diffuse[i] = material.specular[i] = 1;
+    material.shininess = 50;
+    return material;
 }
 
 using Parameters = std::map<std::string, double>;
@@ -79,10 +84,17 @@ class Batch {
     std::vector<std::uint32_t> active;
     FrameUniforms frame = default_frame();
     MaterialUniforms material = default_material();
-    FetchCounters counters;
+    std::array<FetchCounters, texture_slot_count> counters{};  ///< by slot
+    std::uint64_t fetches() const {
+        std::uint64_t sum = 0;
+        for (const FetchCounters& slot : counters) sum += slot.fetches;
+        return sum;
+    }
     std::array<std::vector<T>, 3> edges;  ///< what `interpolate` reads, with:
     std::vector<std::int32_t> primitive;
     std::vector<PrimitiveData> primitives;
+    std::vector<PrimitiveFrame> frames;  ///< parallel to `primitives`, or empty
+    bool own_depth = false;              ///< false: relief_depth is material.depth at every run
 
     void bind(TextureSlot slot, const SampledTexture& map) {
         textures_[static_cast<int>(slot)] = &map;
@@ -152,6 +164,10 @@ class Batch {
     }
     /// Runs any stage function, such as run_stage<Stage, Quad<T>>.
     void run(StageFunction function, const void* params, int light = 0) {
+        if (!own_depth && wanted_[slot_of(Value::relief_depth)]) {
+            for (int lane = 0; lane < lanes; ++lane)
+                real(Value::relief_depth, lane) = static_cast<T>(material.depth);
+        }
         std::array<void*, slot_count> arrays;
         for (int slot = 0; slot < slot_count; ++slot) {
             arrays[slot] = wanted_[slot] ? array(slot) : nullptr;
@@ -165,10 +181,11 @@ class Batch {
         call.frame = &frame;
         std::copy(textures_.begin(), textures_.end(), call.textures);
         call.light = light;
-        call.counters = &counters;
+        call.counters = counters.data();
         for (int i = 0; i < 3; ++i) call.edges[i] = edges[i].data();
         call.primitive = primitive.data();
         call.primitives = primitives.data();
+        call.frames = frames.empty() ? nullptr : frames.data();
         function(&call);
     }
 
@@ -176,11 +193,9 @@ class Batch {
         return std::same_as<T, float> ? scalar_float_kernels() : scalar_double_kernels();
     }
     static StageFunction stage_function(const std::string& id) {
-        const KernelTable& table = kernels();
-        for (int i = 0; i < table.count; ++i)
-            if (id == table.rows[i].id) return table.rows[i].run;
-        QUADREL_CHECK(!"a stage of that id", id);
-        return nullptr;
+        const StageFunction run = find_kernel(kernels(), id);
+        QUADREL_CHECK(run != nullptr, id);
+        return run;
     }
 
   private:

@@ -29,7 +29,7 @@ inline void fill_rays(Batch<float>& batch, Random& random, double footprint = 0.
 struct Found {
     float s = 1, h = 0;
     int steps = 0;
-    bool found = false;
+    bool found = false, met_nan = false;
 };
 
 inline Found search(const GeneralHeight<Fetch>& height, vec2<float> uv, vec2<float> K,
@@ -40,6 +40,7 @@ inline Found search(const GeneralHeight<Fetch>& height, vec2<float> uv, vec2<flo
         const vec2<Fetch> at(Fetch(uv.x + K.x * along), Fetch(uv.y + K.y * along));
         result.h = height({}, at).lane[0];
         result.steps = k + 1;
+        result.met_nan |= result.h != result.h;
         result.found = strict ? result.h > 1 - s : result.h >= 1 - s;
         if (result.found) result.s = s;
     }
@@ -47,9 +48,8 @@ inline Found search(const GeneralHeight<Fetch>& height, vec2<float> uv, vec2<flo
 }
 
 inline Status status_of(const Found& found, Planted planted) {
-    if (found.found) return Status::hit;
-    if (planted == Planted::nan_is_floor) return Status::floor;
-    return found.h != found.h ? Status::nan : Status::floor;
+    if (found.met_nan && planted != Planted::nan_is_floor) return Status::nan;
+    return found.found ? Status::hit : Status::floor;
 }
 
 inline void search_lane(Batch<float>& batch, int lane, int n, Planted planted) {

@@ -301,9 +301,9 @@ testing::AssertionResult fetches_are_steps(const Search& implementation) {
         if (!batch.active[lane] && taken != 0) return testing::AssertionFailure() << "inactive";
         steps += static_cast<std::uint64_t>(taken);
     }
-    return batch.counters.fetches == steps
+    return batch.fetches() == steps
                ? testing::AssertionSuccess()
-               : testing::AssertionFailure() << batch.counters.fetches << " != " << steps;
+               : testing::AssertionFailure() << batch.fetches() << " != " << steps;
 }
 
 TEST(Linear, FetchesAreSteps) {

@@ -85,7 +85,7 @@ TEST(Registry, IdsAreUniqueAndHaveKernels) {
     }
     for (const KernelTable* table : {&scalar_float_kernels(), &scalar_double_kernels()}) {
         std::set<std::string> rows;
-        for (int i = 0; i < table->count; ++i) rows.insert(table->rows[i].id);
+        for (const std::string_view id : kernel_ids(*table)) rows.emplace(id);
         EXPECT_EQ(rows, ids);
     }
 }
@@ -234,9 +234,9 @@ testing::AssertionResult inactive_quads_have_no_effect(const StageInfo& stage, b
             }
         }
     }
-    const std::uint64_t counted = half.counters.fetches + (count_all ? all : rest).counters.fetches;
-    return counted == all.counters.fetches ? testing::AssertionSuccess()
-                                           : testing::AssertionFailure() << "fetches";
+    const std::uint64_t counted = half.fetches() + (count_all ? all : rest).fetches();
+    return counted == all.fetches() ? testing::AssertionSuccess()
+                                    : testing::AssertionFailure() << "fetches";
 }
 
 TEST(EveryStage, InactiveQuadsHaveNoEffect) {

@@ -31,6 +31,22 @@ struct Triangle {
         }
         return d;
     }
+    /// The triangle's own J; its edges as tangents, object axes as in eye space.
+    PrimitiveFrame frame() const {
+        PrimitiveFrame f{};
+        const auto J = jacobian();
+        for (int c = 0; c < 3; ++c) {
+            f.J[c] = static_cast<float>(J.grad_u[c]);
+            f.J[3 + c] = static_cast<float>(J.grad_v[c]);
+            f.object_axes[c][c] = 1;
+            for (int i = 0; i < 3; ++i) {
+                f.tangent[i][c] = P[1][c] - P[0][c];
+                f.bitangent[i][c] = P[2][c] - P[0][c];
+                f.tangent_sign[i] = 1;
+            }
+        }
+        return f;
+    }
     /// Twice the signed area of (window[i + 1], window[i + 2], at): the edge function opposite of
     /// vertex i.
     double edge(int i, const dvec2& at) const {
@@ -118,6 +134,7 @@ inline FrameInputs interpolated_inputs(const Batch<float>& batch, int lane, cons
 template <PlainFloat T>
 void fill_quads_of(Batch<T>& batch, const Triangle& t, Random& random) {
     batch.primitives = {t.data()};
+    batch.frames = {t.frame()};
     for (int quad = 0; quad < batch.lanes / 4; ++quad) {
         double a = random.uniform(0, 1), b = random.uniform(0, 1);
         if (a + b > 1) a = 1 - a, b = 1 - b;

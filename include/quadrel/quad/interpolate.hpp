@@ -7,15 +7,23 @@
 
 namespace quadrel {
 
-/// Reads PrimitiveData for one packet: a broadcast when all its quads belong to one primitive, a
-/// gather otherwise; the same bits either way.
+/// What `interpolate` takes from PrimitiveFrame.
+inline constexpr auto frame_values =
+    values(Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::face_J,
+           Value::object_x, Value::object_y, Value::object_z);
+
+/// Reads PrimitiveData or PrimitiveFrame for one packet: a broadcast when all its quads belong to
+/// one primitive, a gather otherwise; the same bits either way.
 template <Number F>
 class PrimitiveReader {
   public:
-    PrimitiveReader(const StageCall& call, int first_lane)
-        : first_(call.primitives + call.primitive[first_lane]),
-          all_(reinterpret_cast<const float*>(call.primitives)),
-          row_(load_int<F>(call.primitive + first_lane) * Int<F>(primitive_floats)) {
+    /// `rows`: an array of structs of floats that call.primitive indexes.
+    template <class Row>
+    PrimitiveReader(const StageCall& call, int first_lane, const Row* rows)
+        : first_(reinterpret_cast<const float*>(rows + call.primitive[first_lane])),
+          all_(reinterpret_cast<const float*>(rows)),
+          row_(load_int<F>(call.primitive + first_lane) *
+               Int<F>(static_cast<std::int32_t>(sizeof(Row) / sizeof(float)))) {
         for (int lane = 4; lane < lanes_of<F>; lane += 4) {
             uniform_ &= call.primitive[first_lane + lane] == call.primitive[first_lane];
         }
@@ -23,7 +31,7 @@ class PrimitiveReader {
 
     /// The float at `offset` of the lane's row.
     F at(int offset) const {
-        if (uniform_) return F(reinterpret_cast<const float*>(first_)[offset]);
+        if (uniform_) return F(first_[offset]);
         return gather<F>(all_, row_ + Int<F>(offset));
     }
     /// Values of the three vertices, `stride` floats apart.
@@ -42,7 +50,7 @@ class PrimitiveReader {
     }
 
   private:
-    const PrimitiveData* first_;
+    const float* first_;
     const float* all_;
     Int<F> row_;
     bool uniform_ = true;
@@ -53,7 +61,9 @@ struct Interpolate : StageDefaults {
                                     "Vulkan specification, basic polygon rasterization"};
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::uv, Value::bary);
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::uv, Value::bary,
+               Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::face_J,
+               Value::object_x, Value::object_y, Value::object_z);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
@@ -61,7 +71,7 @@ struct Interpolate : StageDefaults {
         constexpr auto offset_of = [](std::size_t bytes) {
             return static_cast<int>(bytes / sizeof(float));
         };
-        const PrimitiveReader<F> data(io.call(), io.first_lane());
+        const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
         const PerVertex<F> edges{edge<F>(io, 0), edge<F>(io, 1), edge<F>(io, 2)};
         const auto b = perspective_barycentrics(
             edges, data.per_vertex(offset_of(offsetof(PrimitiveData, w)), 1));
@@ -80,9 +90,34 @@ struct Interpolate : StageDefaults {
         }
         io.template store<Value::Ng>(vec3<F>(data.at(ng), data.at(ng + 1), data.at(ng + 2)));
         io.template store<Value::bary>(vec3<F>(b.v0, b.v1, b.v2));
+        if (io.call().frames != nullptr) store_frame(io, b);
     }
 
   private:
+    /// Tangents, and what is the same over a whole triangle.
+    template <class Io, class B>
+    static void store_frame(Io& io, const B& b) {
+        using F = typename Io::Number;
+        const PrimitiveReader<F> row(io.call(), io.first_lane(), io.call().frames);
+        const auto at = [](std::size_t bytes) { return static_cast<int>(bytes / sizeof(float)); };
+        const auto constant = [&](int offset) {
+            return vec3<F>(row.at(offset), row.at(offset + 1), row.at(offset + 2));
+        };
+        constexpr std::size_t J = offsetof(PrimitiveFrame, J);
+        constexpr std::size_t axes = offsetof(PrimitiveFrame, object_axes);
+        io.template store<Value::vertex_tangent>(
+            interpolate(b, row.per_vertex3(at(offsetof(PrimitiveFrame, tangent)))));
+        io.template store<Value::tangent_sign>(
+            interpolate(b, row.per_vertex(at(offsetof(PrimitiveFrame, tangent_sign)), 1)));
+        io.template store<Value::vertex_bitangent>(
+            interpolate(b, row.per_vertex3(at(offsetof(PrimitiveFrame, bitangent)))));
+        io.template store<Value::face_J>(
+            std::array<vec3<F>, 2>{constant(at(J)), constant(at(J) + 3)});
+        io.template store<Value::object_x>(constant(at(axes)));
+        io.template store<Value::object_y>(constant(at(axes) + 3));
+        io.template store<Value::object_z>(constant(at(axes) + 6));
+    }
+
     template <class F, class Io>
     static F edge(Io& io, int i) {
         return load<F>(static_cast<const Scalar<F>*>(io.call().edges[i]) + io.first_lane());

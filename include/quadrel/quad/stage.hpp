@@ -51,20 +51,22 @@ struct StageCall {
     const FrameUniforms* frame;
     const SampledTexture* textures[texture_slot_count];  ///< null where the material has none
     std::int32_t light;                                  ///< which light a per-light stage serves
-    FetchCounters* counters;
-    StageLog* log;  ///< null but in a probe
+    FetchCounters* counters;                             ///< an array, one a texture slot; or null
+    StageLog* log;                                       ///< null but in a probe
     // What the interpolation reads instead of values.
     const void* edges[3];           ///< edge functions at the evaluation point, per lane
     const std::int32_t* primitive;  ///< index into `primitives`, per lane
     const PrimitiveData* primitives;
+    const PrimitiveFrame* frames;  ///< parallel to `primitives`; null where no stage asks
 };
 
 using StageFunction = void (*)(const StageCall*);
 
 struct StageText {
     const char* id;  ///< `name` or `name@published`
-    /// quad, frame, trace, hit, surface, shadow or shade. A scene chooses one stage of each room
-    /// but quad and hit, whose stages run whenever something asks for what they store.
+    /// quad, depth, frame, trace, clip, hit, frag-depth, surface, shadow, occlusion or shade. A scene chooses
+    /// one stage of each room but quad, depth and hit, whose stages run whenever something asks
+    /// for what they store.
     const char* room;
     const char* summary;
     const char* source;
@@ -195,7 +197,16 @@ class StageIo {
     }
 
     Mask<F> active() const { return load_mask<F>(call_.active + lane_); }
-    SampleContext<F> context(Mask<F> mask) const { return {mask, call_.counters, call_.log}; }
+    /// For look-ups in the texture of that slot.
+    template <TextureSlot slot>
+    SampleContext<F> context(Mask<F> mask) const {
+        FetchCounters* const all = call_.counters;
+        return {mask, all ? all + static_cast<int>(slot) : nullptr, call_.log};
+    }
+    template <TextureSlot slot>
+    SampleContext<F> context() const {
+        return context<slot>(active());
+    }
 
     /// The bound texture of a declared slot, or null.
     template <TextureSlot slot>

@@ -9,7 +9,8 @@
 
 namespace quadrel {
 
-/// Texture uses that a stage may ask for.
+/// Texture uses that a stage may ask for: first what a scene names, then what is baked from the
+/// height field (bake.hpp says what each holds).
 enum class TextureSlot : std::int32_t {
     height,
     color,
@@ -17,8 +18,27 @@ enum class TextureSlot : std::int32_t {
     emissive,
     normal,
     environment,
+    max_mip,
+    min_max,
+    texel_max,
+    cone,
+    cone_robust,
+    cone_quick,
+    cone_cell,
+    relaxed_cone,
+    relaxed_cone_exact,
+    quad_cone,
+    aniso_cone,
+    distance,
+    distance_exact,
+    horizon,
+    horizon_sampled,
+    rmq,
     count
 };
+
+/// Slots from this one on hold baked maps.
+inline constexpr auto first_baked_slot = TextureSlot::max_mip;
 
 inline constexpr int texture_slot_count = static_cast<int>(TextureSlot::count);
 
@@ -32,17 +52,23 @@ struct LightUniforms {
 };
 
 struct FrameUniforms {
-    float eye[3];               ///< centre of projection, or the direction towards it
-    std::int32_t orthographic;  ///< 1: `eye` is a direction
-    float eye_to_world[9];      ///< rotation rows: world = eye_to_world * eye-space vector
+    float eye[3];                     ///< centre of projection, or the direction towards it
+    std::int32_t orthographic;        ///< 1: `eye` is a direction
+    float eye_to_world[9];            ///< rotation rows: world = eye_to_world * eye-space vector
+    float projection[16];             ///< eye to clip space, rows
+    float depth_scale, depth_offset;  ///< window depth = scale * (clip z / clip w) + offset
     DerivativeMode derivatives;
     std::int32_t light_count;
     LightUniforms lights[8];
 };
 
 struct MaterialUniforms {
-    float depth;  ///< D: relief thickness in world units
-    float seat;   ///< sigma: height at which the polygon lies
+    float depth;                  ///< D: relief thickness in world units, or in `tiles`
+    std::int32_t depth_in_tiles;  ///< 1: `depth` is in lengths of one tile of the texture
+    float fade_from, fade_to;     ///< cosines of N and V between which the relief fades out
+    std::int32_t noise_octaves;   ///< 0: heights come from the map, else from noise (noise.hpp)
+    float noise_frequency;        ///< lattice cells a tile of the first octave
+    float seat;                   ///< sigma: height at which the polygon lies
     float ambient[3], diffuse[3], specular[3], emission[3];
     float shininess;
 };
@@ -56,7 +82,19 @@ struct PrimitiveData {
     float face_normal[3];
     float unused[2];
 };
+
+/// What only some frames and normal maps read of a triangle, in an array of its own.
+struct PrimitiveFrame {
+    float tangent[3][3];    ///< a vertex each, eye space
+    float tangent_sign[3];  ///< handedness: bitangent = sign * cross(N, T)
+    float bitangent[3][3];
+    float J[6];               ///< of the whole triangle: gradients of u and v in its plane
+    float object_axes[3][3];  ///< columns of the normal matrix: object to eye space
+    float unused[4];
+};
 inline constexpr int primitive_floats = sizeof(PrimitiveData) / sizeof(float);
 static_assert(primitive_floats == 32, "rows of 128 bytes");
+inline constexpr int frame_floats = sizeof(PrimitiveFrame) / sizeof(float);
+static_assert(frame_floats == 40, "rows of 160 bytes");
 
 }  // namespace quadrel

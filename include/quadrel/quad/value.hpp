@@ -11,15 +11,23 @@ namespace quadrel {
 /// Everything a stage may read or write, in the order of the data flow. Positions and vectors are
 /// in eye space (right-handed, looking down -z), lengths in world units.
 enum class Value : std::int32_t {
-    P,              ///< interpolated surface point
-    vertex_normal,  ///< interpolated vertex normal, not normalised; the face normal of flat meshes
-    Ng,             ///< unit face normal, counter-clockwise side of the triangle
-    uv,             ///< interpolated texture coordinates
-    bary,           ///< perspective-correct barycentrics of the (clipped) triangle
-    dPdx,           ///< window-space differences over the quad
+    P,               ///< interpolated surface point
+    vertex_normal,   ///< interpolated vertex normal, not normalised; the face normal of flat meshes
+    Ng,              ///< unit face normal, counter-clockwise side of the triangle
+    uv,              ///< interpolated texture coordinates
+    bary,            ///< perspective-correct barycentrics of the (clipped) triangle
+    vertex_tangent,  ///< interpolated vertex tangent, not normalised (what it is: the frame's)
+    tangent_sign,    ///< interpolated handedness of the vertex tangents
+    vertex_bitangent,  ///< interpolated vertex bitangent, not normalised
+    face_J,            ///< J of the triangle itself, from its vertices, in its plane
+    object_x,          ///< the normal matrix' columns: eye-space directions of the object's axes
+    object_y,
+    object_z,
+    dPdx,  ///< window-space differences over the quad
     dPdy,
     dUVdx,
     dUVdy,
+    relief_depth,  ///< D: relief thickness in world units, after fading
     T,             ///< unit tangent of the frame
     B,             ///< unit bitangent of the frame
     frame_normal,  ///< unit normal of the frame: the axis of relief depth
@@ -42,9 +50,11 @@ enum class Value : std::int32_t {
     hit_flags,
     hit_steps,
     hit_fetches,
+    frag_depth,         ///< window depth of the hit
     N,                  ///< unit shading normal (the published thesis leaves it unnormalised)
     shadow_visibility,  ///< a light: 1 lit, 0 dark
     shadow_steps,       ///< a light
+    occlusion,          ///< ambient visibility at the hit: 1 open, 0 closed
     light_ambient,
     light_diffuse,
     light_specular,
@@ -74,10 +84,18 @@ inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> v
     {"Ng", 3},
     {"uv", 2},
     {"bary", 3},
+    {"vertex_tangent", 3},
+    {"tangent_sign", 1},
+    {"vertex_bitangent", 3},
+    {"face_J", 6},
+    {"object_x", 3},
+    {"object_y", 3},
+    {"object_z", 3},
     {"dPdx", 3},
     {"dPdy", 3},
     {"dUVdx", 2},
     {"dUVdy", 2},
+    {"relief_depth", 1},
     {"T", 3},
     {"B", 3},
     {"frame_normal", 3},
@@ -100,9 +118,11 @@ inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> v
     {"hit.flags", 1, ValueKind::integer},
     {"hit.steps", 1, ValueKind::integer},
     {"hit.fetches", 1, ValueKind::integer},
+    {"frag_depth", 1},
     {"N", 3},
     {"shadow.visibility", 1, ValueKind::real, true},
     {"shadow.steps", 1, ValueKind::integer, true},
+    {"occlusion", 1},
     {"light.ambient", 3},
     {"light.diffuse", 3},
     {"light.specular", 3},

@@ -21,6 +21,9 @@ inline constexpr auto surface_outputs = values(Value::N);
 /// shadow: hit and light to visibility, one light at a time.
 inline constexpr auto shadow_outputs = values(Value::shadow_visibility, Value::shadow_steps);
 
+/// occlusion: the hit to its ambient visibility.
+inline constexpr auto occlusion_outputs = values(Value::occlusion);
+
 /// shade: everything to colour; models without the thesis' terms store the last two alone.
 inline constexpr auto shade_outputs =
     values(Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,

@@ -54,9 +54,13 @@ struct StageChoice {
 /// Relief and its shading. Depth and seat are the height field's (design: D and sigma).
 struct Material {
     std::string name;
-    StageChoice frame, trace, surface, shadow, shade;
-    float depth = 0.05f;  ///< D: relief thickness in world (eye-space) length units, >= 0
-    float seat = 1.0f;    ///< sigma in [0, 1]: the height at which the polygon lies; 1 = inset
+    StageChoice frame, trace, surface, shadow, occlusion, shade;
+    float depth = 0.05f;          ///< D: relief thickness in world (eye-space) length units, >= 0
+    bool depth_in_tiles = false;  ///< `depth` is in lengths of one tile of the texture instead
+    /// Angles between N and V in degrees: the relief fades from its depth to none. No fading
+    /// unless fade_from < fade_to.
+    double fade_from = 90, fade_to = 90;
+    float seat = 1.0f;  ///< sigma in [0, 1]: the height at which the polygon lies; 1 = inset
     glm::vec4 ambient{0.1f, 0.1f, 0.1f, 1}, diffuse{0.5f, 0.5f, 0.5f, 1};
     glm::vec4 specular{0.3f, 0.3f, 0.3f, 1}, emission{0, 0, 0, 1};
     float shininess = 50;

@@ -8,10 +8,11 @@ namespace quadrel {
 
 /// The map at the displaced UV, filtered with the gradients of the undisplaced one; `absent` where
 /// no map is bound.
-template <class Io, class F = typename Io::Number>
-vec4<F> map_at_hit(Io& io, const SampledTexture* map, const vec4<F>& absent) {
+template <TextureSlot slot, class Io, class F = typename Io::Number>
+vec4<F> map_at_hit(Io& io, const vec4<F>& absent) {
+    const SampledTexture* map = io.template texture<slot>();
     if (!map) return absent;
-    return texture_grad(*map, io.context(io.active()), io.template load<Value::hit_uv>(),
+    return texture_grad(*map, io.template context<slot>(), io.template load<Value::hit_uv>(),
                         io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>());
 }
 

@@ -1,7 +1,7 @@
 // The list of shading stages; see relief/stages.hpp.
 #pragma once
 
-#include "quadrel/relief/stages.hpp"
+#include "quadrel/quad/stage_list.hpp"
 #include "quadrel/shade/texture.hpp"
 #include "quadrel/shade/thesis.hpp"
 #include "quadrel/shade/thesis_published.hpp"

@@ -31,13 +31,11 @@ struct ShadeThesis : StageDefaults {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const F zero(0), one(1);
-        const vec4<F> base =
-            map_at_hit(io, io.template texture<TextureSlot::color>(), vec4<F>(one, one, one, one));
+        const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(one, one, one, one));
         const F default_shininess(io.material().shininess / 255.0f);
-        const vec4<F> gloss = map_at_hit(io, io.template texture<TextureSlot::gloss>(),
-                                         vec4<F>(default_shininess, F(0.5f), zero, one));
-        const vec4<F> glow =
-            map_at_hit(io, io.template texture<TextureSlot::emissive>(), vec4<F>(zero));
+        const vec4<F> gloss =
+            map_at_hit<TextureSlot::gloss>(io, vec4<F>(default_shininess, F(0.5f), zero, one));
+        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero));
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
         const Terms<F> sum = lights<F>(io, rgb(base), N, V, F(255) * gloss.x);
@@ -104,7 +102,8 @@ struct ShadeThesis : StageDefaults {
         const vec3<F> world{F(m[0]) * v.x + F(m[1]) * v.y + F(m[2]) * v.z,
                             F(m[3]) * v.x + F(m[4]) * v.y + F(m[5]) * v.z,
                             F(m[6]) * v.x + F(m[7]) * v.y + F(m[8]) * v.z};
-        return rgb(texture_cube(*cube, io.context(io.active()), world, io.frame().derivatives));
+        return rgb(texture_cube(*cube, io.template context<TextureSlot::environment>(), world,
+                                io.frame().derivatives));
     }
 };
 

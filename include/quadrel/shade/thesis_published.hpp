@@ -27,9 +27,9 @@ struct ShadeThesisPublished : StageDefaults {
     template <class Io>
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
-        const vec4<F> color_map = argb<F>(io, io.template texture<TextureSlot::color>());
-        const vec4<F> gloss = argb<F>(io, io.template texture<TextureSlot::gloss>());
-        const vec4<F> glow = argb<F>(io, io.template texture<TextureSlot::emissive>());
+        const vec4<F> color_map = argb<TextureSlot::color, F>(io);
+        const vec4<F> gloss = argb<TextureSlot::gloss, F>(io);
+        const vec4<F> glow = argb<TextureSlot::emissive, F>(io);
         const vec3<F> base(color_map.y, color_map.z, color_map.w);  // .gba
         const vec3<F> N = io.template load<Value::N>();
         const vec3<F> E = to_viewer(io.template load<Value::P>(), io.frame());
@@ -64,11 +64,12 @@ struct ShadeThesisPublished : StageDefaults {
 
   private:
     /// texture(map, UV) in the channel order A R G B.
-    template <class F, class Io>
-    static vec4<F> argb(Io& io, const SampledTexture* map) {
+    template <TextureSlot slot, class F, class Io>
+    static vec4<F> argb(Io& io) {
+        const SampledTexture* map = io.template texture<slot>();
         if (!map) return vec4<F>(F(0));
-        const vec4<F> t = texture(*map, io.context(io.active()), io.template load<Value::hit_uv>(),
-                                  io.frame().derivatives);
+        const vec4<F> t = texture(*map, io.template context<slot>(),
+                                  io.template load<Value::hit_uv>(), io.frame().derivatives);
         return {t.w, t.x, t.y, t.z};
     }
 
@@ -76,7 +77,8 @@ struct ShadeThesisPublished : StageDefaults {
     static vec3<F> environment(Io& io, const vec3<F>& direction) {
         const SampledTexture* cube = io.template texture<TextureSlot::environment>();
         if (!cube) return vec3<F>(F(0));
-        return rgb(texture_cube(*cube, io.context(io.active()), direction, io.frame().derivatives));
+        return rgb(texture_cube(*cube, io.template context<TextureSlot::environment>(), direction,
+                                io.frame().derivatives));
     }
 };
 

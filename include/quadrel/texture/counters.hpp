@@ -12,6 +12,13 @@ struct FetchCounters {
     std::uint64_t fetches = 0;           ///< filtered or unfiltered look-ups, one a lane
     std::uint64_t nan_coordinates = 0;   ///< coordinates (u and v apart) that were NaN, read as 0
     std::uint64_t huge_coordinates = 0;  ///< infinite or beyond 2^23, saturated
+
+    FetchCounters& operator+=(const FetchCounters& other) {
+        fetches += other.fetches;
+        nan_coordinates += other.nan_coordinates;
+        huge_coordinates += other.huge_coordinates;
+        return *this;
+    }
 };
 
 class FetchLog;  // fetch_log.hpp

@@ -27,9 +27,19 @@ class FastHeight {
                s.min == Filter::linear && (s.mip == MipFilter::none || texture.view.levels == 1);
     }
 
+    /// Whether the model gives what the sampler asks for at `levels` of GeneralHeight.
+    static bool applies(const SampledTexture& texture, const MipLevels<F>& levels) {
+        const SamplerState& s = texture.sampler;
+        return texture.view.channels == 1 && texture.view.faces == 1 && s.mag == Filter::linear &&
+               s.min == Filter::linear && !levels.blends;
+    }
+
     /// `texture` must outlive this object. `level` is in [0, levels - 1]; filters are ignored.
     explicit FastHeight(const SampledTexture& texture, int level = 0)
         : texture_(texture), level_(level_geometry<F>(texture.view, level)) {}
+    /// The finer of the levels, one a lane.
+    FastHeight(const SampledTexture& texture, const MipLevels<F>& levels)
+        : texture_(texture), level_(levels.fine) {}
 
     F operator()(const SampleContext<F>& context, const vec2<F>& uv) const {
         count_fetch(context);
@@ -59,6 +69,7 @@ class GeneralHeight {
     }
 
     const LodRecord<F>& lod() const { return lod_; }
+    const MipLevels<F>& levels() const { return levels_; }
 
   private:
     const SampledTexture& texture_;

@@ -62,8 +62,9 @@ struct FrameGram : StageDefaults {
     static constexpr StageText text{
         "frame-gram", "frame", "exact derivative frame, orthogonal split",
         "correction of frame-thesis by the Gram system of the tangents"};
-    static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx,
-                                          Value::dPdy, Value::dUVdx, Value::dUVdy);
+    static constexpr auto inputs =
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
+               Value::dUVdy, Value::relief_depth);
     static constexpr auto outputs = frame_outputs;
 
     template <class Io>
@@ -91,7 +92,7 @@ struct FrameGram : StageDefaults {
         io.template store<Value::J>(std::array<vec3<F>, 2>{j.grad_u, j.grad_v});
         io.template store<Value::r>(select(valid, r, F(1)));
         io.template store<Value::uv_rate>(rate);
-        io.template store<Value::K>(rate * F(io.material().depth));
+        io.template store<Value::K>(rate * io.template load<Value::relief_depth>());
         io.template store<Value::frame_status>(
             select(valid, status_packet<F>(Status::hit), status_packet<F>(Status::no_frame)));
         io.template store<Value::frame_flags>(

@@ -52,7 +52,7 @@ struct FrameThesis : StageDefaults {
         "frame-thesis", "frame", "derivative frame of the thesis, unorthogonalised tangents",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy,
-                                          Value::dUVdx, Value::dUVdy);
+                                          Value::dUVdx, Value::dUVdy, Value::relief_depth);
     static constexpr auto outputs = frame_outputs;
 
     template <class Io>
@@ -75,7 +75,7 @@ struct FrameThesis : StageDefaults {
                                                            t.T * t.dUVdT.y + t.B * t.dUVdB.y});
         io.template store<Value::r>(dot(-N, -E));
         io.template store<Value::uv_rate>(dUVdSR);
-        io.template store<Value::K>(dUVdSR * F(io.material().depth));
+        io.template store<Value::K>(dUVdSR * io.template load<Value::relief_depth>());
         io.template store<Value::frame_status>(status_packet<F>(Status::hit));
         io.template store<Value::frame_flags>(Int<F>(0));
     }

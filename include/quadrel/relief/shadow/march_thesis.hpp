@@ -6,8 +6,7 @@
 // Hard shadow; misses occluders thinner than |K_L| / n. Without depth nothing shadows.
 #pragma once
 
-#include "quadrel/relief/view.hpp"
-#include "quadrel/texture/height_sampler.hpp"
+#include "quadrel/relief/heights.hpp"
 
 namespace quadrel {
 
@@ -16,8 +15,8 @@ struct ShadowMarchThesis : StageDefaults {
                                     "linear march from the hit up to the top plane",
                                     "correction of shadow-march-thesis@published"};
     static constexpr auto inputs =
-        values(Value::J, Value::frame_normal, Value::frame_status, Value::dUVdx, Value::dUVdy,
-               Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_P);
+        values(Value::relief_depth, Value::J, Value::frame_normal, Value::frame_status,
+               Value::dUVdx, Value::dUVdy, Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_P);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
@@ -46,20 +45,20 @@ struct ShadowMarchThesis : StageDefaults {
     template <class F, class Io>
     static Mask<F> march(Io& io, Mask<F> active, const vec3<F>& L, F r, int n, Int<F>& steps) {
         Mask<F> occluded(false);
-        if (io.material().depth == 0) return occluded;
+        const F depth = io.template load<Value::relief_depth>();
+        active = active & (depth != F(0));
+        if (!any(active)) return occluded;
         const auto J = io.template load<Value::J>();
-        const vec2<F> K = vec2<F>(dot(J[0], L), dot(J[1], L)) / r * F(io.material().depth);
+        const vec2<F> K = vec2<F>(dot(J[0], L), dot(J[1], L)) / r * depth;
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const GeneralHeight<F> height(*io.template texture<TextureSlot::height>(),
-                                      io.template load<Value::dUVdx>(),
-                                      io.template load<Value::dUVdy>());
+        const auto height = march_heights(io);
         // A march stops below the surface, by up to a step: the ray starts where the surface is.
         const F z = max(F(1) - io.template load<Value::hit_s>(), io.template load<Value::hit_h>());
         for (int k = 1; k < n; ++k) {
             const F t(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n));
             active = active & (z + t < F(1));
             if (!any(active)) break;
-            const F h = height(io.context(active), uv + K * t);
+            const F h = height(active, uv + K * t);
             io.march_step(active, F(1) - (z + t), uv + K * t, z + t, h);
             steps = steps + select(active, Int<F>(1), Int<F>(0));
             occluded = occluded | (active & (h > z + t));

@@ -46,7 +46,9 @@ struct ShadowMarchThesisPublished : StageDefaults {
         while (any(active)) {
             light_h = select(active, light_h - F(offset_per_sample), light_h);
             uv = select(active, uv + tex_offset_per_sample, uv);
-            const F h = texture(map, io.context(active), uv, io.frame().derivatives).x;
+            const F h = texture(map, io.template context<TextureSlot::height>(active), uv,
+                                io.frame().derivatives)
+                            .x;
             io.march_step(active, light_h, uv, F(1) - light_h, h);
             steps = steps + select(active, Int<F>(1), Int<F>(0));
             shadowed = shadowed | (active & (light_h > F(1) - h));

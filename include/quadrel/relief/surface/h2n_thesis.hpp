@@ -17,8 +17,8 @@ struct H2nThesis : StageDefaults {
                                     "normal from central differences of the height, smooth shaded",
                                     "correction of h2n-thesis@published"};
     static constexpr auto inputs =
-        values(Value::P, Value::Ng, Value::frame_normal, Value::J, Value::frame_status,
-               Value::dUVdx, Value::dUVdy, Value::hit_uv);
+        values(Value::P, Value::Ng, Value::relief_depth, Value::frame_normal, Value::J,
+               Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
     static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
 
@@ -26,19 +26,19 @@ struct H2nThesis : StageDefaults {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const vec3<F> N = io.template load<Value::frame_normal>();
-        if (io.material().depth == 0) return io.template store<Value::N>(N);
+        const F depth = io.template load<Value::relief_depth>();
+        if (!any(depth != F(0))) return io.template store<Value::N>(N);
 
         const vec3<F> Ng = io.template load<Value::Ng>();
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> Nf = select(dot(Ng, V) < F(0), -Ng, Ng);
         const auto J = io.template load<Value::J>();
         const vec2<F> slope = height_slope<F>(io);
-        const vec3<F> m =
-            normalize(Nf - (J[0] * slope.x + J[1] * slope.y) * F(io.material().depth));
+        const vec3<F> m = normalize(Nf - (J[0] * slope.x + J[1] * slope.y) * depth);
         const vec3<F> n = normalize(m + (N - Nf));
         const Mask<F> framed =
             io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
-        io.template store<Value::N>(select(framed, n, N));
+        io.template store<Value::N>(select(framed & (depth != F(0)), n, N));
     }
 
   private:
@@ -52,7 +52,9 @@ struct H2nThesis : StageDefaults {
         const F width(static_cast<Scalar<F>>(map.view.width[0]));
         const F height(static_cast<Scalar<F>>(map.view.height[0]));
         const vec2<F> du(F(1) / width, F(0)), dv(F(0), F(1) / height);
-        const auto h = [&](const vec2<F>& at) { return sampler(io.context(io.active()), at); };
+        const auto h = [&](const vec2<F>& at) {
+            return sampler(io.template context<TextureSlot::height>(), at);
+        };
         return {(h(uv + du) - h(uv - du)) * width * F(0.5f),
                 (h(uv + dv) - h(uv - dv)) * height * F(0.5f)};
     }

@@ -17,7 +17,7 @@ struct H2nThesisPublished : StageDefaults {
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy,
-               Value::hit_uv, Value::hit_depth);
+               Value::relief_depth, Value::hit_uv, Value::hit_depth);
     static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
 
@@ -35,10 +35,12 @@ struct H2nThesisPublished : StageDefaults {
         const auto ray = sub_surface_ray(to_viewer(P, io.frame()), N0);
         const vec3<F> SP = P + ray.SR * io.template load<Value::hit_depth>();
         const vec2<F> UV = io.template load<Value::hit_uv>();
-        const F step(offset_per_sample), scalar(io.material().depth);
+        const F step(offset_per_sample), scalar = io.template load<Value::relief_depth>();
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const auto depth = [&](const vec2<F>& uv) {
-            return F(1) - texture(map, io.context(io.active()), uv, io.frame().derivatives).x;
+            return F(1) - texture(map, io.template context<TextureSlot::height>(), uv,
+                                  io.frame().derivatives)
+                              .x;
         };
 
         const F H1 = depth(UV + t.dUVdT * step);

@@ -18,8 +18,8 @@ struct LinearThesis : StageDefaults {
     static constexpr StageText text{
         "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
-    static constexpr auto inputs =
-        values(Value::uv, Value::uv_rate, Value::frame_status, Value::frame_flags);
+    static constexpr auto inputs = values(Value::uv, Value::uv_rate, Value::relief_depth,
+                                          Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
 
@@ -32,14 +32,16 @@ struct LinearThesis : StageDefaults {
         const vec2<F> UV = io.template load<Value::uv>();
         const vec2<F> dUVdSR = io.template load<Value::uv_rate>();
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        const F scalar(io.material().depth);
+        const F scalar = io.template load<Value::relief_depth>();
 
         Mask<F> active = io.active();
         F offset(0), h(0);
         Int<F> fetches(0);
         for (int sample = 0; sample <= max_samples; ++sample) {
             const vec2<F> at = UV + dUVdSR * offset;
-            const F texel = texture(map, io.context(active), at, io.frame().derivatives).x;
+            const F texel = texture(map, io.template context<TextureSlot::height>(active), at,
+                                    io.frame().derivatives)
+                                .x;
             io.march_step(active, offset / scalar, at, F(1) - offset / scalar, texel);
             const F tex_h = (F(1) - texel) * scalar;
             h = select(active, texel, h);

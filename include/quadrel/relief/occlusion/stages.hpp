@@ -1,0 +1,11 @@
+// The list of ambient occlusion; see relief/stages.hpp.
+#pragma once
+
+#include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/occlusion/none.hpp"
+
+namespace quadrel {
+
+using OcclusionStages = StageList<OcclusionNone>;
+
+}  // namespace quadrel
