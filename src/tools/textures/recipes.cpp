@@ -5,15 +5,16 @@
 namespace quadrel::textures {
 
 std::span<const Recipe> recipes() {
-    static constexpr std::array<Recipe, 9> all{{{"bricks", write_bricks},
-                                                {"calibration", write_calibration},
-                                                {"city", write_city},
-                                                {"dunes", write_dunes},
-                                                {"mip-levels", write_mip_levels},
-                                                {"sky", write_sky},
-                                                {"spikes", write_spikes},
-                                                {"stones", write_stones},
-                                                {"text", write_text}}};
+    static constexpr std::array<Recipe, 10> all{{{"bricks", write_bricks},
+                                                 {"calibration", write_calibration},
+                                                 {"city", write_city},
+                                                 {"dunes", write_dunes},
+                                                 {"mip-levels", write_mip_levels},
+                                                 {"obstacles", write_obstacles},
+                                                 {"sky", write_sky},
+                                                 {"spikes", write_spikes},
+                                                 {"stones", write_stones},
+                                                 {"text", write_text}}};
     return all;
 }
 

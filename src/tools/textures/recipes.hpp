@@ -18,6 +18,7 @@ void write_calibration(const std::filesystem::path& directory);
 void write_city(const std::filesystem::path& directory);
 void write_dunes(const std::filesystem::path& directory);
 void write_mip_levels(const std::filesystem::path& directory);
+void write_obstacles(const std::filesystem::path& directory);
 void write_sky(const std::filesystem::path& directory);
 void write_spikes(const std::filesystem::path& directory);
 void write_stones(const std::filesystem::path& directory);
