@@ -14,15 +14,23 @@
 namespace quadrel {
 namespace {
 
+// A name that is too long is none that exists, and no reason to give up here.
+bool there_is(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::exists(file, error);
+}
+
+// "thesis-quad", or "rows/linear" for one in a folder.
 bool is_bare_name(const std::filesystem::path& path) {
-    return !path.empty() && !path.has_parent_path() && !path.has_extension();
+    if (path.empty() || path.has_extension() || path.is_absolute()) return false;
+    return !path.has_parent_path() || !there_is(path);
 }
 
 // A glman scene keeps its extension in its installed name.
 std::filesystem::path find_glib(const std::filesystem::path& file) {
-    if (file.has_parent_path() || std::filesystem::exists(file)) return file;
+    if (file.has_parent_path() || there_is(file)) return file;
     for (const auto& directory : data_directories())
-        if (const auto installed = directory / "scenes" / file; std::filesystem::exists(installed))
+        if (const auto installed = directory / "scenes" / file; there_is(installed))
             return installed;
     return file;
 }
@@ -33,7 +41,7 @@ std::filesystem::path find_scene(const std::filesystem::path& file_or_name) {
     const std::string name = file_or_name.string();
     for (const auto& directory : data_directories()) {
         const auto candidate = directory / "scenes" / (name + ".json");
-        if (std::filesystem::exists(candidate)) return candidate;
+        if (there_is(candidate)) return candidate;
     }
     throw InputError(name, "", "no installed scene of this name",
                      one_of(name, installed_scenes()) + "; or a path with an extension");
@@ -116,10 +124,11 @@ std::vector<std::string> installed_scenes() {
     std::vector<std::string> names;
     for (const auto& directory : data_directories()) {
         std::error_code error;
-        for (const auto& entry : std::filesystem::directory_iterator(directory / "scenes", error)) {
-            const std::filesystem::path& file = entry.path();
-            if (file.extension() == ".json") names.push_back(file.stem().string());
-            if (is_glib_file(file)) names.push_back(file.filename().string());
+        const auto scenes = directory / "scenes";
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes, error)) {
+            std::filesystem::path name = entry.path().lexically_relative(scenes);
+            if (is_glib_file(name)) names.push_back(name.string());
+            if (name.extension() == ".json") names.push_back(name.replace_extension().string());
         }
     }
     std::sort(names.begin(), names.end());

@@ -13,8 +13,8 @@ namespace {
 
 std::vector<std::filesystem::path> scene_files() {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(QUADREL_DATA_DIR) / "scenes"))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(
+             std::filesystem::path(QUADREL_DATA_DIR) / "scenes"))
         if (entry.path().extension() == ".json") files.push_back(entry.path());
     return files;
 }

@@ -9,8 +9,9 @@
 
 namespace quadrel {
 
-/// Reads a scene: JSON with comments, as data/scenes/README.md describes it. A bare name (no
-/// slash, no extension) is looked up as scenes/<name>.json in the data directories. A file that
+/// Reads a scene: JSON with comments, as data/scenes/README.md describes it. A name
+/// without extension ("thesis-quad", "rows/linear") is looked up as scenes/<name>.json in the data
+/// directories. A file that
 /// ends in ".glib" is read as a scene of glman, as that of "Derivative-Based Relief Mapping"
 /// (2012); its name alone is looked for in the data directories too. `overrides`
 /// are assignments "key=value" ("material.relief.steps=256") made before anything is read. Meshes
