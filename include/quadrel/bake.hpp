@@ -29,6 +29,64 @@ enum class BakeKind : std::int32_t {
     /// Lee, "Pyramidal Displacement Mapping", VRST 2006; Drobot, "Quadtree Displacement Mapping
     /// with Height Blending", GPU Pro, 2010.
     texel_max,
+
+    // Cone maps over texels: {height, ratio} a texel of the texture. The ratio is the radius, in
+    // tiles, that the cone has at unit height over its apex (the texel's centre at its height), at
+    // most the parameter c_max. Between texel centres nothing is promised: bilinear look-ups can
+    // read wider cones than either texel has, and the field can pierce a cone between centres.
+
+    /// The widest cone that no texel's centre is inside of, by brute force. Source: Dummer, "Cone
+    /// Step Mapping", 2006.
+    cone,
+    /// The same, then the least of 3x3, then rounded down to `bits` bits. Source: Ban, Valasek,
+    /// Balint, Vad, "Robust Cone Step Mapping", EGSR 2024.
+    cone_robust,
+    /// Never wider than `cone`, from a pyramid. Source: Valasek, Ban, "Quick Cone Map Generation on
+    /// the GPU", EG 2022.
+    cone_quick,
+    /// {M, ratio} a stored dual cell (cell_grid), to be fetched by cell: M is the cell's greatest
+    /// height, ratio the least of distance / (M' - M) over all higher cells, the distance between
+    /// the cells' rectangles in tiles, 0 where cells touch. Exact for the bilinear field.
+    cone_cell,
+    /// Rays from above pierce the field at most once inside of the cone, by point samples. Source:
+    /// Policarpo, Oliveira, "Relaxed Cone Stepping for Relief Mapping", GPU Gems 3, chapter 18.
+    relaxed_cone,
+    /// Relaxed cones from falling edges, then the least of 3x3 and `bits`. Source: Ban et al. 2024.
+    relaxed_cone_exact,
+    /// Four ratios a texel, for offsets mostly towards -u, +u, -v, +v. Source: GPU Gems 3,
+    /// chapter 18.
+    quad_cone,
+    /// Eight ratios a texel in two layers of four channels: sector k, channel k % 4 of layer k / 4,
+    /// holds azimuths from 45 k to 45 (k + 1) degrees, from +u towards +v in tile units.
+    aniso_cone,
+
+    // Distance volumes: `slices` layers of one channel; layer k is about height (k + 1/2) / slices.
+    // Distances in voxels (cubes, one texel wide) divided by `slices`.
+
+    /// As published: vector sweeps, 8 bits. Source: Donnelly, GPU Gems 2, chapter 8.
+    distance,
+    /// Never above the distance to the bilinear field or to the blocks, trilinear look-ups
+    /// included; may be negative near the surface, where it is to be read as 0.
+    distance_exact,
+
+    // Horizons: `azimuths` layers of one channel, the tangent of the horizon's elevation (heights
+    // and tiles being of one length) towards 360 k / azimuths degrees from +u towards +v.
+
+    /// Over the bilinear field, from texel centres, rounded up; exact towards multiples of 45
+    /// degrees, otherwise as far as `reach` tiles. Source: Max, "Horizon mapping", 1988.
+    horizon,
+    /// From the nearest texels at texel steps.
+    horizon_sampled,
+
+    // Normals: rgb 0.5 + 0.5 n, n = normalize(-depth dh/du, -depth dh/dv, 1), alpha the height.
+
+    normal_gather,  ///< forward differences of 2x2 texels: the slopes at the texel's far corner
+    normal_4tap,    ///< central differences
+    normal_sobel,   ///< Sobel's 3x3
+
+    /// Layer b * (A + 1) + a, A = floor(log2(columns)): maximum over the 2^a x 2^b dual cells from
+    /// (i, j) on, i and j stored cells. Source: Thonat et al., "RMIP", SIGGRAPH Asia 2023.
+    rmq,
 };
 
 /// A number that steers a kind.

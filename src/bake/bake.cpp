@@ -88,7 +88,7 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     const std::string id = baked_id(height, kind, sampler, options);
     require_size(height, sampler);
     const HeightPlane plane(height, sampler);
-    if (row.finite) require_finite(plane, row.info);
+    if (row.heights == Heights::finite) require_finite(plane, row.info);
     Progress progress(options.progress);
     const BakeJob job{plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;

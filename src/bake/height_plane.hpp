@@ -12,8 +12,17 @@ namespace quadrel {
 struct HeightPlane {
     HeightPlane(const Texture& height, const SamplerState& sampler);
 
-    /// Stored index of any texel index of one axis.
-    static int wrap(int i, const GridAxis& axis) { return stored_index<double>(i, axis); }
+    /// Stored index of any texel index of one axis; most are stored themselves.
+    static int wrap(int i, const GridAxis& axis) {
+        const int from_first = i - axis.first;
+        if (from_first >= 0 && from_first < axis.count) return from_first;
+        return stored_index<double>(i, axis);
+    }
+    /// Stored index of one that is at most one step outside of [0, count).
+    static int wrap_step(int stored, const GridAxis& axis) {
+        if (stored >= 0 && stored < axis.count) return stored;
+        return (stored < 0) == axis.periodic ? axis.count - 1 : 0;
+    }
     /// By stored indices.
     float at(int i, int j) const { return heights[static_cast<std::size_t>(j) * grid.u.count + i]; }
     /// By texel indices anywhere in the plane; (0, 0) is the texture's first texel.

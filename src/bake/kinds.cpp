@@ -2,58 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "bake/generators.hpp"
 #include "io/suggest.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
-
-namespace {
-
-double linear_time(double texels) { return 5e-8 * texels; }
-
-std::vector<BakeKindRow> make_rows() {
-    return {
-        {{BakeKind::max_mip,
-          "max-mip",
-          "pyramid of the greatest heights of dual cells",
-          "bilinear",
-          "exact",
-          {}},
-         bake_max_mip,
-         1,
-         false,
-         linear_time},
-        {{BakeKind::min_max,
-          "min-max",
-          "pyramid of least and greatest heights of dual cells",
-          "bilinear",
-          "exact",
-          {}},
-         bake_min_max,
-         1,
-         false,
-         linear_time},
-        {{BakeKind::texel_max,
-          "texel-max",
-          "pyramid of the greatest heights of texels",
-          "block",
-          "exact",
-          {}},
-         bake_texel_max,
-         1,
-         false,
-         linear_time},
-    };
-}
-
-}  // namespace
-
-const std::vector<BakeKindRow>& bake_rows() {
-    static const std::vector<BakeKindRow> rows = make_rows();
-    return rows;
-}
 
 const BakeKindRow& bake_row(BakeKind kind) {
     const BakeKindRow& row = bake_rows().at(static_cast<std::size_t>(kind));

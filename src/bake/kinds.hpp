@@ -6,11 +6,14 @@
 
 namespace quadrel {
 
+/// What a generator takes.
+enum class Heights { any, finite };
+
 struct BakeKindRow {
     BakeKindInfo info;
     Generator generate;
     int version;  ///< raised whenever a generator gives other values than before
-    bool finite;  ///< heights that are NaN or infinite are refused
+    Heights heights;
     double (*seconds)(double texels);  ///< at most, on one core; `texels` stored
 };
 

@@ -17,6 +17,26 @@ enum class Planted {
     child_missing,     ///< the odd last column is not in its parent
     texels_not_cells,  ///< maxima of texels where cells are asked for
     nan_ignored,       ///< a node above a NaN that looks sound
+    // Cones.
+    ratio_an_ulp_wide,  ///< the next float above each ratio
+    ratio_halved,       ///< cones that are sound but needlessly narrow
+    square_metric,      ///< distances in units of one axis on both
+    open_cones,         ///< the widest ratio everywhere
+    sectors_turned,     ///< a sector's ratio in the next one
+    first_ratio,        ///< the first ratio everywhere
+    no_least_of_3x3,    ///< the filter left out
+    code_rounded_up,    ///< the next code above
+    early_exit,         ///< one sample fewer below each texel than listed
+    // Volumes, horizons, normals, tables.
+    raised,          ///< every value a little too high
+    lowered,         ///< every value a little too low
+    layers_turned,   ///< a layer's values in the next one
+    doubled_slopes,  ///< the sums of the source, not divided
+    green_flipped,   ///< normals that lean towards falling v
+    // Any map.
+    threads_in_values,   ///< values that depend on the number of threads
+    position_in_values,  ///< values that depend on where the texel lies
+    progress_falls,      ///< progress that goes back
 };
 
 }  // namespace quadrel::test

@@ -97,20 +97,64 @@ inline float texel_of(const Texture& map, int level, int layer, int i, int j, in
     return map.level_texels(level, layer)[(j * view.width[level] + i) * view.channels + c];
 }
 
+/// A copy with every value v of channel c at level, layer, i, j replaced by change(...).
+inline Texels with_values(
+    const Texture& map,
+    const std::function<float(float v, int level, int layer, int i, int j, int c)>& change) {
+    const auto copy = std::make_shared<Texture>(map.view(), map.format(), map.id());
+    const TextureView& view = map.view();
+    for (int level = 0; level < view.levels; ++level) {
+        for (int layer = 0; layer < view.faces; ++layer) {
+            const float* from = map.level_texels(level, layer);
+            float* to = copy->level_texels(level, layer);
+            for (int j = 0; j < view.height[level]; ++j)
+                for (int i = 0; i < view.width[level]; ++i)
+                    for (int c = 0; c < view.channels; ++c)
+                        *to++ = change(*from++, level, layer, i, j, c);
+        }
+    }
+    return copy;
+}
+
 /// A copy with one value changed.
 inline Texels with_value(const Texture& map, int level, int layer, int i, int j, int c,
                          const std::function<float(float)>& change) {
-    const auto copy = std::make_shared<Texture>(map.view(), map.format(), map.id());
-    const TextureView& view = map.view();
-    for (int l = 0; l < view.levels; ++l) {
-        const std::size_t floats =
-            std::size_t(view.width[l]) * view.height[l] * view.channels * view.faces;
-        std::copy_n(map.level_texels(l, 0), floats, copy->level_texels(l, 0));
+    return with_values(map, [&](float v, int l, int y, int x0, int y0, int c0) {
+        return l == level && y == layer && x0 == i && y0 == j && c0 == c ? change(v) : v;
+    });
+}
+
+/// Random and stress fields of a few shapes.
+inline std::vector<Texels> small_fields() {
+    std::vector<Texels> fields = stress_fields(7, 5);
+    fields.push_back(random_field(8, 3, 11));
+    fields.push_back(random_field(3, 7, 12));
+    fields.push_back(random_field(1, 1, 13));
+    fields.push_back(random_field(1, 6, 14));
+    return fields;
+}
+
+/// Checks a property of a baked map on small fields under every pair of wrap modes.
+using MapCheck = std::function<testing::AssertionResult(const Texture& map, const Texture& field,
+                                                        const SamplerState& sampler)>;
+
+inline testing::AssertionResult holds_for_small_fields(const Baker& baked, const MapCheck& check) {
+    for (const Texels& field : small_fields()) {
+        for (const SamplerState& sampler : all_samplers()) {
+            auto result = check(*baked(*field, sampler), *field, sampler);
+            if (!result) return result << ", " << describe(*field, sampler);
+        }
     }
-    float& value =
-        copy->level_texels(level, layer)[(j * view.width[level] + i) * view.channels + c];
-    value = change(value);
-    return copy;
+    return testing::AssertionSuccess();
+}
+
+/// A baker whose values go through `change`.
+inline Baker changed(
+    const Baker& baked,
+    const std::function<float(float v, int level, int layer, int i, int j, int c)>& change) {
+    return [=](const Texture& field, const SamplerState& sampler) {
+        return with_values(*baked(field, sampler), change);
+    };
 }
 
 }  // namespace quadrel::test

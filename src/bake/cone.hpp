@@ -1,0 +1,71 @@
+// What all cone maps share: a texture of {height, ratio}, the ratios found texel by texel.
+//
+// The ratio of a cone is its radius, in tile units, at unit height above the apex.
+#pragma once
+
+#include "bake/job.hpp"
+#include "bake/ring_search.hpp"
+#include "bake/rounding.hpp"
+
+namespace quadrel {
+
+/// The texel that a cone stands on, by stored indices.
+struct Apex {
+    Apex(const HeightPlane& plane, int column, int row, Images images)
+        : i(column),
+          j(row),
+          u(column, plane.grid.u, images),
+          v(row, plane.grid.v, images),
+          height(plane.at(column, row)) {}
+
+    int i, j;
+    OffsetRange u, v;
+    double height;
+};
+
+/// Rounds a ratio down: never wider than the true cone, whatever double has rounded.
+inline float safe_ratio(double ratio, double limit) {
+    return round_down(ratio < limit ? ratio * (1 - safe_slack) : limit);
+}
+
+/// Radius over height of the cone that just reaches a point `rise` above the apex.
+inline double cone_ratio(double distance, double rise) { return distance / rise; }
+
+/// Calls set(apex, texel) for every texel of the texture, in parallel; `texel` is what level 0 of
+/// the first layer of `map` stores for it.
+template <class Set>
+void for_each_apex(const BakeJob& job, double share, Images images, Texture& map, const Set& set) {
+    const HeightPlane& plane = job.plane;
+    const int channels = map.view().channels;
+    float* const texels = map.level_texels(0, 0);
+    job.rows(plane.height, share, [&](int row) {
+        for (int column = 0; column < plane.width; ++column) {
+            const Apex apex(plane, column - plane.grid.u.first, row - plane.grid.v.first, images);
+            set(apex, texels + (static_cast<std::size_t>(row) * plane.width + column) * channels);
+        }
+    });
+}
+
+/// A map of heights and ratios.
+template <class Ratio>
+std::shared_ptr<Texture> make_cone_map(const BakeJob& job, double share, Images images,
+                                       const Ratio& ratio) {
+    const auto map = job.make(2, 1, {{job.plane.width, job.plane.height}});
+    for_each_apex(job, share, images, *map, [&](const Apex& apex, float* texel) {
+        texel[0] = static_cast<float>(apex.height);
+        texel[1] = ratio(apex);
+    });
+    return map;
+}
+
+/// Replaces each ratio (channel 1) by the least of its 3x3 neighbours in the plane, so that a
+/// bilinear look-up is nowhere wider than the cones of the texels around it.
+void filter_ratios(const BakeJob& job, double share, Texture& map);
+
+/// Rounds ratios (channel 1) down to unorm codes, if the kind's parameter `bits` asks for it.
+void quantise_ratios(const BakeJob& job, Texture& map);
+
+/// The greatest height of the plane.
+float highest(const HeightPlane& plane);
+
+}  // namespace quadrel

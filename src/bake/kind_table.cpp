@@ -1,0 +1,110 @@
+// The table of kinds: what each is called, takes, promises and costs.
+#include <cmath>
+
+#include "bake/generators.hpp"
+#include "bake/kinds.hpp"
+
+namespace quadrel {
+
+namespace {
+
+double linear_time(double texels) { return 1e-7 * texels; }
+double logarithmic_time(double texels) { return 2e-6 * texels; }
+double layered_time(double texels) { return 1e-5 * texels; }
+double ray_time(double texels) { return 1.2e-6 * texels * std::sqrt(texels); }
+double pair_time(double texels) { return 4e-9 * texels * texels; }
+double sector_time(double texels) { return 1.5e-8 * texels * texels; }
+double relaxed_time(double texels) { return 4e-8 * texels * texels; }
+
+const BakeParameter c_max{"c_max", 1, 0x1p-20, 16, false, "widest cone: tiles at unit height"};
+const BakeParameter bits{"bits", 0,    0,
+                         16,     true, "round ratios down to codes of so many bits; 0: no"};
+const BakeParameter near_side{
+    "near_side", 1, 0, 1, true, "1: heights stand on the near side of a node; 0: on texel centres"};
+const BakeParameter steps{"steps", 128, 1, 4096, true, "samples below each texel"};
+const BakeParameter slices{"slices", 16, 2, 256, true, "voxels between heights 0 and 1"};
+const BakeParameter azimuths{"azimuths", 8, 4, 64, true, "directions"};
+const BakeParameter reach{
+    "reach", 4, 0, 64, false, "tiles to look at towards other than multiples of 45 degrees"};
+const BakeParameter depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
+
+/// A kind in its first version.
+BakeKindRow make_row(BakeKind kind, const char* name, const char* text, const char* field,
+                     const char* rounding, std::vector<BakeParameter> parameters,
+                     Generator generate, Heights heights, double (*seconds)(double)) {
+    return {
+        {kind, name, text, field, rounding, std::move(parameters)}, generate, 1, heights, seconds};
+}
+
+std::vector<BakeKindRow> pyramid_rows() {
+    return {
+        make_row(BakeKind::max_mip, "max-mip", "pyramid of the greatest heights of dual cells",
+                 "bilinear", "exact", {}, bake_max_mip, Heights::any, linear_time),
+        make_row(BakeKind::min_max, "min-max",
+                 "pyramid of least and greatest heights of dual cells", "bilinear", "exact", {},
+                 bake_min_max, Heights::any, linear_time),
+        make_row(BakeKind::texel_max, "texel-max", "pyramid of the greatest heights of texels",
+                 "block", "exact", {}, bake_texel_max, Heights::any, linear_time),
+    };
+}
+
+std::vector<BakeKindRow> cone_rows() {
+    return {
+        make_row(BakeKind::cone, "cone", "heights and conservative cones, by brute force", "texels",
+                 "down", {c_max}, bake_cone, Heights::finite, pair_time),
+        make_row(BakeKind::cone_robust, "cone-robust", "conservative cones, least of 3x3", "texels",
+                 "down", {c_max, bits}, bake_cone_robust, Heights::finite, pair_time),
+        make_row(BakeKind::cone_quick, "cone-quick", "conservative cones from a pyramid", "texels",
+                 "down", {c_max, near_side}, bake_cone_quick, Heights::finite, logarithmic_time),
+        make_row(BakeKind::cone_cell, "cone-cell", "greatest heights and cones of dual cells",
+                 "bilinear", "down", {c_max}, bake_cone_cell, Heights::finite, logarithmic_time),
+        make_row(BakeKind::relaxed_cone, "relaxed-cone", "relaxed cones by 128 samples", "texels",
+                 "nearest", {steps}, bake_relaxed_cone, Heights::finite, relaxed_time),
+        make_row(BakeKind::relaxed_cone_exact, "relaxed-cone-exact",
+                 "relaxed cones by falling edges", "texels", "down", {c_max, bits},
+                 bake_relaxed_cone_exact, Heights::finite, pair_time),
+        make_row(BakeKind::quad_cone, "quad-cone", "cones of four sectors", "texels", "down",
+                 {c_max}, bake_quad_cone, Heights::finite, sector_time),
+        make_row(BakeKind::aniso_cone, "aniso-cone", "cones of eight sectors of azimuth", "texels",
+                 "down", {c_max}, bake_aniso_cone, Heights::finite, sector_time),
+    };
+}
+
+std::vector<BakeKindRow> other_rows() {
+    return {
+        make_row(BakeKind::distance, "distance", "distance volume by vector sweeps, 8 bits",
+                 "block", "down", {slices}, bake_distance, Heights::finite, layered_time),
+        make_row(BakeKind::distance_exact, "distance-exact",
+                 "distance volume that is never too large", "bilinear", "down", {slices},
+                 bake_distance_exact, Heights::finite, layered_time),
+        make_row(BakeKind::horizon, "horizon", "horizons of the bilinear field", "bilinear", "up",
+                 {azimuths, reach}, bake_horizon, Heights::finite, ray_time),
+        make_row(BakeKind::horizon_sampled, "horizon-sampled", "horizons by texel samples",
+                 "texels", "nearest", {azimuths, reach}, bake_horizon_sampled, Heights::finite,
+                 ray_time),
+        make_row(BakeKind::normal_gather, "normal-gather", "normals by forward differences",
+                 "texels", "nearest", {depth}, bake_normal_gather, Heights::finite, linear_time),
+        make_row(BakeKind::normal_4tap, "normal-4tap", "normals by central differences", "texels",
+                 "nearest", {depth}, bake_normal_4tap, Heights::finite, linear_time),
+        make_row(BakeKind::normal_sobel, "normal-sobel", "normals by Sobel's kernel", "texels",
+                 "nearest", {depth}, bake_normal_sobel, Heights::finite, linear_time),
+        make_row(BakeKind::rmq, "rmq", "range-maximum tables of dual cells", "bilinear", "exact",
+                 {}, bake_rmq, Heights::any, layered_time),
+    };
+}
+
+std::vector<BakeKindRow> make_rows() {
+    std::vector<BakeKindRow> rows = pyramid_rows();
+    for (const BakeKindRow& row : cone_rows()) rows.push_back(row);
+    for (const BakeKindRow& row : other_rows()) rows.push_back(row);
+    return rows;
+}
+
+}  // namespace
+
+const std::vector<BakeKindRow>& bake_rows() {
+    static const std::vector<BakeKindRow> rows = make_rows();
+    return rows;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,95 @@
+// Relaxed cone maps: the widest cones in which a ray from above pierces the field at most once.
+//
+// relaxed-cone. Source: Policarpo, Oliveira, "Relaxed Cone Stepping for Relief Mapping", GPU Gems
+// 3, chapter 18, the preprocess of listing 18-1: for every texel q a ray from above the apex p
+// through q goes on below q in 128 point samples until it is outside again. In float32, as the
+// listing. Differs in leaving out texels that cannot narrow the cone further (the result is the
+// same), and where q is as high as can be (depth 0): the listing divides by 0 there, here q itself
+// counts.
+#include "bake/cone.hpp"
+#include "bake/generators.hpp"
+
+namespace quadrel {
+
+namespace {
+
+struct DepthPoint {
+    float u, v, z;
+};
+
+class RelaxedSearch {
+  public:
+    explicit RelaxedSearch(const BakeJob& job)
+        : plane_(job.plane),
+          metric_(plane_.width, plane_.height),
+          top_(highest(plane_)),
+          steps_(job.whole("steps")) {}
+
+    float operator()(const Apex& apex) const {
+        float best = 1;
+        if (top_ <= apex.height) return best;
+        search_rings(
+            apex.u, apex.v,
+            [&](int r) { return hopeless(metric_.ring(r), top_ - apex.height, best); },
+            [&](int di, int dj) {
+                const double rise = plane_.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
+                // The exit lies further out and deeper than q.
+                if (!(rise > 0) || hopeless(metric_(di, dj), rise, best)) return;
+                const float ratio = listed_ratio(apex, di, dj);
+                if (!(ratio > best)) best = ratio;
+            });
+        return best;
+    }
+
+  private:
+    /// Whether a point can not give less than `best`, float32 rounding included.
+    static bool hopeless(double distance, double rise, float best) {
+        return distance > rise * best * 1.0001;
+    }
+
+    float depth_at(float u, float v) const {
+        const double x = std::floor(static_cast<double>(u) * plane_.width);
+        const double y = std::floor(static_cast<double>(v) * plane_.height);
+        return 1.0f - plane_.texel(static_cast<int>(x), static_cast<int>(y));
+    }
+
+    float listed_ratio(const Apex& apex, int di, int dj) const {
+        const auto [width, height] = std::pair(float(plane_.width), float(plane_.height));
+        const float u = (float(apex.i + plane_.grid.u.first) + 0.5f) / width;
+        const float v = (float(apex.j + plane_.grid.v.first) + 0.5f) / height;
+        const float offset_u = float(di) / width, offset_v = float(dj) / height;
+        const float z = depth_at(u + offset_u, v + offset_v);
+        const float apex_depth = 1.0f - static_cast<float>(apex.height);
+        const DepthPoint exit =
+            z == 0 ? DepthPoint{u + offset_u, v + offset_v, z} : leave(u, v, offset_u, offset_v, z);
+        if (exit.z >= apex_depth) return 1;
+        const float x = exit.u - u, y = exit.v - v;
+        return std::sqrt(x * x + y * y) / (apex_depth - exit.z);
+    }
+
+    /// Where the ray through q is outside again, by samples.
+    DepthPoint leave(float u, float v, float offset_u, float offset_v, float z) const {
+        DepthPoint step{offset_u / z, offset_v / z, z / z};
+        const float rest = 1.0f - z, count = static_cast<float>(steps_);
+        step = {step.u * rest / count, step.v * rest / count, step.z * rest / count};
+        DepthPoint at{u + offset_u + step.u, v + offset_v + step.v, z + step.z};
+        for (int i = 1; i < steps_; ++i) {
+            if (!(depth_at(at.u, at.v) <= at.z)) break;  // and stays there for the other turns
+            at = {at.u + step.u, at.v + step.v, at.z + step.z};
+        }
+        return at;
+    }
+
+    const HeightPlane& plane_;
+    TileMetric metric_;
+    double top_;
+    int steps_;
+};
+
+}  // namespace
+
+std::shared_ptr<Texture> bake_relaxed_cone(const BakeJob& job) {
+    return make_cone_map(job, 1, Images::all, RelaxedSearch(job));
+}
+
+}  // namespace quadrel
