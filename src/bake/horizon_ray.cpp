@@ -88,8 +88,8 @@ double sampled_horizon(const HeightPlane& plane, const HorizonRay& ray, double t
     for (int n = 1; n <= ray.length * speed; ++n) {
         const double t = n / speed;
         if ((top - own) / t <= most) break;
-        const int i = static_cast<int>(std::floor(ray.i + ray.along_u * t + 0.5));
-        const int j = static_cast<int>(std::floor(ray.j + ray.along_v * t + 0.5));
+        const int i = ray.i + static_cast<int>(std::floor(ray.along_u * t + 0.5));
+        const int j = ray.j + static_cast<int>(std::floor(ray.along_v * t + 0.5));
         most = std::max(most, (plane.texel(i, j) - own) / t);
     }
     return most;

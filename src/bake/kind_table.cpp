@@ -25,7 +25,8 @@ const BakeParameter steps{"steps", 128, 1, 4096, true, "samples below each texel
 const BakeParameter slices{"slices", 16, 2, 256, true, "voxels between heights 0 and 1"};
 const BakeParameter azimuths{"azimuths", 8, 4, 64, true, "directions"};
 const BakeParameter reach{
-    "reach", 4, 0, 64, false, "tiles to look at towards other than multiples of 45 degrees"};
+    "reach", 4,     0,
+    64,      false, "tiles to look at, at least, towards other than multiples of 45 degrees"};
 const BakeParameter depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
 
 /// A kind in its first version.

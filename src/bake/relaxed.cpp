@@ -57,22 +57,22 @@ class RelaxedSearch {
         const auto [width, height] = std::pair(float(plane_.width), float(plane_.height));
         const float u = (float(apex.i + plane_.grid.u.first) + 0.5f) / width;
         const float v = (float(apex.j + plane_.grid.v.first) + 0.5f) / height;
-        const float offset_u = float(di) / width, offset_v = float(dj) / height;
-        const float z = depth_at(u + offset_u, v + offset_v);
+        const float to_u = u + float(di) / width, to_v = v + float(dj) / height;
+        const float z = depth_at(to_u, to_v);
         const float apex_depth = 1.0f - static_cast<float>(apex.height);
         const DepthPoint exit =
-            z == 0 ? DepthPoint{u + offset_u, v + offset_v, z} : leave(u, v, offset_u, offset_v, z);
+            z == 0 ? DepthPoint{to_u, to_v, z} : leave({to_u, to_v, z}, {to_u - u, to_v - v, z});
         if (exit.z >= apex_depth) return 1;
         const float x = exit.u - u, y = exit.v - v;
         return std::sqrt(x * x + y * y) / (apex_depth - exit.z);
     }
 
-    /// Where the ray through q is outside again, by samples.
-    DepthPoint leave(float u, float v, float offset_u, float offset_v, float z) const {
-        DepthPoint step{offset_u / z, offset_v / z, z / z};
-        const float rest = 1.0f - z, count = static_cast<float>(steps_);
-        step = {step.u * rest / count, step.v * rest / count, step.z * rest / count};
-        DepthPoint at{u + offset_u + step.u, v + offset_v + step.v, z + step.z};
+    /// Where the ray that comes along `to` is outside again below texel q, by samples.
+    DepthPoint leave(const DepthPoint& q, const DepthPoint& to) const {
+        const float rest = 1.0f - q.z, count = static_cast<float>(steps_);
+        const auto step_of = [&](float component) { return component / to.z * rest / count; };
+        const DepthPoint step{step_of(to.u), step_of(to.v), step_of(to.z)};
+        DepthPoint at{q.u + step.u, q.v + step.v, q.z + step.z};
         for (int i = 1; i < steps_; ++i) {
             if (!(depth_at(at.u, at.v) <= at.z)) break;  // and stays there for the other turns
             at = {at.u + step.u, at.v + step.v, at.z + step.z};
