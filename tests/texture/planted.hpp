@@ -29,6 +29,7 @@ enum class Planted {
     mips_of_rounded,       ///< a level is made from the rounded previous one
     box_drops_nothing,     ///< the box rule covers the last odd texel, too
     flip_forgotten,        ///< flip_v has no effect
+    marks_of_all_lanes,    ///< texels of lanes that do not ask are marked, too
     error_swallowed,       ///< a truncated file reads as a success
 };
 

@@ -9,23 +9,35 @@
 
 namespace quadrel {
 
+/// The row of a texel among those of all faces.
+template <Number F>
+Int<F> cube_row(const LevelGeometry<F>& level, const CubeTexel<F>& at) {
+    return at.face * level.height + at.y;
+}
+
 template <int channels, Number F>
 Texel<channels, F> load_cube_texel(const SampledTexture& texture, const LevelGeometry<F>& level,
                                    const CubeTexel<F>& at) {
-    const Int<F> row = at.face * level.height + at.y;
-    return load_texel<channels, F>(texture.view.texels, texel_index<channels, F>(level, at.x, row));
+    return load_texel<channels, F>(texture.view.texels,
+                                   texel_index<channels, F>(level, at.x, cube_row(level, at)));
+}
+
+template <Number F>
+CubeTexel<F> nearest_cube_texel(const SamplerState& sampler, const LevelGeometry<F>& level,
+                                const CubePoint<F>& at) {
+    const auto axis = [&](F coordinate) {
+        return address_axis(coordinate, level.width, level.width_number, Wrap::clamp_to_edge,
+                            Filter::nearest, sampler)
+            .first;
+    };
+    return {at.face, axis(at.st.x), axis(at.st.y)};
 }
 
 template <int channels, Number F>
 Texel<channels, F> sample_cube_nearest(const SampledTexture& texture, const LevelGeometry<F>& level,
                                        const CubePoint<F>& at) {
-    const SamplerState& s = texture.sampler;
-    const auto axis = [&](F coordinate) {
-        return address_axis(coordinate, level.width, level.width_number, Wrap::clamp_to_edge,
-                            Filter::nearest, s)
-            .first;
-    };
-    return load_cube_texel<channels, F>(texture, level, {at.face, axis(at.st.x), axis(at.st.y)});
+    return load_cube_texel<channels, F>(texture, level,
+                                        nearest_cube_texel(texture.sampler, level, at));
 }
 
 /// First texel (-1 to n - 1) and weight of a linear footprint along one axis, not wrapped.
@@ -58,26 +70,72 @@ void mend_corners(FourTaps<channels, F>& of, const Mask<F> (&corner)[4]) {
     }
 }
 
-template <int channels, Number F>
-Texel<channels, F> sample_cube_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
-                                      const CubePoint<F>& at) {
-    const OpenAxis<F> x = open_axis(at.st.x, level.width_number, texture.sampler);
-    const OpenAxis<F> y = open_axis(at.st.y, level.width_number, texture.sampler);
+/// The texels of a linear footprint, each on its own face.
+template <Number F>
+struct CubeFootprint {
+    CubeTexel<F> texel[4];
+    Mask<F> corner[4];  ///< this texel does not exist; what stands in for it may be read
+    F weight_x, weight_y;
+};
+
+template <Number F>
+CubeFootprint<F> cube_footprint(const SamplerState& sampler, const LevelGeometry<F>& level,
+                                const CubePoint<F>& at) {
+    const OpenAxis<F> x = open_axis(at.st.x, level.width_number, sampler);
+    const OpenAxis<F> y = open_axis(at.st.y, level.width_number, sampler);
     const Int<F> zero(0), size = level.width;
-    FourTaps<channels, F> taps;
-    Mask<F> corner[4];
+    CubeFootprint<F> of;
+    of.weight_x = x.weight;
+    of.weight_y = y.weight;
     for (int tap = 0; tap < 4; ++tap) {
         CubeTexel<F> texel = {at.face, x.first + Int<F>(tap & 1), y.first + Int<F>(tap >> 1)};
         const Mask<F> out_x = (texel.x < zero) | (texel.x >= size);
         const Mask<F> out_y = (texel.y < zero) | (texel.y >= size);
-        corner[tap] = out_x & out_y;
+        of.corner[tap] = out_x & out_y;
         // A corner's own read is thrown away; it only has to be inside the texture.
-        texel.y = select(corner[tap], zero, texel.y);
-        if (any(out_x | out_y)) texel = cross_edge(texel, size);
-        taps.tap[tap] = load_cube_texel<channels, F>(texture, level, texel);
+        texel.y = select(of.corner[tap], zero, texel.y);
+        of.texel[tap] = any(out_x | out_y) ? cross_edge(texel, size) : texel;
     }
-    mend_corners(taps, corner);
-    return blend(taps, x.weight, y.weight);
+    return of;
+}
+
+template <int channels, Number F>
+Texel<channels, F> sample_cube_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
+                                      const CubePoint<F>& at) {
+    const CubeFootprint<F> of = cube_footprint(texture.sampler, level, at);
+    FourTaps<channels, F> taps;
+    for (int tap = 0; tap < 4; ++tap)
+        taps.tap[tap] = load_cube_texel<channels, F>(texture, level, of.texel[tap]);
+    mend_corners(taps, of.corner);
+    return blend(taps, of.weight_x, of.weight_y);
+}
+
+/// Marks a footprint of one level.
+template <Number F>
+void mark_cube_footprint(const TexelMarks& marks, const SampledTexture& texture,
+                         const LevelGeometry<F>& level, const CubePoint<F>& at, Filter filter,
+                         Mask<F> asked) {
+    if (!any(asked)) return;
+    const auto tap = [&](const CubeTexel<F>& texel, Mask<F> lanes) {
+        mark_tap<F>(marks, texture.view, level, texel.x, cube_row(level, texel), lanes);
+    };
+    if (filter == Filter::nearest)
+        return tap(nearest_cube_texel(texture.sampler, level, at), asked);
+    const CubeFootprint<F> of = cube_footprint(texture.sampler, level, at);
+    for (int i = 0; i < 4; ++i) tap(of.texel[i], asked & !of.corner[i]);
+}
+
+/// Marks what a cube look-up touches.
+template <Number F>
+[[gnu::noinline]] void mark_cube_look_up(const TexelMarks& marks, const SampledTexture& texture,
+                                         CubePoint<F> at, LodRecord<F> lod, Mask<F> active) {
+    const MipLevels<F> levels = mip_levels(texture, lod);
+    const Mask<F> blended = Mask<F>(levels.blends) & (lod.frac > F(0));
+    for_each_footprint<F>(texture.sampler, levels.fine, levels.coarse, active, blended,
+                          lod.magnified,
+                          [&](const LevelGeometry<F>& level, Filter filter, Mask<F> asked) {
+                              mark_cube_footprint<F>(marks, texture, level, at, filter, asked);
+                          });
 }
 
 template <Number F>
@@ -86,6 +144,8 @@ vec4<F> sample_cube_expanded(const SampledTexture& texture, const SampleContext<
     count_fetch(context);
     count_coordinate(context, at.st.x, F(1));
     count_coordinate(context, at.st.y, F(1));
+    if (const TexelMarks* marks = marks_of(context))
+        mark_cube_look_up<F>(*marks, texture, at, lod, context.active);
     const vec4<F> value = with_channels(texture.view.channels, [&](auto channels) {
         constexpr int n = channels();
         return expand(

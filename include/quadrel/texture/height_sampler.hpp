@@ -45,6 +45,8 @@ class FastHeight {
         count_fetch(context);
         count_coordinate(context, uv.x, F(coordinate_limit));
         count_coordinate(context, uv.y, F(coordinate_limit));
+        if (const TexelMarks* marks = marks_of(context))
+            mark_footprint<F>(*marks, texture_, level_, uv, Filter::linear, context.active);
         return sample_linear<1, F>(texture_, level_, uv).channel[0];
     }
 

@@ -6,6 +6,7 @@
 #include "quadrel/texture/fetch_log.hpp"
 #include "quadrel/texture/filter.hpp"
 #include "quadrel/texture/lod.hpp"
+#include "quadrel/texture/marks.hpp"
 
 namespace quadrel {
 
@@ -89,12 +90,27 @@ Texel<channels, F> sample_texture(const SampledTexture& texture, const vec2<F>& 
     });
 }
 
+/// Marks what sample_texture touches.
+template <Number F>
+[[gnu::noinline]] void mark_look_up(const TexelMarks& marks, const SampledTexture& texture,
+                                    vec2<F> uv, LodRecord<F> lod, MipLevels<F> levels,
+                                    Mask<F> active) {
+    const Mask<F> blended = Mask<F>(levels.blends) & (lod.frac > F(0));
+    for_each_footprint<F>(texture.sampler, levels.fine, levels.coarse, active, blended,
+                          lod.magnified,
+                          [&](const LevelGeometry<F>& level, Filter filter, Mask<F> asked) {
+                              mark_footprint<F>(marks, texture, level, uv, filter, asked);
+                          });
+}
+
 template <Number F>
 vec4<F> sample_expanded(const SampledTexture& texture, const SampleContext<F>& context,
                         const vec2<F>& uv, const LodRecord<F>& lod, const MipLevels<F>& levels) {
     count_fetch(context);
     count_coordinate(context, uv.x, F(coordinate_limit));
     count_coordinate(context, uv.y, F(coordinate_limit));
+    if (const TexelMarks* marks = marks_of(context))
+        mark_look_up<F>(*marks, texture, uv, lod, levels, context.active);
     const vec4<F> value = with_channels(texture.view.channels, [&](auto channels) {
         return expand(sample_texture<channels(), F>(texture, uv, lod, levels));
     });
@@ -165,6 +181,8 @@ vec4<F> texel_fetch(const SampledTexture& texture, const SampleContext<F>& conte
         level_geometry<F>(texture.view, Int<F>(select(known, level, zero)));
     const Mask<F> inside =
         known & (x >= zero) & (x < geometry.width) & (y >= zero) & (y < geometry.height);
+    if (const TexelMarks* marks = marks_of(context))
+        mark_tap<F>(*marks, texture.view, geometry, x, y, context.active & inside);
     return with_channels(texture.view.channels, [&](auto channels) {
         const Int<F> index =
             texel_index<channels(), F>(geometry, select(inside, x, zero), select(inside, y, zero));
@@ -184,6 +202,8 @@ vec4<F> texture_gather(const SampledTexture& texture, const SampleContext<F>& co
     count_coordinate(context, uv.y, F(coordinate_limit));
     const LevelGeometry<F> level = level_geometry<F>(texture.view, 0);
     const Footprint<F> at = address(texture, level, uv, Filter::linear);
+    if (const TexelMarks* marks = marks_of(context))
+        mark_footprint<F>(*marks, texture, level, uv, Filter::linear, context.active);
     return with_channels(texture.view.channels, [&](auto channels) {
         const auto taps = load_taps<channels(), F>(texture, level, at);
         const auto pick = [&](int tap) { return expand(taps.tap[tap])[component]; };
