@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "quadrel/num/functions.hpp"
 #include "render/primitive_frame.hpp"
@@ -78,13 +79,17 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
     const glm::mat4 model_view = scene.camera.view * object.transform;
     const ShadedVertices vertices =
         shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
-    const PrimitiveFrames frames(mesh, model_view, vertices.eye, vertices.uv);
+    std::optional<PrimitiveFrames> frames;
+    if (with_frames) frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
     // A mirroring transform turns the winding round; the outside stays the outside.
     const bool mirrored = glm::determinant(glm::dmat3(glm::dmat4(model_view))) < 0;
     std::vector<AssembledTriangle> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        std::array<std::uint32_t, 3> index = mesh.triangles[t];
-        if (mirrored) std::swap(index[1], index[2]);
+        DrawnCorners drawn{t, {0, 1, 2}};
+        if (mirrored) std::swap(drawn.corner[1], drawn.corner[2]);
+        const auto& corners = mesh.triangles[t];
+        const std::array<std::uint32_t, 3> index{corners[drawn.corner[0]], corners[drawn.corner[1]],
+                                                 corners[drawn.corner[2]]};
         pieces.clear();
         assemble_triangle(
             {vertices.clip[index[0]], vertices.clip[index[1]], vertices.clip[index[2]]}, state,
@@ -93,7 +98,7 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
             geometry.triangles.push_back(
                 {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
             geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
-            if (with_frames) geometry.frames.push_back(frames.of(piece, index));
+            if (frames) geometry.frames.push_back(frames->of(piece, drawn));
         }
     }
 }

@@ -1,9 +1,22 @@
 // What frames and normal maps read of an object's triangles beyond position, normal and UV.
+//
+// The tangents of a row are what the material's frame makes of them:
+//
+//     frame                   tangent                     sign        bitangent
+//     frame-vertex            dP/du, averaged             1           dP/dv, averaged
+//     frame-vertex@published  vector to the eye times     handedness  unit tangent
+//                             tangent, binormal, normal
+//     frame-mikkt             MikkTSpace's unit tangent   handedness  unit vertex normal
+//     any other               the mesh's own, unit        handedness  unit vertex normal
+//
+// All in eye space; null where a mesh has nothing of the kind. frame-mikkt takes the mesh's own
+// tangents where it has some and no texture matrix turns the UV.
 #pragma once
 
 #include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <string_view>
 #include <vector>
 
 #include "quadrel/quad/uniforms.hpp"
@@ -12,22 +25,44 @@
 
 namespace quadrel {
 
+/// A triangle of a mesh with the order in which its corners are drawn.
+struct DrawnCorners {
+    std::size_t triangle = 0;
+    std::array<std::uint32_t, 3> corner{0, 1, 2};  ///< of the mesh's triangle
+};
+
 /// Rows for the triangles of one object.
 class PrimitiveFrames {
   public:
     /// `eye` and `uv`: the vertex stage's outputs, as long as the mesh; all must outlive this.
+    /// `frame`: id of the material's frame.
     PrimitiveFrames(const Mesh& mesh, const glm::mat4& model_view,
-                    const std::vector<glm::vec3>& eye, const std::vector<glm::vec2>& uv);
+                    const std::vector<glm::vec3>& eye, const std::vector<glm::vec2>& uv,
+                    std::string_view frame = {});
 
-    /// The row of one piece of the triangle of vertices `index`.
-    PrimitiveFrame of(const AssembledTriangle& piece,
-                      const std::array<std::uint32_t, 3>& index) const;
+    /// The row of one piece of a triangle.
+    PrimitiveFrame of(const AssembledTriangle& piece, const DrawnCorners& drawn) const;
 
   private:
+    /// One corner's part of a row.
+    struct Corner {
+        glm::vec3 tangent{0}, bitangent{0};
+        float sign = 0;
+    };
+    using Corners = std::array<Corner, 3>;
+
+    void make_own(const Mesh& mesh);
+    void make_gradients(const Mesh& mesh);
+    void make_eye_vectors(const Mesh& mesh);
+    void make_mikkt(const Mesh& mesh);
+
     const Mesh& mesh_;
     const std::vector<glm::vec3>& eye_;
     const std::vector<glm::vec2>& uv_;
-    glm::mat3 model_view_, normal_matrix_;
+    glm::mat4 model_view_;
+    glm::mat3 normal_matrix_;
+    float side_;                    ///< -1 where the transform mirrors
+    std::vector<Corners> corners_;  ///< a triangle each, eye space; empty where all are null
 };
 
 /// Gradients of u and v in the plane of a triangle, in double from its vertices; 0 where it has no

@@ -18,12 +18,13 @@ enum class Planted {
     colour_in_rgba_order,  ///< .gba of an R G B A texel
     steps_from_zero,       ///< the loop counter in place of the number of tests
     // Frames.
-    frame_of_the_listing,  ///< dot products with tangents that are not perpendicular
-    unsigned_area,         ///< a mirrored UV map loses its sign
-    rate_without_angle,    ///< the shift not divided by the depth rate
-    back_faces_kept,       ///< the normal of a back face not flipped
-    frame_always_valid,    ///< degenerate quads report HIT
-    degenerate_unnoticed,  ///< the flag uv_degenerate never set
+    frame_of_the_listing,   ///< dot products with tangents that are not perpendicular
+    unsigned_area,          ///< a mirrored UV map loses its sign
+    rate_without_angle,     ///< the shift not divided by the depth rate
+    back_faces_kept,        ///< the normal of a back face not flipped
+    frame_always_valid,     ///< degenerate quads report HIT
+    degenerate_unnoticed,   ///< the flag uv_degenerate never set
+    rate_along_the_normal,  ///< K of the oblique split over the r of the orthogonal one
     // Searches.
     strict_comparison,   ///< F > 0 in place of F >= 0
     one_sample_late,     ///< the sample after the first one below

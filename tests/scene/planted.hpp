@@ -5,6 +5,7 @@ namespace quadrel::planted {
 
 /// Each is made on purpose in a copy of a mesh or matrix, or in place of a function.
 enum class Defect {
+    none,
     reversed_triangle,   ///< one triangle's corners in the other order
     missing_triangle,    ///< a hole
     inward_normals,      ///< normals negated
@@ -19,6 +20,14 @@ enum class Defect {
     clockwise_rotation,  ///< the other sense of rotation
     steps_in_reverse,    ///< a transform's steps applied last first
     fan_of_concave,      ///< a concave polygon cut as if it were convex
+    // Tangents, made by sums in float over the vertices' indices.
+    summed_as_numbered,      ///< nothing else
+    unweighted_tangents,     ///< triangles count alike, whatever their angle
+    tangents_off_the_plane,  ///< not projected into the plane of the normal
+    orientations_mixed,      ///< mirrored triangles in the same sums
+    // Refinement.
+    edges_of_each_side,  ///< new vertices from the triangle's own normals: shared edges tear
+    flat_midpoints,      ///< new vertices not displaced
 };
 
 /// Each is a reader of .glib files that is wrong in one thing.

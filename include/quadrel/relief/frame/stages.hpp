@@ -2,12 +2,22 @@
 #pragma once
 
 #include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/frame/cot.hpp"
+#include "quadrel/relief/frame/cot_published.hpp"
+#include "quadrel/relief/frame/face.hpp"
 #include "quadrel/relief/frame/gram.hpp"
+#include "quadrel/relief/frame/inverse_tbn.hpp"
+#include "quadrel/relief/frame/inverse_tbn_published.hpp"
+#include "quadrel/relief/frame/mikkt.hpp"
 #include "quadrel/relief/frame/none.hpp"
 #include "quadrel/relief/frame/thesis.hpp"
+#include "quadrel/relief/frame/vertex.hpp"
+#include "quadrel/relief/frame/vertex_published.hpp"
 
 namespace quadrel {
 
-using FrameStages = StageList<FrameNone, FrameThesis, FrameGram>;
+using FrameStages =
+    StageList<FrameNone, FrameThesis, FrameGram, FrameFace, FrameVertex, FrameVertexPublished,
+              FrameMikkt, FrameCot, FrameCotPublished, FrameInverseTbn, FrameInverseTbnPublished>;
 
 }  // namespace quadrel

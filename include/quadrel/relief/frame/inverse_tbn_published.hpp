@@ -1,0 +1,50 @@
+// frame-inverse-tbn@published: the inverse of the scale-invariant cotangent frame, as published.
+//
+// Source: Rabbid76 (G. Beier), "Parallax Mapping", graphics-snippets, main() of the fragment
+// shader: tbnMat = (T invmax, B invmax, N u_displacement_scale) with T and B as frame-cot@published
+// has them, texDir3D = normalize(inverse(tbnMat) * objPosEs), and in the searches
+//     texStep = texDir3D.xy / abs(texDir3D.z),
+// which is K. u_displacement_scale is the material's depth, in units of one tile (published.hpp);
+// a scale below 0.001 switches the relief off.
+//
+// T and B are gradients, and the inverse takes directions rightly only from a matrix of tangents.
+// For square tiles the two agree; for anisotropic ones the anisotropy is inverted: with |grad v| =
+// 4 |grad u| the shift is (0.4, 0.1) where (0.1, 0.4) is right. frame-inverse-tbn corrects that.
+// The page's normal, tbnMat[2] times N component by component, is no frame's business.
+#pragma once
+
+#include "quadrel/relief/frame/cot_published.hpp"
+
+namespace quadrel {
+
+struct FrameInverseTbnPublished : StageDefaults {
+    static constexpr StageText text{"frame-inverse-tbn@published", "frame",
+                                    "inverse of the matrix of scaled gradients, as listed",
+                                    "Rabbid76, graphics-snippets, Parallax Mapping"};
+    static constexpr auto inputs =
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
+               Value::dUVdy, Value::relief_depth);
+    static constexpr auto outputs = frame_outputs;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const ViewedSurface<F> surface = viewed_surface(io);
+        const vec3<F> N = normalize(io.template load<Value::vertex_normal>());
+        const auto axes = scale_invariant_frame(
+            cotangent_rows(io.template load<Value::dPdx>(), io.template load<Value::dPdy>(),
+                           io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>(), N));
+        const F scale(io.material().depth);
+        const mat3<F> inverted = inverse(mat3<F>(axes.T, axes.B, N * scale));
+        const vec3<F> dir = normalize(inverted * io.template load<Value::P>());
+        const vec2<F> step = vec2<F>(dir.x, dir.y) / abs(dir.z);
+
+        const mat3<F> rows = transpose(inverted);
+        const Mask<F> on(io.material().depth >= 0.001f), yes(true);
+        const vec3<F> depth_row = select(on, rows[2] * scale, N);
+        store_published_frame(io, axes, surface.N, SurfaceJacobian<F>{rows[0], rows[1], yes, !yes},
+                              abs(dot(depth_row, surface.V)), select(on, step, vec2<F>(F(0))));
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,50 @@
+// frame-vertex@published: the tangent-space eye vector of the vertices, as Welsh has it.
+//
+// Source: T. Welsh, "Parallax Mapping with Offset Limiting", 2004, 4.2 and 7. His vertex program
+// takes the vector to the eye in object space times tangent, binormal and normal, not normalised;
+// the fragment program normalises what is interpolated and moves the texture coordinate by
+// height * V_t, over V_t.z in the listing of 4.2. Here
+//     K = -Du V_t.xy * (1 / V_t.z),
+// the shift while height falls by one; Du, his scale 0.04, is the material's depth, a length in UV:
+// give it as {"thickness", "tile"}, which is how he defines it. His bias is the material's seat,
+// sigma = -bias / scale, 0.5 with his numbers.
+//
+// Unit vectors say nothing of the UV map's density: maps of other than square tiles shift by the
+// wrong amount, sheared ones in the wrong direction as well (frame-vertex corrects the first). The
+// row of vertex data holds the program's output in the tangent's place and the unit tangent in the
+// bitangent's (render/primitive_frame.hpp).
+#pragma once
+
+#include "quadrel/relief/frame/published.hpp"
+
+namespace quadrel {
+
+struct FrameVertexPublished : StageDefaults {
+    static constexpr StageText text{"frame-vertex@published", "frame",
+                                    "tangent-space eye vector of the vertices, unit tangents",
+                                    "Welsh, Parallax Mapping with Offset Limiting, 2004, 4.2, 7"};
+    static constexpr auto inputs =
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::vertex_tangent,
+               Value::vertex_bitangent, Value::tangent_sign, Value::relief_depth);
+    static constexpr auto outputs = frame_outputs;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const ViewedSurface<F> surface = viewed_surface(io);
+        // DP3 temp, t, t; RSQ temp, temp.x; MUL eyevecs, t, temp
+        const vec3<F> V_t = normalize(io.template load<Value::vertex_tangent>());
+        const vec3<F> unflipped = normalize(io.template load<Value::vertex_normal>());
+        UvDirections<F> axes;
+        axes.T = normalize(io.template load<Value::vertex_bitangent>());
+        axes.B = cross(unflipped, axes.T) * io.template load<Value::tangent_sign>();
+        const Mask<F> yes(true);
+        // RCP temp, eyevecs.z; MUL height, height, temp; MAD newtexcoord, height, eyevecs, texcoord
+        const F per_height = F(io.material().depth) * (F(1) / V_t.z);
+        const vec2<F> K = -(vec2<F>(V_t.x, V_t.y) * per_height);
+        store_published_frame(io, axes, surface.N, SurfaceJacobian<F>{axes.T, axes.B, yes, !yes},
+                              V_t.z, K);
+    }
+};
+
+}  // namespace quadrel
