@@ -47,6 +47,10 @@ constexpr SceneKey keys[] = {
     {"texture", "lod_bias"},
     {"texture", "lod_min"},
     {"texture", "lod_max"},
+    {"texture", "noise", Below::object, "noise"},
+
+    {"noise", "frequency"},
+    {"noise", "octaves"},
 
     {"material", "color", Below::object, "texture"},
     {"material", "height", Below::object, "texture"},

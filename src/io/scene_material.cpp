@@ -101,6 +101,34 @@ TextureReference read_slot(const Value& value, const TextureTable& textures, Har
     value.reject("the name of a texture: " + one_of(name, known));
 }
 
+bool is_noise(const Fields& fields) {
+    if (!fields.has("height")) return false;
+    const Json& height = fields.value().json()["height"];
+    return height.is_object() && height.contains("noise");
+}
+
+// {"noise": {...}} and nothing else, in place of a height map.
+NoiseHeights read_noise(const Value& value) {
+    Fields height(value), fields(height.get("noise"));
+    NoiseHeights noise;
+    constexpr Range frequencies{.low = 1.0 / 4096, .high = NoiseHeights::max_frequency};
+    fields.read("frequency", noise.frequency, frequencies);
+    if (fields.has("octaves"))
+        noise.octaves = fields.get("octaves").integer(1, NoiseHeights::max_octaves);
+    fields.finish("noise");
+    height.finish("heights of noise");
+    return noise;
+}
+
+void read_maps(Fields& fields, const TextureTable& textures, Hardware hardware,
+               Material& material) {
+    const bool noise = is_noise(fields);
+    if (noise) material.noise = read_noise(fields.get("height"));
+    for (const std::string slot : texture_slots)
+        if (fields.has(slot) && !(noise && slot == "height"))
+            material.textures[slot] = read_slot(fields.get(slot), textures, hardware);
+}
+
 }  // namespace
 
 Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
@@ -108,9 +136,7 @@ Material read_material(const Value& value, const std::string& name, const Textur
     Fields fields(value);
     Material material;
     material.name = name;
-    for (const char* slot : texture_slots)
-        if (fields.has(slot))
-            material.textures[slot] = read_slot(fields.get(slot), textures, hardware);
+    read_maps(fields, textures, hardware, material);
     if (fields.has("relief")) read_relief(fields.get("relief"), material);
     material.shade = read_stage(fields, "shade");
     read_colours(fields, material);

@@ -72,7 +72,8 @@ class ObjectReader {
 
     void check_binding(const Object& object, const Value& value) const {
         const Material& material = scene_.materials[object.material];
-        if (material.textures.empty() || !scene_.meshes[object.mesh].uvs.empty()) return;
+        const bool bare = material.textures.empty() && !material.noise;
+        if (bare || !scene_.meshes[object.mesh].uvs.empty()) return;
         value.member("mesh").fail(
             "a mesh without texture coordinates",
             "some, since the material \"" + material.name + "\" has textures");

@@ -181,6 +181,10 @@ MaterialUniforms material_uniforms(const Material& material) {
     out.depth_in_tiles = material.depth_in_tiles;
     out.fade_from = static_cast<float>(sin_cos_degrees(material.fade_from).cosine);
     out.fade_to = static_cast<float>(sin_cos_degrees(material.fade_to).cosine);
+    if (material.noise) {
+        out.noise_octaves = material.noise->octaves;
+        out.noise_frequency = material.noise->frequency;
+    }
     out.seat = material.seat;
     copy3(out.ambient, material.ambient);
     copy3(out.diffuse, material.diffuse);

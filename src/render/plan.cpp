@@ -94,7 +94,7 @@ bool grades_depth(const Material& material) {
 }
 
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
-    const bool relief = material.textures.count("height") > 0;
+    const bool relief = material.textures.count("height") > 0 || material.noise;
     const auto fallback = [&](const char* id) { return std::string(relief ? id : "none"); };
     std::vector<PlannedStage> stages;
     for (const char* id : {"interpolate", "differentiate", "lod"})
@@ -104,7 +104,8 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     stages.push_back(make_chosen(scene, material.frame, "frame", fallback("frame-gram")));
     stages.push_back(make_chosen(scene, material.trace, "trace", fallback("linear")));
     stages.push_back(make_stage(*find_stage("displace")));
-    stages.push_back(make_chosen(scene, material.surface, "surface", fallback("h2n-thesis")));
+    const char* const normals = material.noise ? "h2n-patch" : "h2n-thesis";
+    stages.push_back(make_chosen(scene, material.surface, "surface", fallback(normals)));
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
         stages.push_back(
             make_chosen(scene, material.shadow, "shadow", fallback("shadow-march-thesis"), light));
@@ -125,8 +126,9 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const V
         for (const TextureSlot slot : stage->info->textures) {
             plan.textures.set(static_cast<std::size_t>(slot));
             const bool optional = stage->info->text.room == std::string_view("quad");
-            plan.needs_height |=
-                (slot == TextureSlot::height || slot >= first_baked_slot) && !optional;
+            const bool baked = slot >= first_baked_slot;
+            plan.needs_height |= (slot == TextureSlot::height || baked) && !optional;
+            if (baked || stage->info->needs_height_map) plan.needs_height_map = stage->info;
         }
         stage->run = kernel(table, stage->info->text.id);
         plan.stages.push_back(std::move(*stage));

@@ -31,7 +31,10 @@ struct MaterialPlan {
     ValueSet values;    ///< every value that a stage loads or that is wanted
     ValueSet produced;  ///< those that a stage stores; the others read as 0
     SlotSet textures;
-    bool needs_height = false;  ///< a relief stage reads the height map
+    bool needs_height = false;  ///< a relief stage reads heights
+    /// The first stage that noise in place of a height map does not serve: it reads the map itself,
+    /// or one that is baked from it. Null if there is none.
+    const StageInfo* needs_height_map = nullptr;
 };
 
 /// Whether the relief's depth differs from fragment to fragment.

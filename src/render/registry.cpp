@@ -11,6 +11,14 @@ namespace {
 /// Every stage so far works on all of them.
 constexpr std::array<std::string_view, 2> number_types{"float", "double"};
 
+/// Whether a stage says that it reads the height map itself:
+///     static constexpr bool needs_height_map = true;
+template <class Stage>
+constexpr bool declares_height_map() {
+    if constexpr (requires { Stage::needs_height_map; }) return Stage::needs_height_map;
+    return false;
+}
+
 template <class Stage>
 StageInfo describe() {
     return {Stage::text,
@@ -20,6 +28,7 @@ StageInfo describe() {
             Stage::parameters,
             number_types,
             sizeof(typename Stage::Params),
+            declares_height_map<Stage>(),
             [](void* params) { *static_cast<typename Stage::Params*>(params) = {}; }};
 }
 

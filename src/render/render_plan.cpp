@@ -25,9 +25,13 @@ void check_lights(const Scene& scene) {
 }
 
 void check_height(const Scene& scene, const Material& material, const MaterialPlan& plan) {
-    if (plan.needs_height && material.textures.count("height") == 0)
-        throw InputError(scene.file.string(), fmt::format("materials.{}.height", material.name),
-                         "nothing", "a texture: the material's relief stages read heights");
+    const std::string key = fmt::format("materials.{}.height", material.name);
+    if (material.noise && plan.needs_height_map)
+        throw InputError(scene.file.string(), key, "noise",
+                         fmt::format("a texture: {} reads texels", plan.needs_height_map->text.id));
+    if (plan.needs_height && !material.noise && material.textures.count("height") == 0)
+        throw InputError(scene.file.string(), key, "nothing",
+                         "a texture: the material's relief stages read heights");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct Chain {
     std::vector<std::string> stages = {"differentiate",         "frame-thesis",
                                        "linear-thesis",         "displace",
                                        "h2n-thesis@published",  "shadow-march-thesis@published",
-                                       "shade-thesis@published"};
+                                       "occlusion-none",        "shade-thesis@published"};
     DerivativeMode derivatives = DerivativeMode::fine;
     std::function<void(const std::string&, Batch<float>&)> after{};
 

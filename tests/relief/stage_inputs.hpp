@@ -45,6 +45,7 @@ struct StageInputs {
         for (int light = 0; light < max_lights; ++light) {
             batch.run("shadow-march-thesis", {}, light);
         }
+        batch.run("occlusion-none");
         batch.run("shade-thesis");
     }
 };

@@ -30,12 +30,18 @@ inline Batch<float> random_points(Random& random, int lights, int lanes = 64) {
         batch.set(Value::hit_uv, lane, dvec2(random.uniform(0, 1), random.uniform(0, 1)));
         batch.set(Value::dUVdx, lane, dvec2(0.001, 0));
         batch.set(Value::dUVdy, lane, dvec2(0, 0.001));
+        batch.real(Value::occlusion, lane) = static_cast<float>(random.uniform(0, 1));
         for (int light = 0; light < max_lights; ++light) {
             batch.real(Value::shadow_visibility, lane, 0, light) =
                 static_cast<float>(random.uniform(0, 1));
         }
     }
     return batch;
+}
+
+/// No ambient occlusion.
+inline void open_sky(Batch<float>& batch) {
+    for (int lane = 0; lane < batch.lanes; ++lane) batch.real(Value::occlusion, lane) = 1;
 }
 
 /// One texel of the given channels.
@@ -100,6 +106,7 @@ inline Lighting all_lights(Batch<float>& batch, int lane, const Surface& surface
         sum.diffuse += light.diffuse;
         sum.specular += light.specular;
     }
+    sum.ambient *= batch.real(Value::occlusion, lane);
     return sum;
 }
 

@@ -275,7 +275,9 @@ TEST(ShadeThesis, LightFadesWithTheDistance) {
 /// Two lights are the sum of each alone, bit for bit.
 testing::AssertionResult lights_add_up(const Shading& implementation) {
     Random random(23);
-    Batch<float> both = random_points(random, 2), first = both, second = both;
+    Batch<float> both = random_points(random, 2);
+    open_sky(both);
+    Batch<float> first = both, second = both;
     first.frame.light_count = second.frame.light_count = 1;
     second.frame.lights[0] = both.frame.lights[1];
     for (int lane = 0; lane < both.lanes; ++lane) {
@@ -378,6 +380,7 @@ testing::AssertionResult white_stays_white(const Shading& implementation) {
         std::fill_n(batch.frame.lights[0].ambient, 3, 1.0f);
         std::fill_n(batch.material.ambient, 3, 1.0f);
         std::fill_n(batch.material.emission, 3, 0.0f);
+        open_sky(batch);
         implementation.run(batch);
         for (int lane = 0; lane < batch.lanes; ++lane) {
             const auto off = abs(batch.vector3(Value::color, lane) - vec3<float>(1));

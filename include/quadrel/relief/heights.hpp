@@ -1,10 +1,28 @@
-// The height field of a march: the material's height map, by the cheaper of two equal ways.
+// The height field of a march: the material's height map, by the cheaper of two equal ways, or
+// noise in its place.
 #pragma once
 
+#include "quadrel/relief/noise.hpp"
 #include "quadrel/relief/view.hpp"
 #include "quadrel/texture/height_sampler.hpp"
 
 namespace quadrel {
+
+/// Whether the material's heights are noise: then it has no height map.
+template <class Io>
+bool heights_are_noise(const Io& io) {
+    return io.material().noise_octaves > 0;
+}
+
+/// What level-of-detail arithmetic is given where heights are noise; never fetched from.
+inline constexpr float no_texel = 0;
+inline constexpr SampledTexture no_height_map{{&no_texel, 1, 1, 1, {1}, {1}, {0}}, {}};
+
+/// The material's height map.
+template <class Io>
+const SampledTexture& height_map(const Io& io) {
+    return heights_are_noise(io) ? no_height_map : *io.template texture<TextureSlot::height>();
+}
 
 /// Heights at uv for a whole march, its level of detail settled beforehand. The short way is taken
 /// when every lane reads one level, bilinearly, of a map of one channel; it has the same bits.
@@ -16,11 +34,13 @@ class MarchHeights {
     MarchHeights(const Io& io, const SampledTexture& map, const LodRecord<F>& lod)
         : io_(io), general_(map, lod), fast_(map, general_.levels()) {
         short_way_ = io.call().log == nullptr && FastHeight<F>::applies(map, general_.levels());
+        noise_ = heights_are_noise(io);
     }
 
     /// `active`: the lanes that ask. One fetch each.
     F operator()(Mask<F> active, const vec2<F>& uv) const {
         const SampleContext<F> context = io_.template context<TextureSlot::height>(active);
+        if (noise_) return noise(context, uv);
         return short_way_ ? fast_(context, uv) : long_way(context, uv);
     }
 
@@ -31,18 +51,22 @@ class MarchHeights {
     [[gnu::noinline]] F long_way(const SampleContext<F>& context, const vec2<F>& uv) const {
         return general_(context, uv);
     }
+    [[gnu::noinline]] F noise(const SampleContext<F>& context, const vec2<F>& uv) const {
+        const MaterialUniforms& material = io_.material();
+        return noise_fetch(context, uv, material.noise_frequency, material.noise_octaves).value;
+    }
 
     const Io& io_;
     GeneralHeight<F> general_;
     FastHeight<F> fast_;
-    bool short_way_;
+    bool short_way_, noise_;
 };
 
 /// Heights with the gradients of the undisplaced UV (textureGrad): what marches read unless their
 /// source says otherwise. The stage loads dUVdx and dUVdy.
 template <class Io>
 MarchHeights<Io> march_heights(const Io& io) {
-    const SampledTexture& map = *io.template texture<TextureSlot::height>();
+    const SampledTexture& map = height_map(io);
     return {io, map,
             compute_lod(map, io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>())};
 }
@@ -51,7 +75,7 @@ MarchHeights<Io> march_heights(const Io& io) {
 /// (textureLod).
 template <class Io, class F = typename Io::Number>
 MarchHeights<Io> march_heights_of_level(const Io& io, F level) {
-    const SampledTexture& map = *io.template texture<TextureSlot::height>();
+    const SampledTexture& map = height_map(io);
     return {io, map, lod_from_level(map, level)};
 }
 

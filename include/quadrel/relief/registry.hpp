@@ -18,6 +18,9 @@ struct StageInfo {
     std::span<const ParameterText> parameters;
     std::span<const std::string_view> number_types;
     std::size_t params_size;
+    /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of
+    /// noise do not serve it.
+    bool needs_height_map;
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
 };

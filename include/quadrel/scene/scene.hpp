@@ -34,6 +34,16 @@ struct TextureReference {
     std::string key;  ///< where the scene file names it, for messages
 };
 
+/// Heights of gradient noise in place of a height map (relief/noise.hpp).
+struct NoiseHeights {
+    /// Keeps the last octave's lattice within what a float tells apart.
+    static constexpr int max_octaves = 10;
+    static constexpr double max_frequency = 4096;
+
+    float frequency = 8;  ///< lattice cells a tile of the first octave; whole numbers tile
+    int octaves = 4;
+};
+
 /// The six faces of an environment map, +X -X +Y -Y +Z -Z.
 struct Environment {
     std::array<std::filesystem::path, 6> faces;
@@ -66,6 +76,7 @@ struct Material {
     float shininess = 50;
     glm::mat4 texture_matrix{1.0f};                    ///< applied to (u, v, 0, 1)
     std::map<std::string, TextureReference> textures;  ///< color, height, gloss, emissive, normal
+    std::optional<NoiseHeights> noise;                 ///< in place of the texture `height`
     Cull cull = Cull::none;
     float discard_below = -1;  ///< demote fragments whose colour alpha is below; < 0: never
 };

@@ -5,7 +5,7 @@
 // stay on the lit side, the environment keeps still when the camera turns, total internal
 // reflection shows the reflection. Maps are ordinary RGBA: colour rgb with opacity a; gloss r =
 // shininess / 255, g = eta / 2, b = mirror; emissive rgb.
-//     ambient  = La Ma base                        diffuse = Ld Md base max(N.L, 0) visibility att
+//     ambient  = La Ma base occlusion              diffuse = Ld Md base max(N.L, 0) visibility att
 //     specular = Ls Ms max(R.V, 0)^shininess visibility att          att = I / (c + l d + q d^2)
 //     phong = Me + emissive + sum over lights;  color = mix(mix(refraction, phong, a), reflection,
 //     mirror)
@@ -13,7 +13,7 @@
 #pragma once
 
 #include "quadrel/num/math.hpp"
-#include "quadrel/shade/maps.hpp"
+#include "quadrel/shade/lights.hpp"
 
 namespace quadrel {
 
@@ -21,8 +21,7 @@ struct ShadeThesis : StageDefaults {
     static constexpr StageText text{"shade-thesis", "shade",
                                     "Phong lighting with reflection and refraction",
                                     "correction of shade-thesis@published"};
-    static constexpr auto inputs = values(Value::P, Value::dUVdx, Value::dUVdy, Value::hit_P,
-                                          Value::hit_uv, Value::N, Value::shadow_visibility);
+    static constexpr auto inputs = lit_inputs;
     static constexpr auto outputs = shade_outputs;
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
@@ -38,7 +37,10 @@ struct ShadeThesis : StageDefaults {
         const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero));
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
-        const Terms<F> sum = lights<F>(io, rgb(base), N, V, F(255) * gloss.x);
+        const F shininess = F(255) * gloss.x;
+        const LightTerms<F> sum = sum_lights(io, rgb(base), N, [&](const vec3<F>& L, F) {
+            return pow(max(dot(reflect(-L, N), V), zero), shininess);
+        });
         const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
         const vec3<F> phong = emissive + sum.ambient + sum.diffuse + sum.specular;
         const vec3<F> mirrored = reflect(-V, N);
@@ -58,42 +60,6 @@ struct ShadeThesis : StageDefaults {
     }
 
   private:
-    template <class F>
-    struct Terms {
-        vec3<F> ambient, diffuse, specular;
-    };
-
-    template <class F, class Io>
-    static Terms<F> lights(Io& io, const vec3<F>& base, const vec3<F>& N, const vec3<F>& V,
-                           F shininess) {
-        Terms<F> sum{vec3<F>(F(0)), vec3<F>(F(0)), vec3<F>(F(0))};
-        const vec3<F> P = io.template load<Value::hit_P>();
-        const MaterialUniforms& material = io.material();
-        for (int i = 0; i < io.frame().light_count; ++i) {
-            const LightUniforms& light = io.frame().lights[i];
-            const vec3<F> L = to_light(P, light);
-            const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
-            const F cosine = dot(N, L);
-            const F highlight = pow(max(dot(reflect(-L, N), V), F(0)), shininess);
-            const F lit = select(cosine > F(0), visible, F(0));
-            sum.ambient += uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base;
-            sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
-                           (max(cosine, F(0)) * visible);
-            sum.specular +=
-                uniform3<F>(light.specular) * uniform3<F>(material.specular) * (highlight * lit);
-        }
-        return sum;
-    }
-
-    /// Intensity over the distance polynomial; directional lights do not fade.
-    template <class F>
-    static F attenuation(const vec3<F>& P, const LightUniforms& light) {
-        if (light.directional) return F(light.intensity);
-        const F d = distance(uniform3<F>(light.position), P);
-        return F(light.intensity) / (F(light.attenuation[0]) + F(light.attenuation[1]) * d +
-                                     F(light.attenuation[2]) * (d * d));
-    }
-
     template <class F, class Io>
     static vec3<F> environment(Io& io, const vec3<F>& v) {
         const SampledTexture* cube = io.template texture<TextureSlot::environment>();

@@ -6,6 +6,7 @@
 // is not normalised; refract() may return 0, whose normalisation is NaN; the environment is looked
 // up with eye-space vectors. The note on A8R8G8B8 bitmaps makes .r alpha and .gba the colour: the
 // colour map is read so, the gloss and emissive maps are not (.r .g .b is A, R, G).
+// Ambient occlusion, which the listing has none of, multiplies the ambient term: 1 unless chosen.
 // An unbound map reads as 0 in those channels. pow(0, 0) is 1.
 #pragma once
 
@@ -18,8 +19,8 @@ struct ShadeThesisPublished : StageDefaults {
     static constexpr StageText text{
         "shade-thesis@published", "shade", "the thesis' lighting with environment maps",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 2-4"};
-    static constexpr auto inputs =
-        values(Value::P, Value::hit_P, Value::hit_uv, Value::N, Value::shadow_visibility);
+    static constexpr auto inputs = values(Value::P, Value::hit_P, Value::hit_uv, Value::N,
+                                          Value::shadow_visibility, Value::occlusion);
     static constexpr auto outputs = shade_outputs;
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
@@ -41,7 +42,8 @@ struct ShadeThesisPublished : StageDefaults {
         const bool lit = io.frame().light_count > 0;
         const vec3<F> L = to_light(io.template load<Value::hit_P>(), light);
         const F intensity = lit ? io.template load<Value::shadow_visibility>(0) : F(0);
-        const vec3<F> ambient = uniform3<F>(light.ambient) * base;
+        const vec3<F> ambient =
+            uniform3<F>(light.ambient) * base * io.template load<Value::occlusion>();
         const vec3<F> diffuse = base * (dot(N, L) * intensity);
         const F highlight = pow(max(dot(reflect(-L, N), E), F(0)), shininess) * intensity;
         const vec3<F> specular =

@@ -19,6 +19,7 @@ struct ShadowMarchThesisPublished : StageDefaults {
                Value::hit_uv, Value::hit_depth, Value::hit_P);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
 

@@ -21,6 +21,7 @@ struct H2nThesis : StageDefaults {
                Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
     static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -20,6 +20,7 @@ struct H2nThesisPublished : StageDefaults {
                Value::relief_depth, Value::hit_uv, Value::hit_depth);
     static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
 

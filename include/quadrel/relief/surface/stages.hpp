@@ -2,12 +2,27 @@
 #pragma once
 
 #include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/surface/bump_blinn.hpp"
+#include "quadrel/relief/surface/bump_noise.hpp"
+#include "quadrel/relief/surface/bump_noise_published.hpp"
+#include "quadrel/relief/surface/h2n_4tap.hpp"
+#include "quadrel/relief/surface/h2n_4tap_published.hpp"
+#include "quadrel/relief/surface/h2n_gather.hpp"
+#include "quadrel/relief/surface/h2n_gather_published.hpp"
+#include "quadrel/relief/surface/h2n_patch.hpp"
+#include "quadrel/relief/surface/h2n_sobel.hpp"
+#include "quadrel/relief/surface/h2n_sobel_published.hpp"
 #include "quadrel/relief/surface/h2n_thesis.hpp"
 #include "quadrel/relief/surface/h2n_thesis_published.hpp"
 #include "quadrel/relief/surface/none.hpp"
+#include "quadrel/relief/surface/normal_map.hpp"
+#include "quadrel/relief/surface/normal_smooth_mcguire.hpp"
 
 namespace quadrel {
 
-using SurfaceStages = StageList<SurfaceNone, H2nThesis, H2nThesisPublished>;
+using SurfaceStages =
+    StageList<SurfaceNone, H2nThesis, H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap,
+              H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, BumpBlinn, BumpNoise,
+              BumpNoisePublished, NormalMap, NormalSmoothMcGuire>;
 
 }  // namespace quadrel

@@ -22,6 +22,7 @@ struct LinearThesis : StageDefaults {
                                           Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
 
     static constexpr int max_samples = 128;
     static constexpr float offset_per_sample = 0.0f + 1.0f / 128.0f;

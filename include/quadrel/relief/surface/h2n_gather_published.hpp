@@ -1,0 +1,39 @@
+// h2n-gather@published: normal from one gather, as published.
+//
+// Source: "Normal, Parallax and Relief mapping" (Rabbid76, graphics-snippets), CalculateNormal, the
+// version with textureGather. Defects kept: the two differences of an axis are added, not averaged:
+// slopes twice too steep; the frame of rabbid.hpp.
+#pragma once
+
+#include "quadrel/relief/surface/rabbid.hpp"
+#include "quadrel/texture/sampler.hpp"
+
+namespace quadrel {
+
+struct H2nGatherPublished : StageDefaults {
+    static constexpr StageText text{"h2n-gather@published", "surface", "normal from one gather",
+                                    "Rabbid76, Normal, Parallax and Relief mapping"};
+    static constexpr auto inputs = rabbid_inputs;
+    static constexpr auto outputs = surface_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+        const vec2<F> uv = io.template load<Value::hit_uv>();
+        const vec2<F> size(F(static_cast<Scalar<F>>(map.view.width[0])),
+                           F(static_cast<Scalar<F>>(map.view.height[0])));
+        const vec2<F> texel_offset = vec2<F>(F(1)) / size;
+        const auto context = io.template context<TextureSlot::height>();
+        const vec4<F> heights = texture_gather(map, context, uv);
+        const vec2<F> delta(dot(heights, vec4<F>(F(1), F(-1), F(-1), F(1))),
+                            dot(heights, vec4<F>(F(-1), F(-1), F(1), F(1))));
+        const F depth = io.template load<Value::relief_depth>();
+        io.template store<Value::N>(
+            rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,49 @@
+// Normal maps: what their texels say, and how a normal in tangent space becomes one in eye space.
+//
+// Green. v grows with the row of the texture. green = +1: a normal with y > 0 leans towards growing
+// v (n ~ (-dh/du, -dh/dv, 1)); -1: towards decreasing v.
+//
+// Density. A tangent-space normal (x, y, z) means the slopes -x/z along u and -y/z along v, rises
+// over lengths on the surface, whatever the length of a tile. Along u a tile is |dP/du| long, so
+// dh/du = -(x/z) |dP/du|, and
+//     n = normalize(N z + x |dP/du| grad u + y |dP/dv| grad v),
+// |dP/du| = |grad v| / |grad u x grad v|. Over perpendicular axes that is T x + B y + N z with
+// unit tangents; over sheared ones it is the normal that has those slopes, which T x + B y + N z
+// is not.
+#pragma once
+
+#include "quadrel/relief/surface/relief_normal.hpp"
+
+namespace quadrel {
+
+/// What normals from a map load.
+inline constexpr auto tangent_normal_inputs = values(
+    Value::frame_normal, Value::J, Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
+
+/// 2 c - 1 of the normal map at uv, with the gradients of the undisplaced one.
+template <class Io, class F = typename Io::Number>
+vec3<F> signed_texel(const Io& io, const SampledTexture& map, const vec2<F>& uv) {
+    const vec4<F> c =
+        texture_grad(map, io.template context<TextureSlot::normal>(), uv,
+                     io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>());
+    return vec3<F>(c.x, c.y, c.z) * F(2) - vec3<F>(F(1));
+}
+
+/// A normal of tangent space (green +1) in eye space, and where the frame has directions for it.
+template <Number F>
+struct EyeNormal {
+    vec3<F> n;
+    Mask<F> valid;
+};
+
+template <class Io, class F = typename Io::Number>
+EyeNormal<F> tangent_to_eye(const Io& io, const vec3<F>& t) {
+    const auto J = io.template load<Value::J>();
+    const vec3<F> n = cross(J[0], J[1]);
+    const F area = sqrt(dot(n, n));
+    const vec3<F> along_u = J[0] * (length(J[1]) / area), along_v = J[1] * (length(J[0]) / area);
+    const vec3<F> N = io.template load<Value::frame_normal>();
+    return {normalize(N * t.z + along_u * t.x + along_v * t.y), area > F(0)};
+}
+
+}  // namespace quadrel

@@ -1,0 +1,58 @@
+// Reflection models without an environment: base colour, gloss and emissive maps, lights, and how
+// the result is stored. A model gives its highlight; see lights.hpp for the rest.
+//
+// Colour map: base rgb, opacity a. Gloss map: r = shininess / 255; without it, the material's
+// shininess. Emissive map: rgb. color = emission + emissive + ambient + diffuse + specular.
+#pragma once
+
+#include "quadrel/shade/lights.hpp"
+
+namespace quadrel {
+
+/// What these models store: the terms that they have, colour and opacity.
+inline constexpr auto lit_outputs =
+    values(Value::light_ambient, Value::light_diffuse, Value::light_specular, Value::light_emissive,
+           Value::color, Value::opacity);
+
+inline constexpr auto lit_textures =
+    slots(TextureSlot::color, TextureSlot::gloss, TextureSlot::emissive);
+
+/// Inputs, outputs and maps of such a model.
+struct LitDefaults : StageDefaults {
+    static constexpr auto inputs = lit_inputs;
+    static constexpr auto outputs = lit_outputs;
+    static constexpr auto textures = lit_textures;
+};
+
+/// A shading point: unit normal, unit vector to the viewer, exponent of the highlight.
+template <Number F>
+struct LitPoint {
+    vec3<F> N, V;
+    F shininess;
+};
+
+template <class Io, class F = typename Io::Number>
+LitPoint<F> lit_point(Io& io) {
+    const F shininess(io.material().shininess / 255.0f);
+    const vec4<F> gloss = map_at_hit<TextureSlot::gloss>(io, vec4<F>(shininess, F(0), F(0), F(0)));
+    return {io.template load<Value::N>(), to_viewer(io.template load<Value::P>(), io.frame()),
+            F(255) * gloss.x};
+}
+
+/// Lights the point with the model's `specular` and stores everything.
+template <class Io, class Specular>
+void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular) {
+    using F = typename Io::Number;
+    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
+    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)));
+    const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
+    const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
+    io.template store<Value::light_ambient>(sum.ambient);
+    io.template store<Value::light_diffuse>(sum.diffuse);
+    io.template store<Value::light_specular>(sum.specular);
+    io.template store<Value::light_emissive>(emissive);
+    io.template store<Value::color>(emissive + sum.ambient + sum.diffuse + sum.specular);
+    io.template store<Value::opacity>(base.w);
+}
+
+}  // namespace quadrel

@@ -1,0 +1,45 @@
+// shade-mcguire@published: the lighting of the page's shader, as published.
+//
+// Source: M. McGuire and M. McGuire, "Steep Parallax Mapping" (2005), the page's shader. Kept: the
+// colours are the listing's constants, only the first light's direction and shadow count; where
+// N.L > 0 the light is made brighter by 1.2, "shadows will make the whole scene darker"; sums may
+// exceed 1. The listing's selfShadow is 1 where the light arrives: shadow.visibility. Its spec is
+// never used. Ambient occlusion, which it has none of, multiplies the ambient term: 1 unless
+// chosen. The vectors are in eye space instead of tangent space.
+#pragma once
+
+#include "quadrel/shade/maps.hpp"
+
+namespace quadrel {
+
+struct ShadeMcGuirePublished : StageDefaults {
+    static constexpr StageText text{"shade-mcguire@published", "shade",
+                                    "matte light over strong ambient light",
+                                    "McGuire and McGuire, Steep Parallax Mapping (2005)"};
+    static constexpr auto inputs = values(Value::dUVdx, Value::dUVdy, Value::hit_P, Value::hit_uv,
+                                          Value::N, Value::shadow_visibility, Value::occlusion);
+    static constexpr auto outputs = values(Value::color, Value::opacity);
+    static constexpr auto textures = slots(TextureSlot::color);
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const vec4<F> rgba = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
+        const vec3<F> color = rgb(rgba);
+        const vec3<F> ambient = vec3<F>(F(0.4f), F(0.4f), F(0.6f)) * F(1.4f);
+        vec3<F> light_color = vec3<F>(F(1.5f), F(1.5f), F(1)) * F(0.9f);
+        F NdotL(0), visibility(0);
+        if (io.frame().light_count > 0) {
+            const vec3<F> L = to_light(io.template load<Value::hit_P>(), io.frame().lights[0]);
+            NdotL = max(F(0), dot(io.template load<Value::N>(), L));
+            const Mask<F> lit = NdotL > F(0);
+            visibility = select(lit, io.template load<Value::shadow_visibility>(0), F(0));
+            light_color = select(lit, light_color * F(1.2f), light_color);
+        }
+        const vec3<F> ambient_term = color * ambient * io.template load<Value::occlusion>();
+        io.template store<Value::color>(ambient_term + color * NdotL * visibility * light_color);
+        io.template store<Value::opacity>(rgba.w);
+    }
+};
+
+}  // namespace quadrel
