@@ -3,9 +3,19 @@
 
 #include "quadrel/quad/stage_list.hpp"
 #include "quadrel/relief/trace/none.hpp"
+#include "quadrel/relief/trace/offset_limit.hpp"
+#include "quadrel/relief/trace/offset_limit_042.hpp"
+#include "quadrel/relief/trace/offset_limit_fixed.hpp"
+#include "quadrel/relief/trace/parallax.hpp"
+#include "quadrel/relief/trace/parallax_bias.hpp"
+#include "quadrel/relief/trace/parallax_bias_published.hpp"
+#include "quadrel/relief/trace/parallax_iter.hpp"
+#include "quadrel/relief/trace/parallax_slope.hpp"
 
 namespace quadrel {
 
-using OffsetStages = StageList<TraceNone>;
+using OffsetStages = StageList<TraceNone, Parallax, ParallaxBias, ParallaxBiasPublished,
+                               OffsetLimit, OffsetLimitPublished, OffsetLimit042, OffsetLimitFixed,
+                               ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter>;
 
 }  // namespace quadrel
