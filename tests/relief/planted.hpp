@@ -26,12 +26,17 @@ enum class Planted {
     degenerate_unnoticed,   ///< the flag uv_degenerate never set
     rate_along_the_normal,  ///< K of the oblique split over the r of the orthogonal one
     // Searches.
-    strict_comparison,   ///< F > 0 in place of F >= 0
-    one_sample_late,     ///< the sample after the first one below
-    one_sample_early,    ///< the sample before
-    seat_forgotten,      ///< the march starts on the polygon, wherever that lies
-    steps_counted_once,  ///< the same number of steps in every lane
-    nan_is_floor,        ///< a broken map looks like a deep one
+    strict_comparison,    ///< F > 0 in place of F >= 0
+    one_sample_late,      ///< the sample after the first one below
+    one_sample_early,     ///< the sample before
+    seat_forgotten,       ///< the march starts on the polygon, wherever that lies
+    steps_counted_once,   ///< the same number of steps in every lane
+    nan_is_floor,         ///< a broken map looks like a deep one
+    ray_nudged,           ///< K and tangents a ten-thousandth off
+    off_the_ray,          ///< the hit's UV not that of its s
+    half_a_step_late,     ///< behind the sample that hit
+    surface_not_reached,  ///< a hit reported above the surface
+    fetch_not_counted,    ///< one look-up missing from the sum
     // Normals.
     slope_upside_down,    ///< bumps look like dents
     relief_without_base,  ///< the smooth-shading difference left out
