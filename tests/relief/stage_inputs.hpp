@@ -2,6 +2,7 @@
 // stages before it would have handed on.
 #pragma once
 
+#include "quadrel/bake.hpp"
 #include "relief/triangle.hpp"
 
 namespace quadrel::test {
@@ -31,11 +32,25 @@ struct StageInputs {
   private:
     void bind(TextureSlot slot) {
         Map& map = maps[static_cast<std::size_t>(slot)];
-        map = slot == TextureSlot::environment
-                  ? random_cube(random)
-                  : random_map(random, slot == TextureSlot::height ? 1 : 4);
+        if (slot >= first_baked_slot) {
+            map.texture = baked(slot);
+            map.sampled.view = map.texture->view();
+        } else {
+            map = slot == TextureSlot::environment
+                      ? random_cube(random)
+                      : random_map(random, slot == TextureSlot::height ? 1 : 4);
+        }
         map.sampled.sampler = plain_sampler();
         batch.bind(slot, map.sampled);
+    }
+    /// From this object's height map; made once for each content.
+    std::shared_ptr<const Texture> baked(TextureSlot slot) const {
+        static std::map<std::string, std::shared_ptr<const Texture>> made;
+        const Map& height = maps[static_cast<std::size_t>(TextureSlot::height)];
+        const BakeKind kind = bake_kind_from_name(slot_name(slot));
+        auto& map = made[baked_id(*height.texture, kind, plain_sampler())];
+        if (!map) map = bake(*height.texture, kind, plain_sampler());
+        return map;
     }
     void run_chain() {
         for (const char* id :

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/trace/cone_cell.hpp"
+#include "quadrel/relief/trace/max_mip.hpp"
+#include "quadrel/relief/trace/rmq_leap.hpp"
+#include "quadrel/relief/trace/texel_exact.hpp"
 
 namespace quadrel {
 
-using ExactStages = StageList<>;
+using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap>;
 
 }  // namespace quadrel

@@ -1,0 +1,107 @@
+// The meeting of a ray with one bilinear patch, the leaf of every exact search.
+//
+// In the cell, (f, g) in [0, 1]^2, the field is h = a + b f + c g + d f g. Along the ray, tau = s -
+// s at entry, it is met where
+//     q(tau) = h(f + Dx tau, g + Dy tau) - (1 - s) = A tau^2 + B tau + C
+// is 0; the hit is the least tau in [0, length] with q >= 0. The root is taken in the form without
+// cancellation: Goldberg, "What Every Computer Scientist Should Know About Floating-Point
+// Arithmetic", 1991. Bilinear patches along rays: Ramsey, Potter, Hansen, "Ray Bilinear Patch
+// Intersections", JGT 9(3), 2004.
+#pragma once
+
+#include "quadrel/relief/cells.hpp"
+
+namespace quadrel {
+
+/// Half an ulp of 1: the relative error of one rounding.
+template <Number F>
+inline constexpr Scalar<F> unit_roundoff = std::numeric_limits<Scalar<F>>::epsilon() / 2;
+
+/// The part of a ray that lies in a cell.
+template <Number F>
+struct PatchRay {
+    vec2<F> entry;  ///< position in the cell where it begins, [0, 1]^2
+    vec2<F> rate;   ///< cells per unit of s
+    vec2<F> slack;  ///< how far off, in cells, the position may be
+    F s;            ///< where it begins
+    F length;       ///< in s, >= 0
+    Mask<F> last;   ///< it ends at s = 1, the bottom plane
+};
+
+template <Number F>
+struct PatchHit {
+    F tau, height;       ///< where `hit`; height is the field's there
+    Mask<F> hit;         ///< q(tau) >= 0 somewhere in the part
+    Mask<F> ambiguous;   ///< the greatest q of the part is 0 but for rounding: a graze
+    Mask<F> not_finite;  ///< a corner's height is NaN or infinite; no hit then
+};
+
+/// Height at (f, g) of a patch, first along x. Between non-negative corners it is non-negative, and
+/// a constant is kept.
+template <Number F>
+F patch_height(const CellHeights<F>& h, const vec2<F>& at) {
+    return lerp(lerp(h.h00, h.h10, at.x), lerp(h.h01, h.h11, at.x), at.y);
+}
+
+template <Number F>
+struct PatchQuadratic {
+    F A, B, C, discriminant;
+};
+
+template <Number F>
+PatchQuadratic<F> patch_quadratic(const CellHeights<F>& h, const PatchRay<F>& ray) {
+    const F b = h.h10 - h.h00, c = h.h01 - h.h00, d = (h.h11 - h.h01) - b;
+    PatchQuadratic<F> q;
+    q.A = d * ray.rate.x * ray.rate.y;
+    q.B = b * ray.rate.x + c * ray.rate.y +
+          d * (ray.entry.x * ray.rate.y + ray.entry.y * ray.rate.x) + F(1);
+    q.C = patch_height(h, ray.entry) - (F(1) - ray.s);
+    q.discriminant = q.B * q.B - F(4) * q.A * q.C;
+    return q;
+}
+
+/// First root of q where C < 0; infinite, negative or NaN where there is none ahead.
+template <Number F>
+F first_root(const PatchQuadratic<F>& q) {
+    const F root = sqrt(max(q.discriminant, F(0)));
+    // A > 0 has one root ahead, whatever B. A < 0 has two ahead or none: B + root < 0 then.
+    const Mask<F> convex_descent = (q.A > F(0)) & (q.B < F(0));
+    return select(convex_descent, (root - q.B) / (F(2) * q.A), F(-2) * q.C / (q.B + root));
+}
+
+/// Bound on the error of q at its greatest in a patch: of its evaluation, and of the position.
+template <Number F>
+F patch_error(const CellHeights<F>& h, const vec2<F>& slack) {
+    const F highest = max(max(abs(h.h00), abs(h.h10)), max(abs(h.h01), abs(h.h11)));
+    const F slope_x = max(abs(h.h10 - h.h00), abs(h.h11 - h.h01));
+    const F slope_y = max(abs(h.h01 - h.h00), abs(h.h11 - h.h10));
+    return F(32 * unit_roundoff<F>) * (F(1) + highest) + slope_x * slack.x + slope_y * slack.y;
+}
+
+template <Number F>
+PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray) {
+    const PatchQuadratic<F> q = patch_quadratic(h, ray);
+    const F root = first_root(q);
+    const Mask<F> below_at_entry = q.C >= F(0);
+    const Mask<F> crossed = (q.discriminant >= F(0)) & (root >= F(0)) & (root <= ray.length);
+    const auto height_at = [&](F tau) {
+        return patch_height(h, clamp(ray.entry + ray.rate * tau, F(0), F(1)));
+    };
+    const F end_height = height_at(ray.length);
+    const F end = end_height - (F(1) - (ray.s + ray.length));
+    // Heights are not negative, so at the bottom plane every ray has hit.
+    const Mask<F> at_bottom = ray.last & (end_height >= F(0));
+    const F vertex = F(-0.5f) * q.B / q.A;
+    const Mask<F> peaks = (q.A < F(0)) & (vertex > F(0)) & (vertex < ray.length);
+    const F peak = max(max(q.C, end), select(peaks, q.C + F(0.5f) * q.B * vertex, q.C));
+    PatchHit<F> found;
+    found.not_finite = !is_finite((h.h00 + h.h10) + (h.h01 + h.h11));
+    found.hit = (below_at_entry | crossed | at_bottom) & !found.not_finite;
+    found.tau = select(below_at_entry, F(0), select(crossed, root, ray.length));
+    found.height = height_at(found.tau);
+    // A part that is highest where the ray ends is no graze.
+    found.ambiguous = (abs(peak) <= patch_error(h, ray.slack)) & !(ray.last & (peak == end));
+    return found;
+}
+
+}  // namespace quadrel
