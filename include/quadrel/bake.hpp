@@ -102,7 +102,9 @@ struct BakeKindInfo {
     const char* name;      ///< as in `quadrel bake --kind`
     const char* text;      ///< one line
     const char* field;     ///< what surface the map describes: "bilinear", "texels" or "block"
-    const char* rounding;  ///< where values are rounded: "up", "down", "nearest", or "exact"
+    const char* metric;    ///< of lengths in the plane: "tile", "voxel", or "none"
+    const char* rounding;  ///< of values: "up", "down", "nearest" or "exact"
+    int version;           ///< of the generator; raised whenever it gives other values
     std::vector<BakeParameter> parameters;
 };
 
@@ -126,8 +128,12 @@ struct BakeOptions {
 std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
                                     const SamplerState& sampler, const BakeOptions& options = {});
 
-/// SHA-256 over the height texture's id, the kind and the version of its generator, wrap modes,
-/// border height and parameters: everything that decides about the values.
+/// SHA-256 over size and heights: what a map is derived from, whatever file, channel or format the
+/// heights came in.
+std::string height_id(const Texture& height);
+
+/// SHA-256 over height_id, the kind and the version of its generator, wrap modes, border height and
+/// parameters: everything that decides about the values.
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options = {});
 

@@ -1,11 +1,13 @@
 #include "quadrel/bake.hpp"
 
 #include <fmt/format.h>
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <cmath>
 
 #include "bake/kinds.hpp"
+#include "bake/wrap_names.hpp"
 #include "io/hash.hpp"
 #include "io/suggest.hpp"
 #include "quadrel/error.hpp"
@@ -24,6 +26,8 @@ const BakeParameter& find_parameter(const BakeKindInfo& kind, const std::string&
                                  one_of(name, names)));
 }
 
+}  // namespace
+
 std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
                                                   const BakeOptions& options) {
     std::map<std::string, double> all;
@@ -41,6 +45,8 @@ std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
     }
     return all;
 }
+
+namespace {
 
 void require_finite(const HeightPlane& plane, const BakeKindInfo& kind) {
     for (std::size_t k = 0; k < plane.heights.size(); ++k) {
@@ -61,19 +67,28 @@ void require_size(const Texture& height, const SamplerState& sampler) {
                      "at most 2^29 texels, mirror images included");
 }
 
-const char* wrap_name(Wrap wrap) {
-    static constexpr const char* names[] = {"repeat", "mirrored-repeat", "clamp-to-edge",
-                                            "clamp-to-border", "mirror-once"};
-    return names[static_cast<int>(wrap)];
-}
-
 }  // namespace
+
+std::string height_id(const Texture& height) {
+    const TextureView& view = height.view();
+    const float* texels = height.level_texels(0, 0);
+    const std::size_t count = static_cast<std::size_t>(view.width[0]) * view.height[0];
+    Sha256 hash;
+    hash.update(fmt::format("heights {} {}\n", view.width[0], view.height[0]));
+    std::vector<float> row(static_cast<std::size_t>(view.width[0]));
+    for (std::size_t first = 0; first < count; first += row.size()) {
+        for (std::size_t i = 0; i < row.size(); ++i) row[i] = texels[(first + i) * view.channels];
+        hash.update({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(float)});
+    }
+    return hash.hex();
+}
 
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options) {
     const BakeKindRow& row = bake_row(kind);
-    std::string text = fmt::format("{} {} {} {} {}", height.id(), row.info.name, row.version,
-                                   wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
+    std::string text =
+        fmt::format("{} {} {} {} {}", height_id(height), row.info.name, row.info.version,
+                    wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
     if (has_border(sampler)) text += fmt::format(" border={:a}", sampler.border[0]);
     for (const auto& [name, value] : complete_parameters(row.info, options)) {
         text += fmt::format(" {}={:a}", name, value);
@@ -92,7 +107,9 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     Progress progress(options.progress);
     const BakeJob job{plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    // More threads than cores would only make TBB complain.
+    const int cores = tbb::info::default_concurrency();
+    tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
     arena.execute([&] { map = row.generate(job); });
     progress.finish();
     return map;

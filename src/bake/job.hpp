@@ -7,16 +7,13 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bake/height_plane.hpp"
+#include "bake/layout.hpp"
 #include "bake/progress.hpp"
 
 namespace quadrel {
-
-/// Width and height of a level.
-using LevelSize = std::pair<int, int>;
 
 struct BakeJob {
     const HeightPlane& plane;

@@ -29,68 +29,87 @@ const BakeParameter reach{
     64,      false, "tiles to look at, at least, towards other than multiples of 45 degrees"};
 const BakeParameter depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
 
+/// How lengths in the plane and values are to be read.
+struct Units {
+    const char* field;
+    const char* metric;
+    const char* rounding;
+};
+
 /// A kind in its first version.
-BakeKindRow make_row(BakeKind kind, const char* name, const char* text, const char* field,
-                     const char* rounding, std::vector<BakeParameter> parameters,
-                     Generator generate, Heights heights, double (*seconds)(double)) {
-    return {
-        {kind, name, text, field, rounding, std::move(parameters)}, generate, 1, heights, seconds};
+BakeKindRow make_row(BakeKind kind, const char* name, const char* text, Units units,
+                     std::vector<BakeParameter> parameters, Generator generate, Heights heights,
+                     double (*seconds)(double)) {
+    return {{kind, name, text, units.field, units.metric, units.rounding, 1, std::move(parameters)},
+            generate,
+            heights,
+            seconds};
 }
 
 std::vector<BakeKindRow> pyramid_rows() {
     return {
         make_row(BakeKind::max_mip, "max-mip", "pyramid of the greatest heights of dual cells",
-                 "bilinear", "exact", {}, bake_max_mip, Heights::any, linear_time),
+                 {"bilinear", "none", "exact"}, {}, bake_max_mip, Heights::any, linear_time),
         make_row(BakeKind::min_max, "min-max",
-                 "pyramid of least and greatest heights of dual cells", "bilinear", "exact", {},
-                 bake_min_max, Heights::any, linear_time),
+                 "pyramid of least and greatest heights of dual cells",
+                 {"bilinear", "none", "exact"}, {}, bake_min_max, Heights::any, linear_time),
         make_row(BakeKind::texel_max, "texel-max", "pyramid of the greatest heights of texels",
-                 "block", "exact", {}, bake_texel_max, Heights::any, linear_time),
+                 {"block", "none", "exact"}, {}, bake_texel_max, Heights::any, linear_time),
     };
 }
 
 std::vector<BakeKindRow> cone_rows() {
     return {
-        make_row(BakeKind::cone, "cone", "heights and conservative cones, by brute force", "texels",
-                 "down", {c_max}, bake_cone, Heights::finite, pair_time),
-        make_row(BakeKind::cone_robust, "cone-robust", "conservative cones, least of 3x3", "texels",
-                 "down", {c_max, bits}, bake_cone_robust, Heights::finite, pair_time),
-        make_row(BakeKind::cone_quick, "cone-quick", "conservative cones from a pyramid", "texels",
-                 "down", {c_max, near_side}, bake_cone_quick, Heights::finite, logarithmic_time),
+        make_row(BakeKind::cone, "cone", "heights and conservative cones, by brute force",
+                 {"texels", "tile", "down"}, {c_max}, bake_cone, Heights::finite, pair_time),
+        make_row(BakeKind::cone_robust, "cone-robust", "conservative cones, least of 3x3",
+                 {"texels", "tile", "down"}, {c_max, bits}, bake_cone_robust, Heights::finite,
+                 pair_time),
+        make_row(BakeKind::cone_quick, "cone-quick", "conservative cones from a pyramid",
+                 {"texels", "tile", "down"}, {c_max, near_side}, bake_cone_quick, Heights::finite,
+                 logarithmic_time),
         make_row(BakeKind::cone_cell, "cone-cell", "greatest heights and cones of dual cells",
-                 "bilinear", "down", {c_max}, bake_cone_cell, Heights::finite, logarithmic_time),
-        make_row(BakeKind::relaxed_cone, "relaxed-cone", "relaxed cones by 128 samples", "texels",
-                 "nearest", {steps}, bake_relaxed_cone, Heights::finite, relaxed_time),
+                 {"bilinear", "tile", "down"}, {c_max}, bake_cone_cell, Heights::finite,
+                 logarithmic_time),
+        make_row(BakeKind::relaxed_cone, "relaxed-cone", "relaxed cones by 128 samples",
+                 {"texels", "tile", "nearest"}, {steps}, bake_relaxed_cone, Heights::finite,
+                 relaxed_time),
         make_row(BakeKind::relaxed_cone_exact, "relaxed-cone-exact",
-                 "relaxed cones by falling edges", "texels", "down", {c_max, bits},
+                 "relaxed cones by falling edges", {"texels", "tile", "down"}, {c_max, bits},
                  bake_relaxed_cone_exact, Heights::finite, pair_time),
-        make_row(BakeKind::quad_cone, "quad-cone", "cones of four sectors", "texels", "down",
-                 {c_max}, bake_quad_cone, Heights::finite, sector_time),
-        make_row(BakeKind::aniso_cone, "aniso-cone", "cones of eight sectors of azimuth", "texels",
-                 "down", {c_max}, bake_aniso_cone, Heights::finite, sector_time),
+        make_row(BakeKind::quad_cone, "quad-cone", "cones of four sectors",
+                 {"texels", "tile", "down"}, {c_max}, bake_quad_cone, Heights::finite, sector_time),
+        make_row(BakeKind::aniso_cone, "aniso-cone", "cones of eight sectors of azimuth",
+                 {"texels", "tile", "down"}, {c_max}, bake_aniso_cone, Heights::finite,
+                 sector_time),
     };
 }
 
 std::vector<BakeKindRow> other_rows() {
     return {
         make_row(BakeKind::distance, "distance", "distance volume by vector sweeps, 8 bits",
-                 "block", "down", {slices}, bake_distance, Heights::finite, layered_time),
+                 {"block", "voxel", "down"}, {slices}, bake_distance, Heights::finite,
+                 layered_time),
         make_row(BakeKind::distance_exact, "distance-exact",
-                 "distance volume that is never too large", "bilinear", "down", {slices},
+                 "distance volume that is never too large", {"bilinear", "voxel", "down"}, {slices},
                  bake_distance_exact, Heights::finite, layered_time),
-        make_row(BakeKind::horizon, "horizon", "horizons of the bilinear field", "bilinear", "up",
-                 {azimuths, reach}, bake_horizon, Heights::finite, ray_time),
-        make_row(BakeKind::horizon_sampled, "horizon-sampled", "horizons by texel samples",
-                 "texels", "nearest", {azimuths, reach}, bake_horizon_sampled, Heights::finite,
+        make_row(BakeKind::horizon, "horizon", "horizons of the bilinear field",
+                 {"bilinear", "tile", "up"}, {azimuths, reach}, bake_horizon, Heights::finite,
                  ray_time),
+        make_row(BakeKind::horizon_sampled, "horizon-sampled", "horizons by texel samples",
+                 {"texels", "tile", "nearest"}, {azimuths, reach}, bake_horizon_sampled,
+                 Heights::finite, ray_time),
         make_row(BakeKind::normal_gather, "normal-gather", "normals by forward differences",
-                 "texels", "nearest", {depth}, bake_normal_gather, Heights::finite, linear_time),
-        make_row(BakeKind::normal_4tap, "normal-4tap", "normals by central differences", "texels",
-                 "nearest", {depth}, bake_normal_4tap, Heights::finite, linear_time),
-        make_row(BakeKind::normal_sobel, "normal-sobel", "normals by Sobel's kernel", "texels",
-                 "nearest", {depth}, bake_normal_sobel, Heights::finite, linear_time),
-        make_row(BakeKind::rmq, "rmq", "range-maximum tables of dual cells", "bilinear", "exact",
-                 {}, bake_rmq, Heights::any, layered_time),
+                 {"texels", "tile", "nearest"}, {depth}, bake_normal_gather, Heights::finite,
+                 linear_time),
+        make_row(BakeKind::normal_4tap, "normal-4tap", "normals by central differences",
+                 {"texels", "tile", "nearest"}, {depth}, bake_normal_4tap, Heights::finite,
+                 linear_time),
+        make_row(BakeKind::normal_sobel, "normal-sobel", "normals by Sobel's kernel",
+                 {"texels", "tile", "nearest"}, {depth}, bake_normal_sobel, Heights::finite,
+                 linear_time),
+        make_row(BakeKind::rmq, "rmq", "range-maximum tables of dual cells",
+                 {"bilinear", "none", "exact"}, {}, bake_rmq, Heights::any, layered_time),
     };
 }
 

@@ -12,7 +12,6 @@ enum class Heights { any, finite };
 struct BakeKindRow {
     BakeKindInfo info;
     Generator generate;
-    int version;  ///< raised whenever a generator gives other values than before
     Heights heights;
     double (*seconds)(double texels);  ///< at most, on one core; `texels` stored
 };
@@ -20,5 +19,10 @@ struct BakeKindRow {
 /// In the order of the enumeration.
 const std::vector<BakeKindRow>& bake_rows();
 const BakeKindRow& bake_row(BakeKind kind);
+
+/// All parameters of a kind: as given, or their standard values. Throws UsageError for parameters
+/// that it has not or that are out of range.
+std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
+                                                  const BakeOptions& options);
 
 }  // namespace quadrel

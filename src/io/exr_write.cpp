@@ -2,54 +2,26 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
-#include <exception>
 
-#include "io/atomic_file.hpp"
+#include "io/exr_film.hpp"
 #include "quadrel/check.hpp"
-#include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 
 namespace quadrel {
 namespace {
-
-/// The first error sticks: OpenEXR writes its offset table in a destructor, which swallows
-/// exceptions, so the stream is asked once the file object is gone.
-class ErrorKeepingStream : public Imf::OStream {
-  public:
-    ErrorKeepingStream(AtomicFile& file, const std::string& name)
-        : Imf::OStream(name.c_str()), file_(file) {}
-
-    void write(const char bytes[], int size) override {
-        rethrow();
-        try {
-            file_.write(bytes, static_cast<std::size_t>(size));
-        } catch (const OutputError&) {
-            error_ = std::current_exception();
-            throw;
-        }
-    }
-    uint64_t tellp() override { return file_.position(); }
-    void seekp(uint64_t position) override { file_.seek(position); }
-    void rethrow() const {
-        if (error_) std::rethrow_exception(error_);
-    }
-
-  private:
-    AtomicFile& file_;
-    std::exception_ptr error_;
-};
 
 /// OpenEXR's windows include their last pixel.
 Imath::Box2i inclusive(const Window& window) {
     return {{window.x0, window.y0}, {window.x1 - 1, window.y1 - 1}};
 }
 
-Imf::Header make_header(const Film& film, const Attributes& attributes) {
+}  // namespace
+
+Imf::Header make_exr_header(const Film& film, const Attributes& attributes) {
     Imf::Header header(inclusive(film.frame), inclusive(film.window), 1, {0, 0}, 1,
                        Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
     for (const Plane& plane : film.planes) {
@@ -62,23 +34,27 @@ Imf::Header make_header(const Film& film, const Attributes& attributes) {
     return header;
 }
 
+void add_film_slices(Imf::FrameBuffer& buffer, const Film& film) {
+    for (const Plane& plane : film.planes) {
+        const auto type = plane.type == ChannelType::float32 ? Imf::FLOAT : Imf::UINT;
+        // OpenEXR's slices are for reading and writing, hence not const.
+        char* base = const_cast<char*>(reinterpret_cast<const char*>(plane.bits.data()));
+        buffer.insert(plane.name, Imf::Slice::Make(type, base, inclusive(film.window)));
+    }
+}
+
+namespace {
+
 bool is_canonical(const Plane& plane) {
     return plane.type == ChannelType::uint32 ||
            std::all_of(plane.bits.begin(), plane.bits.end(),
                        [](std::uint32_t bits) { return canonical_bits(bits) == bits; });
 }
 
-void add_slice(Imf::FrameBuffer& buffer, const Film& film, const Plane& plane) {
-    const auto type = plane.type == ChannelType::float32 ? Imf::FLOAT : Imf::UINT;
-    // OpenEXR's slices are for reading and writing, hence not const.
-    char* base = const_cast<char*>(reinterpret_cast<const char*>(plane.bits.data()));
-    buffer.insert(plane.name, Imf::Slice::Make(type, base, inclusive(film.window)));
-}
-
 void write_pixels(Imf::OStream& stream, const Film& film, const Attributes& attributes) {
-    Imf::OutputFile output(stream, make_header(film, attributes), 0);
+    Imf::OutputFile output(stream, make_exr_header(film, attributes), 0);
     Imf::FrameBuffer buffer;
-    for (const Plane& plane : film.planes) add_slice(buffer, film, plane);
+    add_film_slices(buffer, film);
     output.setFrameBuffer(buffer);
     output.writePixels(film.window.height());
 }

@@ -1,29 +1,15 @@
 // What holds for every kind: threads, position, progress, identity, refusals.
 #include "quadrel/bake.hpp"
 
-#include <cstring>
 #include <set>
 
-#include "bake/support.hpp"
+#include "bake/files.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel::test {
 namespace {
 
 SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
-
-bool same_texels(const Texture& a, const Texture& b) {
-    const TextureView &x = a.view(), &y = b.view();
-    if (x.levels != y.levels || x.faces != y.faces || x.channels != y.channels) return false;
-    for (int level = 0; level < x.levels; ++level) {
-        if (x.width[level] != y.width[level] || x.height[level] != y.height[level]) return false;
-        const std::size_t floats =
-            std::size_t(x.width[level]) * x.height[level] * x.channels * x.faces;
-        if (std::memcmp(a.level_texels(level, 0), b.level_texels(level, 0), floats * 4) != 0)
-            return false;
-    }
-    return true;
-}
 
 using BakeWith = std::function<Texels(const Texture&, BakeKind, const BakeOptions&)>;
 

@@ -1,0 +1,29 @@
+// Baked maps by need: from memory, from the disk cache, or made.
+//
+// The cache is the folder quadrel/baked in $XDG_CACHE_HOME, or in ~/.cache: a file an entry, named
+// by baked_id, with a checksum that is verified. A damaged or foreign entry is made anew. At most
+// QUADREL_CACHE_MIB MiB (default 1024, 0: no cache); what was used longest ago goes first. A cache
+// that cannot be written is no error.
+#pragma once
+
+#include "quadrel/bake.hpp"
+
+namespace quadrel {
+
+struct BakedTextureOptions : BakeOptions {
+    bool disk = true;           ///< read and write the disk cache
+    double seconds_limit = 20;  ///< a bake that may take longer is refused; the estimate decides
+    /// For the refusal: the heights as arguments of `quadrel bake`, and where a scene asks for
+    /// them.
+    std::string input = "HEIGHTMAP", key;
+};
+
+/// The map that bake() gives for the same arguments. While someone holds it, memory has it once.
+/// May be called from several threads; one bakes at a time.
+/// Throws as bake() does, and InputError for a map that would take too long and is in no cache: it
+/// names the command that bakes it. UsageError if QUADREL_CACHE_MIB is not a number.
+std::shared_ptr<const Texture> baked_texture(const Texture& height, BakeKind kind,
+                                             const SamplerState& sampler,
+                                             const BakedTextureOptions& options = {});
+
+}  // namespace quadrel

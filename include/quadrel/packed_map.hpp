@@ -1,0 +1,44 @@
+// Cone maps in the channels that their authors pack them in, for programs that read these.
+#pragma once
+
+#include <filesystem>
+
+#include "quadrel/bake.hpp"
+
+namespace quadrel {
+
+enum class Packing : std::int32_t {
+    /// "dummer": height in red, the square root of the ratio in green, blue 0. Source: Dummer,
+    /// "Cone
+    /// Step Mapping", 2006.
+    height_sqrt_cone,
+    /// "gg3": the normal's x and y as 0.5 + 0.5 n in red and green (normal_4tap, depth 0.1), the
+    /// ratio in blue, depth in alpha: the top is black. Source: Policarpo, Oliveira, GPU Gems 3,
+    /// chapter 18.
+    normal_cone_depth,
+};
+
+enum class PackRounding : std::int32_t {
+    conservative,  ///< heights up, ratios down: every cone lies in the one that was packed
+    nearest,       ///< as published
+};
+
+/// Writes a map of {height, ratio} texels: 8 bits a channel if the file's name ends in .png,
+/// float32 if in .exr. Heights and ratios are cut to [0, 1]. Throws OutputError, UsageError for a
+/// map that does not hold {height, ratio} a texel of `height`, and for other names.
+void write_packed(const std::filesystem::path& file, const Texture& map, const Texture& height,
+                  const SamplerState& sampler, Packing packing,
+                  PackRounding rounding = PackRounding::conservative);
+
+/// A packed file's contents, as a height field and as a map of {height, ratio}. What field, wrap
+/// mode and generator they are of, the file does not say. Throws InputError.
+struct PackedMap {
+    std::shared_ptr<const Texture> height, cones;
+};
+PackedMap load_packed(const std::filesystem::path& file, Packing packing,
+                      const std::string& key = "");
+
+/// By the names above. Throws UsageError.
+Packing packing_from_name(std::string_view name);
+
+}  // namespace quadrel
