@@ -38,9 +38,17 @@ enum class Planted {
     surface_not_reached,  ///< a hit reported above the surface
     fetch_not_counted,    ///< one look-up missing from the sum
     // Normals.
-    slope_upside_down,    ///< bumps look like dents
-    relief_without_base,  ///< the smooth-shading difference left out
-    unnormalised_sum,     ///< a normal longer or shorter than 1
+    slope_upside_down,      ///< bumps look like dents
+    relief_without_base,    ///< the smooth-shading difference left out
+    unnormalised_sum,       ///< a normal longer or shorter than 1
+    gain_of_two,            ///< slopes twice too steep
+    axes_exchanged,         ///< u for v
+    lattice_does_not_wrap,  ///< noise that does not tile
+    noise_around_zero,      ///< heights of both signs
+    green_ignored,          ///< the direction of a normal map's y
+    texel_not_centred,      ///< c in place of 2 c - 1
+    density_forgotten,      ///< gradients in place of unit tangents
+    second_look_up_uphill,  ///< smoothed against the gradient
     // Shadows.
     shadow_of_the_mirror,  ///< the march away from the light
     unlit_side_visible,    ///< lights behind the surface shine through
