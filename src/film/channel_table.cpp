@@ -51,6 +51,8 @@ void add_frame(Table& table) {
                "surface gradient of v: second row of J");
     table.push_back(
         {"r", real, "ratio", "depth rate: share of the ray's length that goes into depth"});
+    table.push_back(
+        {"relief.depth", real, "world length", "thickness of the relief, after fading"});
     add_vector(table, "K", "UV", "texture coordinates",
                "shift of uv from the top to the bottom of the relief");
 }
@@ -63,6 +65,7 @@ void add_hit(Table& table) {
                      "0 none, 1 hit, 2 floor, 3 cap, 4 clip, 5 no frame, 6 NaN, 7 outside"});
     table.push_back({"hit.flags", integer, "bits",
                      "1 degenerate uv, 2 ambiguous, 4 start below the surface, 8 wrapped"});
+    table.push_back({"frag.depth", real, "window depth", "depth of the hit by the projection"});
     table.push_back({"hit.steps", integer, "count", "steps of the search"});
     table.push_back({"hit.fetches", integer, "count", "height fetches of the search"});
 }
@@ -77,6 +80,7 @@ void add_level_of_detail(Table& table) {
 }
 
 void add_shading(Table& table) {
+    table.push_back({"occlusion", real, "0 closed to 1 open", "ambient visibility of the hit"});
     table.push_back({"shadow.visibility", real, "0 dark to 1 lit", "visibility of light 0"});
     table.push_back({"shadow.steps", integer, "count", "steps of the shadow search of light 0"});
     table.push_back({"shadow.<i>.visibility", real, "0 dark to 1 lit", "visibility of light <i>"});

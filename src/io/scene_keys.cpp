@@ -70,6 +70,8 @@ constexpr SceneKey keys[] = {
 
     {"relief", "frame", Below::object, "stage"},
     {"relief", "trace", Below::object, "stage"},
+    {"relief", "clip", Below::object, "stage"},
+    {"relief", "frag_depth", Below::object, "stage"},
     {"relief", "surface", Below::object, "stage"},
     {"relief", "shadow", Below::object, "stage"},
     {"relief", "occlusion", Below::object, "stage"},
@@ -100,6 +102,10 @@ constexpr SceneKey keys[] = {
     {"mesh", "tessellation"},
     {"mesh", "normals"},
     {"mesh", "flip_v"},
+    {"mesh", "refine", Below::object, "refine"},
+
+    {"refine", "by"},
+    {"refine", "levels"},
 
     {"object", "name"},
     {"object", "mesh", Below::object, "mesh"},

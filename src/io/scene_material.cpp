@@ -56,6 +56,8 @@ void read_relief(const Value& value, Material& material) {
     Fields relief(value);
     material.frame = read_stage(relief, "frame");
     material.trace = read_stage(relief, "trace");
+    material.clip = read_stage(relief, "clip");
+    material.frag_depth = read_stage(relief, "frag_depth");
     material.surface = read_stage(relief, "surface");
     material.shadow = read_stage(relief, "shadow");
     material.occlusion = read_stage(relief, "occlusion");

@@ -110,12 +110,12 @@ void collect_inner_quad(const TileBuffer& tile, int x, int y, std::vector<QuadCo
 using PassMasks = std::array<std::uint64_t, 16>;
 
 std::uint64_t passing_mask(const BlockSamples& block, const TileBuffer& tile, int x0, int y0,
-                           int sample, std::uint32_t index) {
+                           int sample, std::uint32_t index, DepthTest test) {
     std::uint64_t mask = 0;
     for (int i = 0; i < block_size * block_size; ++i) {
         const int x = x0 + i % block_size, y = y0 + i / block_size;
         if (block.covered[i] && tile.rect().contains(x, y) &&
-            tile.passes(x, y, sample, block.depth[i], index))
+            (test == DepthTest::late || tile.passes(x, y, sample, block.depth[i], index)))
             mask |= std::uint64_t(1) << i;
     }
     return mask;
@@ -190,7 +190,7 @@ void collect_quads(const TileBuffer& tile, std::vector<QuadCoverage>& quads) {
 }
 
 void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const TileBuffer& tile,
-                     std::vector<QuadCoverage>& quads) {
+                     std::vector<QuadCoverage>& quads, DepthTest test) {
     QUADREL_CHECK(index != no_triangle, index);
     const PixelRect& rect = tile.rect();
     const PixelRect pixels = detail::touched_blocks(triangle, rect);
@@ -202,7 +202,7 @@ void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const 
             detail::visit_blocks(triangle, block_rect, tile.samples(),
                                  [&](const BlockSamples& block, int, int, int sample) {
                                      masks[sample] =
-                                         passing_mask(block, tile, x0, y0, sample, index);
+                                         passing_mask(block, tile, x0, y0, sample, index, test);
                                  });
             append_quads(masks, tile.samples(), x0, y0, index, quads);
         }

@@ -20,8 +20,9 @@ std::string algorithm_text(const Scene& scene) {
             if (room != "quad" && room != "depth" && room != "hit")
                 entry[room] = stage.info->text.id;
         }
-        for (const StageChoice* choice : {&material.frame, &material.trace, &material.surface,
-                                          &material.shadow, &material.occlusion, &material.shade})
+        for (const StageChoice* choice :
+             {&material.frame, &material.trace, &material.clip, &material.frag_depth,
+              &material.surface, &material.shadow, &material.occlusion, &material.shade})
             for (const auto& [name, value] : choice->parameters)
                 entry["parameters"][choice->key + "." + name] = value;
         entry["depth"] = material.depth;

@@ -46,6 +46,8 @@ void add_geometry(Table& table) {
 void add_hit(Table& table) {
     add(table, "hit.P", "XYZ", Value::hit_P);
     add(table, "hit", "UV", Value::hit_uv);
+    table["relief.depth"] = {Value::relief_depth, 0};
+    table["frag.depth"] = {Value::frag_depth, 0};
     table["hit.s"] = {Value::hit_s, 0};
     table["hit.h"] = {Value::hit_h, 0};
     table["hit.status"] = {Value::hit_status, 0};
@@ -68,6 +70,7 @@ void add_shading(Table& table) {
     add(table, "light.emissive", "RGB", Value::light_emissive);
     add(table, "light.reflection", "RGB", Value::light_reflection);
     add(table, "light.refraction", "RGB", Value::light_refraction);
+    table["occlusion"] = {Value::occlusion, 0};
     table["shadow.visibility"] = {Value::shadow_visibility, 0};
     table["shadow.steps"] = {Value::shadow_steps, 0};
 }

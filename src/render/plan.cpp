@@ -9,6 +9,7 @@
 #include "io/suggest.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
+#include "render/added_stages.hpp"
 
 namespace quadrel {
 namespace {
@@ -84,10 +85,24 @@ bool any_of(std::span<const Value> list, const ValueSet& set) {
 
 StageFunction kernel(const KernelTable& table, std::string_view id) {
     if (const StageFunction run = find_kernel(table, id)) return run;
+    if (const StageFunction run = find_added_kernel(table, id)) return run;
     check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
 }
 
 }  // namespace
+
+bool clips(const Material& material) {
+    return !material.clip.id.empty() && material.clip.id != "none";
+}
+
+bool writes_depth(const Material& material) {
+    return !material.frag_depth.id.empty() && material.frag_depth.id != "none";
+}
+
+bool stores(const PlannedStage& stage, Value v) {
+    const auto& outputs = stage.info->outputs;
+    return std::find(outputs.begin(), outputs.end(), v) != outputs.end();
+}
 
 bool grades_depth(const Material& material) {
     return material.depth_in_tiles || material.fade_from < material.fade_to;
@@ -103,7 +118,11 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
         make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
     stages.push_back(make_chosen(scene, material.frame, "frame", fallback("frame-gram")));
     stages.push_back(make_chosen(scene, material.trace, "trace", fallback("linear")));
+    if (clips(material)) stages.push_back(make_chosen(scene, material.clip, "clip", "none"));
     stages.push_back(make_stage(*find_stage("displace")));
+    stages.push_back(writes_depth(material)
+                         ? make_chosen(scene, material.frag_depth, "frag-depth", "none")
+                         : make_stage(*find_stage("frag-depth")));
     const char* const normals = material.noise ? "h2n-patch" : "h2n-thesis";
     stages.push_back(make_chosen(scene, material.surface, "surface", fallback(normals)));
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
@@ -114,14 +133,19 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     return stages;
 }
 
-MaterialPlan plan_material(const Scene& scene, const Material& material, const ValueSet& wanted,
+MaterialPlan plan_material(const Scene& scene, const Material& material, const Wanted& wanted,
                            const KernelTable& table) {
     MaterialPlan plan;
-    plan.values = wanted;
+    plan.values = wanted.values;
+    LightSet lights = wanted.lights;
     std::vector<PlannedStage> stages = material_stages(scene, material);
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
         if (!any_of(stage->info->outputs, plan.values)) continue;
-        for (const Value v : stage->info->inputs) plan.values.set(index_of(v));
+        if (stage->light >= 0 && !lights[static_cast<std::size_t>(stage->light)]) continue;
+        for (const Value v : stage->info->inputs) {
+            plan.values.set(index_of(v));
+            if (info(v).per_light) lights.set();
+        }
         for (const Value v : stage->info->outputs) plan.produced.set(index_of(v));
         for (const TextureSlot slot : stage->info->textures) {
             plan.textures.set(static_cast<std::size_t>(slot));
@@ -137,11 +161,15 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const V
     return plan;
 }
 
-ValueSet wanted_values(const std::vector<ChannelSource>& channels) {
-    ValueSet wanted;
+Wanted wanted_values(const std::vector<ChannelSource>& channels) {
+    Wanted wanted;
     for (const ChannelSource& channel : channels) {
-        if (channel.kind == ChannelSource::Kind::value) wanted.set(index_of(channel.value));
-        if (channel.kind == ChannelSource::Kind::z) wanted.set(index_of(Value::hit_P));
+        if (channel.kind == ChannelSource::Kind::value) {
+            wanted.values.set(index_of(channel.value));
+            if (info(channel.value).per_light)
+                wanted.lights.set(static_cast<std::size_t>(channel.light));
+        }
+        if (channel.kind == ChannelSource::Kind::z) wanted.values.set(index_of(Value::hit_P));
     }
     return wanted;
 }

@@ -22,8 +22,12 @@ struct PlannedStage {
     int light = -1;  ///< which light, for stages that serve one at a time
 };
 
+/// Whether the stage has that output.
+bool stores(const PlannedStage& stage, Value v);
+
 using ValueSet = std::bitset<static_cast<std::size_t>(Value::count)>;
 using SlotSet = std::bitset<texture_slot_count>;
+using LightSet = std::bitset<max_lights>;
 
 /// The stages of one material that the wanted values need, in the order of the data flow.
 struct MaterialPlan {
@@ -37,6 +41,12 @@ struct MaterialPlan {
     const StageInfo* needs_height_map = nullptr;
 };
 
+/// Whether fragments of status CLIP are demoted.
+bool clips(const Material& material);
+
+/// Whether fragments are tested and written with the depth of their hit.
+bool writes_depth(const Material& material);
+
 /// Whether the relief's depth differs from fragment to fragment.
 bool grades_depth(const Material& material);
 
@@ -44,11 +54,17 @@ bool grades_depth(const Material& material);
 /// included; their parameters checked. Throws InputError.
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material);
 
-/// Keeps of `stages` what `wanted` needs and binds it to the kernels of `table`.
-MaterialPlan plan_material(const Scene& scene, const Material& material, const ValueSet& wanted,
+/// Values, and of those that each light has one of, for which lights.
+struct Wanted {
+    ValueSet values;
+    LightSet lights;
+};
+
+/// Keeps of the material's stages what `wanted` needs and binds it to the kernels of `table`.
+MaterialPlan plan_material(const Scene& scene, const Material& material, const Wanted& wanted,
                            const KernelTable& table);
 
 /// The values that channels read.
-ValueSet wanted_values(const std::vector<ChannelSource>& channels);
+Wanted wanted_values(const std::vector<ChannelSource>& channels);
 
 }  // namespace quadrel

@@ -6,6 +6,7 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/quad/interpolate.hpp"
+#include "render/height_bounds.hpp"
 
 namespace quadrel {
 namespace {
@@ -14,7 +15,9 @@ MaterialPlan discard_plan(const Scene& scene, const Material& material,
                           const KernelTable& kernels) {
     ValueSet wanted;
     if (material.discard_below >= 0) wanted.set(static_cast<std::size_t>(Value::opacity));
-    return plan_material(scene, material, wanted, kernels);
+    if (clips(material)) wanted.set(static_cast<std::size_t>(Value::hit_status));
+    if (writes_depth(material)) wanted.set(static_cast<std::size_t>(Value::frag_depth));
+    return plan_material(scene, material, {wanted, {}}, kernels);
 }
 
 void check_lights(const Scene& scene) {
@@ -34,6 +37,18 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
                          "a texture: the material's relief stages read heights");
 }
 
+/// Tells the stages what the height map can give.
+void bound_heights(RenderPlan& plan, std::size_t material) {
+    const SampledTexture* map =
+        plan.textures[material].bound(static_cast<int>(TextureSlot::height));
+    const auto range = map ? height_range(*map) : std::nullopt;
+    MaterialUniforms& uniforms = plan.uniforms[material];
+    if (!range || uniforms.noise_octaves > 0) return;
+    uniforms.heights_bounded = 1;
+    uniforms.height_low = range->low;
+    uniforms.height_high = range->high;
+}
+
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
@@ -44,7 +59,8 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     plan.kernels = &kernels;
     plan.scalar_bytes = kernels.scalar_bytes;
     plan.frame = frame_uniforms(scene, plan.hardware);
-    const ValueSet wanted = skip ? wanted_values(channels) : ValueSet().set();
+    const Wanted wanted =
+        skip ? wanted_values(channels) : Wanted{ValueSet().set(), LightSet().set()};
     for (const Material& material : scene.materials) {
         plan.materials.push_back(plan_material(scene, material, wanted, kernels));
         plan.discard.push_back(discard_plan(scene, material, kernels));
@@ -66,6 +82,13 @@ bool reads_frames(const RenderPlan& plan) {
            std::any_of(plan.discard.begin(), plan.discard.end(), reads);
 }
 
+bool may_leave_out_steps(const MaterialPlan& plan) {
+    for (const Value v : {Value::hit_steps, Value::hit_fetches, Value::shadow_steps})
+        if (plan.values[static_cast<std::size_t>(v)]) return false;
+    return std::any_of(plan.stages.begin(), plan.stages.end(),
+                       [](const PlannedStage& stage) { return stage.info->uses_height_bounds; });
+}
+
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
                                  const PixelRect& area) {
     std::vector<bool> used(scene.materials.size(), false);
@@ -80,7 +103,18 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
         if (!used[m]) continue;
         const SlotSet slots = plan.materials[m].textures | plan.discard[m].textures;
         plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache);
+        if (may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
     }
+}
+
+RenderPlan plan_with_steps(const RenderPlan& plan) {
+    RenderPlan counting = plan;
+    for (auto* const list : {&counting.materials, &counting.discard})
+        for (MaterialPlan& material : *list)
+            for (const Value v : {Value::hit_steps, Value::shadow_steps})
+                if (material.produced[static_cast<std::size_t>(v)])
+                    material.values.set(static_cast<std::size_t>(v));
+    return counting;
 }
 
 StageCall stage_call(const RenderPlan& plan, std::uint32_t material) {

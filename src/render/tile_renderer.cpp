@@ -1,6 +1,7 @@
 #include "render/tile_renderer.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace quadrel {
 namespace {
@@ -9,7 +10,10 @@ DepthCompare depth_compare(const Scene& scene) {
     return scene.camera.reversed_z ? DepthCompare::greater : DepthCompare::less;
 }
 
-bool discards(const Material& material) { return material.discard_below >= 0; }
+/// Whether shading decides over coverage or depth.
+bool draws_in_order(const Material& material) {
+    return material.discard_below >= 0 || clips(material) || writes_depth(material);
+}
 
 }  // namespace
 
@@ -35,32 +39,36 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
 }
 
 TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                           const FilmTarget& target, bool recording)
+                           const FilmTarget& target, Recording recording,
+                           const TouchedTexels* touched)
     : scene_(scene),
       plan_(plan),
       geometry_(geometry),
       buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
       film_(target, scene.samples),
-      batch_(plan.scalar_bytes),
-      recording_(recording) {}
+      command_(scene, *plan.kernels, plan.isa),
+      batch_(plan.scalar_bytes, &command_),
+      recording_(recording),
+      touched_(touched) {}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
 }
 
 void TileRenderer::render(const Tile& tile) {
-    film_.begin(tile.rect);
+    const bool writes = recording_ != Recording::marks;
+    if (writes) film_.begin(tile.rect);
     if (!tile.triangles.empty()) {
         find_visible(tile);
         shade();
     }
-    film_.end();
+    if (writes) film_.end();
 }
 
 const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
     buffer_.reset(tile.rect);
     draw_opaque(tile);
-    draw_discarding(tile);
+    draw_in_order(tile);
     quads_.clear();
     collect_quads(buffer_, quads_);
     return quads_;
@@ -68,35 +76,54 @@ const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
 
 void TileRenderer::draw_opaque(const Tile& tile) {
     for (const std::uint32_t t : tile.triangles)
-        if (!discards(scene_.materials[geometry_.triangles[t].material]))
+        if (!draws_in_order(scene_.materials[geometry_.triangles[t].material]))
             rasterize(geometry_.triangles[t].screen, t, buffer_);
 }
 
-/// Discarding materials in submission order. At equal depth the earlier triangle wins, as in
-/// in-order drawing, although the opaque ones are drawn first.
-void TileRenderer::draw_discarding(const Tile& tile) {
+/// Materials that discard or write depth, in submission order. At equal depth the earlier triangle
+/// wins, as in in-order drawing, although the opaque ones are drawn first.
+void TileRenderer::draw_in_order(const Tile& tile) {
     for (const std::uint32_t t : tile.triangles) {
         const DrawnTriangle& triangle = geometry_.triangles[t];
-        if (!discards(scene_.materials[triangle.material])) continue;
+        const Material& material = scene_.materials[triangle.material];
+        if (!draws_in_order(material)) continue;
         quads_.clear();
-        collect_passing(triangle.screen, t, buffer_, quads_);
-        discard(quads_);
-        for (const QuadCoverage& quad : quads_) write_quad(triangle.screen, quad, buffer_);
+        collect_passing(triangle.screen, t, buffer_, quads_,
+                        writes_depth(material) ? DepthTest::late : DepthTest::early);
+        for (std::size_t first = 0; first < quads_.size(); first += batch_quads)
+            draw_batch(triangle,
+                       std::span(quads_).subspan(
+                           first, std::min<std::size_t>(batch_quads, quads_.size() - first)));
     }
 }
 
-/// Takes the samples of discarded fragments out of the quads (all of one material).
-void TileRenderer::discard(std::vector<QuadCoverage>& quads) {
-    for (std::size_t first = 0; first < quads.size(); first += batch_quads) {
-        const int count =
-            static_cast<int>(std::min<std::size_t>(batch_quads, quads.size() - first));
-        const std::uint32_t material = material_of(quads[first]);
-        run(plan_.discard[material], material, quads.data() + first, count);
-        const float limit = scene_.materials[material].discard_below;
-        for (int i = 0; i < 4 * count; ++i)
-            if (batch_.real(slot_of(Value::opacity), i) < limit)
-                quads[first + std::size_t(i / 4)].samples[i % 4] = 0;
+/// Decides over the fragments of up to batch_quads quads of one triangle, and writes their depths.
+void TileRenderer::draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads) {
+    const Material& material = scene_.materials[triangle.material];
+    run(plan_.discard[triangle.material], triangle.material, quads.data(),
+        static_cast<int>(quads.size()));
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        std::array<float, 4> depth{};
+        for (int lane = 0; lane < 4; ++lane) {
+            const int i = 4 * static_cast<int>(q) + lane;
+            if (is_discarded(material, i)) quads[q].samples[static_cast<std::size_t>(lane)] = 0;
+            if (writes_depth(material))
+                depth[static_cast<std::size_t>(lane)] = batch_.real(slot_of(Value::frag_depth), i);
+        }
+        if (writes_depth(material))
+            write_quad_depth(quads[q], depth, buffer_);
+        else
+            write_quad(triangle.screen, quads[q], buffer_);
     }
+}
+
+/// Whether lane `i` of the batch that ran the discard plan is demoted.
+bool TileRenderer::is_discarded(const Material& material, int i) const {
+    if (material.discard_below >= 0 &&
+        batch_.real(slot_of(Value::opacity), i) < material.discard_below)
+        return true;
+    return clips(material) && batch_.integer(slot_of(Value::hit_status), i) ==
+                                  static_cast<std::uint32_t>(Status::clip);
 }
 
 DrawRecord TileRenderer::record() const {
@@ -113,7 +140,7 @@ void TileRenderer::count_quads() {
 }
 
 void TileRenderer::shade() {
-    if (recording_) count_quads();
+    if (recording_ == Recording::counts) count_quads();
     if (scene_.materials.size() > 1)
         std::stable_sort(quads_.begin(), quads_.end(),
                          [&](const QuadCoverage& a, const QuadCoverage& b) {
@@ -127,18 +154,66 @@ void TileRenderer::shade() {
             ++end;
         const int count = static_cast<int>(end - first);
         run(plan_.materials[material], material, quads_.data() + first, count);
-        film_.add(batch_, quads_.data() + first, geometry_, buffer_);
+        if (recording_ != Recording::marks)
+            film_.add(batch_, quads_.data() + first, geometry_, buffer_);
         first = end;
     }
 }
 
 void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
                        int count) {
+    const std::span<const QuadCoverage> all(quads, static_cast<std::size_t>(count));
+    const QuadContext context(command_, all);
+    try {
+        run_stages(plan, material, all);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        name_failing_quad(plan, material, all, error.what());
+    }
+    if (recording_ == Recording::marks) count_steps(plan);
+}
+
+void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
+                              std::span<const QuadCoverage> quads) {
     batch_.prepare(plan);
-    batch_.load(quads, count, geometry_, scene_.samples, scene_.centroid);
+    batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
+                scene_.centroid);
     StageCall call = stage_call(plan_, material);
-    if (recording_) call.counters = record_.fetches.data();
-    batch_.run(plan, call, geometry_, recording_ ? &clock_ : nullptr);
+    if (recording_ == Recording::marks) mark(material);
+    if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
+    batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
+}
+
+/// Stages do not throw: whatever did is a mistake of ours. Runs the quads one by one until it is
+/// thrown again.
+void TileRenderer::name_failing_quad(const MaterialPlan& plan, std::uint32_t material,
+                                     std::span<const QuadCoverage> quads, std::string message) {
+    std::span<const QuadCoverage> failing = quads;
+    for (std::size_t q = 0; q < quads.size() && failing.size() == quads.size(); ++q) {
+        try {
+            run_stages(plan, material, quads.subspan(q, 1));
+        } catch (const std::exception& error) {
+            failing = quads.subspan(q, 1);
+            message = error.what();
+        }
+    }
+    throw std::runtime_error(message + "; " + QuadContext(command_, failing).text());
+}
+
+/// Directs the marks of the next batch to the textures of its material.
+void TileRenderer::mark(std::uint32_t material) {
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        record_.fetches[static_cast<std::size_t>(slot)].marks = touched_->marks(material, slot);
+}
+
+void TileRenderer::count_steps(const MaterialPlan& plan) {
+    for (const PlannedStage& stage : plan.stages) {
+        if (stores(stage, Value::hit_steps))
+            record_.trace_steps += batch_.sum(slot_of(Value::hit_steps));
+        if (stores(stage, Value::shadow_steps))
+            record_.shadow_steps += batch_.sum(slot_of(Value::shadow_steps) + stage.light);
+    }
 }
 
 }  // namespace quadrel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "quadrel/raster/tile_buffer.hpp"
@@ -11,6 +12,7 @@
 #include "render/geometry.hpp"
 #include "render/render_plan.hpp"
 #include "render/tile_film.hpp"
+#include "render/touched_texels.hpp"
 
 namespace quadrel {
 
@@ -23,11 +25,23 @@ struct Tile {
 /// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
 
-/// One thread's renderer.
+/// What a renderer writes down beside the film.
+enum class Recording {
+    nothing,
+    counts,  ///< times, look-ups, lanes
+    marks,   ///< texels that are touched, and steps that searches make; writes no film
+};
+
+/// One thread's renderer. Where it records marks, `touched` receives them, and plan_with_steps made
+/// the plan.
 class TileRenderer {
   public:
     TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
-                 const FilmTarget& target, bool recording = false);
+                 const FilmTarget& target, Recording recording = Recording::nothing,
+                 const TouchedTexels* touched = nullptr);
+
+    TileRenderer(const TileRenderer&) = delete;
+    TileRenderer& operator=(const TileRenderer&) = delete;
 
     void render(const Tile& tile);
 
@@ -39,12 +53,19 @@ class TileRenderer {
 
   private:
     void draw_opaque(const Tile& tile);
-    void draw_discarding(const Tile& tile);
-    void discard(std::vector<QuadCoverage>& quads);
+    void draw_in_order(const Tile& tile);
+    void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
+    bool is_discarded(const Material& material, int i) const;
     void shade();
     void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
+    void run_stages(const MaterialPlan& plan, std::uint32_t material,
+                    std::span<const QuadCoverage> quads);
+    [[noreturn]] void name_failing_quad(const MaterialPlan& plan, std::uint32_t material,
+                                        std::span<const QuadCoverage> quads, std::string message);
+    void mark(std::uint32_t material);
+    void count_steps(const MaterialPlan& plan);
     std::uint32_t material_of(const QuadCoverage& quad) const;
 
     const Scene& scene_;
@@ -52,8 +73,10 @@ class TileRenderer {
     const Geometry& geometry_;
     TileBuffer buffer_;
     TileFilm film_;
+    ProbeCommand command_;
     Batch batch_;
-    bool recording_;
+    Recording recording_;
+    const TouchedTexels* touched_;
     StageClock clock_;
     DrawRecord record_;
     std::vector<QuadCoverage> quads_;

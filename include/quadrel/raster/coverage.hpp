@@ -37,11 +37,15 @@ void rasterize(const ScreenTriangle& triangle, std::uint32_t index, TileBuffer& 
 /// right, triangles of a quad by ascending index.
 void collect_quads(const TileBuffer& tile, std::vector<QuadCoverage>& quads);
 
+/// When in-order drawing tests depth: before shading, with the triangle's own depth, or only after
+/// it, with the shader's.
+enum class DepthTest { early, late };
+
 /// In-order drawing, where shading may discard: appends the quads of this triangle with the samples
-/// that are covered and pass the depth test, and writes nothing. By 8x8 blocks of the tile row by
-/// row, quads row by row within a block.
+/// that are covered and (with an early test) pass the depth test, and writes nothing. By 8x8 blocks
+/// of the tile row by row, quads row by row within a block.
 void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const TileBuffer& tile,
-                     std::vector<QuadCoverage>& quads);
+                     std::vector<QuadCoverage>& quads, DepthTest test = DepthTest::early);
 
 /// After shading: writes the triangle's own depth and index to the samples set in `quad` (a subset
 /// of what collect_passing gave), testing again.

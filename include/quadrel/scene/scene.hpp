@@ -64,7 +64,7 @@ struct StageChoice {
 /// Relief and its shading. Depth and seat are the height field's (design: D and sigma).
 struct Material {
     std::string name;
-    StageChoice frame, trace, surface, shadow, occlusion, shade;
+    StageChoice frame, trace, clip, frag_depth, surface, shadow, occlusion, shade;
     float depth = 0.05f;          ///< D: relief thickness in world (eye-space) length units, >= 0
     bool depth_in_tiles = false;  ///< `depth` is in lengths of one tile of the texture instead
     /// Angles between N and V in degrees: the relief fades from its depth to none. No fading
@@ -102,6 +102,7 @@ struct Object {
 
 struct Scene {
     std::filesystem::path file;
+    std::vector<std::string> overrides;  ///< "key=value", as load_scene was given them
     int width = 512, height = 512;
     int samples = 1;        ///< 1, 2, 4, 8 or 16 a pixel
     bool centroid = false;  ///< shade at the centroid instead of the centre under MSAA
