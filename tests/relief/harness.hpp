@@ -94,6 +94,7 @@ class Batch {
     std::vector<std::int32_t> primitive;
     std::vector<PrimitiveData> primitives;
     std::vector<PrimitiveFrame> frames;  ///< parallel to `primitives`, or empty
+    StageLog* log = nullptr;             ///< what a probe would see; float alone
     bool own_depth = false;              ///< false: relief_depth is material.depth at every run
 
     void bind(TextureSlot slot, const SampledTexture& map) {
@@ -182,6 +183,7 @@ class Batch {
         std::copy(textures_.begin(), textures_.end(), call.textures);
         call.light = light;
         call.counters = counters.data();
+        call.log = log;
         for (int i = 0; i < 3; ++i) call.edges[i] = edges[i].data();
         call.primitive = primitive.data();
         call.primitives = primitives.data();

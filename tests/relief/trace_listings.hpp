@@ -19,8 +19,8 @@ using Sampler = std::function<float(const Vec2&)>;
 /// Where a listing ends up, and how it got there.
 struct End {
     Vec2 uv;
-    float s = 0;       ///< depth of the ray's end below the top plane
-    float map = 0;     ///< height that was read last
+    float s = 0;    ///< depth of the ray's end below the top plane
+    float map = 0;  ///< height that was read last
     int fetches = 0;
 };
 

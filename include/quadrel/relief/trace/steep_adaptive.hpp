@@ -1,7 +1,7 @@
 // steep-adaptive, steep-adaptive-rabbid, steep-quality: linear search with the numbers of steps
 // that published marches take.
 //
-//   steep-adaptive         mix(steps_grazing, steps_normal, r), rounded down, up or not at all.
+//   steep-adaptive         lerp(steps_grazing, steps_normal, r), rounded down, up or not at all.
 //                          McGuire and McGuire 2005: (10, 5) unrounded, later (60, 10); DirectX
 //                          SDK, ParallaxOcclusionMapping.fx: (50, 8), down; ezEngine: (n, n / 4),
 //                          down.

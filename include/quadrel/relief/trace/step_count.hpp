@@ -25,11 +25,12 @@ F round_steps(F n, StepRounding rounding) {
     return rounding == StepRounding::up ? ceil(n) : n;
 }
 
-/// From `grazing` steps at r = 0 to `normal` steps at r = 1, at least 1.
+/// From `grazing` steps at r = 0 to `normal` steps at r = 1, at least 1. (lerp: equal numbers stay
+/// what they are, where mix may round them down by one.)
 template <Number F>
 F steps_by_angle(F r, int grazing, int normal, StepRounding rounding = StepRounding::down) {
     const F n =
-        mix(F(static_cast<Scalar<F>>(grazing)), F(static_cast<Scalar<F>>(normal)), saturate(r));
+        lerp(F(static_cast<Scalar<F>>(grazing)), F(static_cast<Scalar<F>>(normal)), saturate(r));
     return max(round_steps(n, rounding), F(1));
 }
 
