@@ -17,6 +17,7 @@ enum class Planted {
     black_total_reflection,  ///< where refract() gives 0 the refraction is black
     environment_turns,       ///< the environment looked up with eye-space vectors
     opacity_of_white,        ///< opacity always 1
+    occlusion_ignored,       ///< ambient light everywhere
 };
 
 }  // namespace quadrel::test
