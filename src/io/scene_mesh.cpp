@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include "io/scene_read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
+#include "quadrel/scene/refine.hpp"
 #include "quadrel/scene/shapes.hpp"
 
 namespace quadrel {
@@ -89,6 +92,28 @@ Mesh read_shape_or_file(Fields& fields) {
     return fields.get("shape").word(shape_words)(fields);
 }
 
+// "curvature", one level of it, or an object that says how many.
+int read_refinement(Fields& fields) {
+    if (!fields.has("refine")) return 0;
+    constexpr Word<int> words[] = {{"curvature", 1}};
+    const Value value = fields.get("refine");
+    if (!value.json().is_object()) return value.word(words);
+    Fields members(value);
+    members.get("by").word(words);
+    int levels = 1;
+    members.read("levels", levels, 1, most_refinement_levels);
+    members.finish("a refinement");
+    return levels;
+}
+
+Mesh refined(const Value& value, const Mesh& mesh, int levels) {
+    const std::size_t triangles = mesh.triangles.size() << (2 * levels);
+    if (triangles > max_mesh_vertices)
+        value.fail(fmt::format("{} triangles after refinement", triangles),
+                   fmt::format("at most {}", max_mesh_vertices));
+    return refined_by_curvature(mesh, levels);
+}
+
 }  // namespace
 
 Mesh read_mesh(const Value& value) {
@@ -98,14 +123,21 @@ Mesh read_mesh(const Value& value) {
         return read_mesh(Value(value.document(), shape, value.path()));
     }
     constexpr Word<bool> normals_words[] = {{"keep", false}, {"flat", true}};
+    constexpr Word<bool> icosahedron_words[] = {{"flat", true}, {"keep", true}, {"smooth", false}};
     Fields fields(value);
     Mesh mesh = read_shape_or_file(fields);
     const bool icosahedron = fields.has("shape") && fields.get("shape").string() == "icosahedron";
-    bool flat = false;
-    if (!icosahedron) fields.read("normals", flat, normals_words);
+    bool flat = icosahedron;
+    if (icosahedron)
+        fields.read("normals", flat, icosahedron_words);
+    else
+        fields.read("normals", flat, normals_words);
+    const int levels = read_refinement(fields);
     fields.finish(fields.has("file") ? "a mesh from a file"
                                      : "the shape " + fields.get("shape").string());
-    return flat ? flat_shaded(mesh) : mesh;
+    if (levels > 0) mesh = refined(value, mesh, levels);
+    // An icosahedron has flat faces by itself.
+    return flat && !(icosahedron && levels == 0) ? flat_shaded(mesh) : mesh;
 }
 
 }  // namespace quadrel

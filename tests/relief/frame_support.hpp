@@ -9,6 +9,10 @@ namespace quadrel::test {
 
 using Frame = StageUnderTest<float>;
 
+inline void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
+    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
+}
+
 /// Fills what frames read beside window differences: the plane's own J and tangents.
 inline void set_plane_frame(Batch<float>& batch, int lane, const Plane& plane) {
     const auto J = ExactJacobian::from_edges(plane.dPdu, plane.dPdv, dvec2(1, 0), dvec2(0, 1));
@@ -146,6 +150,13 @@ inline Plane random_square_plane(Random& random) {
     return plane;
 }
 
+/// The four points of a quad whose lane 0 is at the plane's origin.
+inline std::array<dvec3, 4> quad_points(const Plane& plane) {
+    std::array<dvec3, 4> P;
+    for (int i = 0; i < 4; ++i) P[i] = on_plane(plane, dvec2(i % 2, i / 2), 1.0 / 400);
+    return P;
+}
+
 /// Lane 0's K for a plane under the eye, and its bound.
 struct PlaneShift {
     dvec2 K, bound;
@@ -155,19 +166,14 @@ struct PlaneShift {
 inline PlaneShift shift_over(const Frame& frame, const Plane& plane) {
     Batch<float> batch(16);
     batch.material.depth = 1;
-    std::array<dvec3, 4> P;
-    for (int i = 0; i < 4; ++i) P[i] = on_plane(plane, dvec2(i % 2, i / 2), 1.0 / 400);
+    const std::array<dvec3, 4> P = quad_points(plane);
     for (int lane = 0; lane < batch.lanes; ++lane) {
         batch.set(Value::P, lane, vec3<float>(P[lane % 4]));
         batch.set(Value::uv, lane, vec2<float>(plane.uv(P[lane % 4])));
         batch.set(Value::Ng, lane, vec3<float>(plane.normal));
         batch.set(Value::vertex_normal, lane, vec3<float>(plane.normal));
-        if (frame.id == "frame-mikkt") {
-            set_plane_frame(batch, lane, plane);
-            set_plane_mikkt(batch, lane, plane);
-        } else {
-            set_plane_frame(batch, lane, plane);
-        }
+        set_plane_frame(batch, lane, plane);
+        if (frame.id == "frame-mikkt") set_plane_mikkt(batch, lane, plane);
     }
     batch.run("differentiate");
     frame.run(batch);

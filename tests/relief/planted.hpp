@@ -25,6 +25,9 @@ enum class Planted {
     frame_always_valid,     ///< degenerate quads report HIT
     degenerate_unnoticed,   ///< the flag uv_degenerate never set
     rate_along_the_normal,  ///< K of the oblique split over the r of the orthogonal one
+    // Depth.
+    tile_of_the_u_axis,  ///< a tile's length is 1 / |grad u|
+    fade_upside_down,    ///< the angles of the fade not where they should be
     // Searches.
     strict_comparison,    ///< F > 0 in place of F >= 0
     one_sample_late,      ///< the sample after the first one below
@@ -37,6 +40,15 @@ enum class Planted {
     half_a_step_late,     ///< behind the sample that hit
     surface_not_reached,  ///< a hit reported above the surface
     fetch_not_counted,    ///< one look-up missing from the sum
+    // Exact searches, and the oracle.
+    late_border,          ///< borders between cells lie a hundredth of a cell too far
+    leap_without_margin,  ///< nodes left where the ray is above them by any amount
+    leap_from_entry,      ///< nodes left where the ray enters above them
+    corner_cell_skipped,  ///< both borders crossed at once where they are close
+    wrong_wrap,           ///< mirrored maps repeated, repeated ones clamped
+    accumulated_borders,  ///< parameters of borders summed up from cell to cell
+    grazes_unflagged,     ///< the flag ambiguous never set
+    later_root,           ///< the second root of a patch in place of the first
     // Normals.
     slope_upside_down,      ///< bumps look like dents
     relief_without_base,    ///< the smooth-shading difference left out

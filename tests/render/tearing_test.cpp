@@ -1,0 +1,136 @@
+// How far textures tear at creases: the jump of the displaced coordinates across an edge that two
+// facets share, by the angle between the facets, for flat and smooth normals and for refined
+// meshes. ("Derivative-Based Relief Mapping", 2012, finds it invisible below 10 degrees and obvious
+// above 20, figure 16, and proposes refinement.) Prints the table that data/scenes/README.md shows.
+#include <fmt/format.h>
+
+#include "quadrel/scene/refine.hpp"
+#include "render/planted.hpp"
+#include "render/scenes.hpp"
+#include "scene/degrees.hpp"
+
+namespace quadrel::render_tests {
+namespace {
+
+constexpr double texels_a_unit = 256;
+
+/// Two squares that meet in the y axis with `crease` degrees between their normals, u across the
+/// edge in lengths of the surface, v along it. Smooth normals: vertical at the edge.
+Mesh roof(double crease) {
+    const SinCos half = sin_cos_degrees(crease / 2);
+    Mesh mesh;
+    for (int side = -1; side <= 1; ++side) {
+        for (const double y : {-1.0, 1.0}) {
+            mesh.positions.emplace_back(
+                glm::dvec3(side * half.cosine, y, side == 0 ? 0 : -half.sine));
+            mesh.normals.emplace_back(glm::dvec3(side * half.sine, 0, side == 0 ? 1 : half.cosine));
+            mesh.uvs.emplace_back(side, y);
+        }
+    }
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {2, 4, 5}, {2, 5, 3}};
+    return mesh;
+}
+
+/// What is compared: a frame on a roof, refined or not, with one normal a facet or smooth ones.
+struct Variant {
+    const char* name;
+    const char* frame;
+    bool smooth;
+    int levels;
+};
+
+constexpr Variant variants[] = {
+    {"flat, thesis", "frame-thesis", false, 0},  {"flat, gram", "frame-gram", false, 0},
+    {"smooth, thesis", "frame-thesis", true, 0}, {"smooth, gram", "frame-gram", true, 0},
+    {"smooth, cot", "frame-cot", true, 0},       {"refined 1, flat", "frame-gram", false, 1},
+    {"refined 2, flat", "frame-gram", false, 2}, {"refined 3, flat", "frame-gram", false, 3},
+};
+
+/// Seen 45 degrees from the vertical and askew to the edge, in parallel, over a relief whose bottom
+/// is hit everywhere: the shift is K, the greatest one that the depth allows.
+Scene roof_scene(double crease, const Variant& variant) {
+    Scene scene = empty_scene(160, 160);
+    scene.camera.view = view_matrix(glm::dvec3(2, 1, 2.24), {0, 0, 0}, {0, 1, 0.3});
+    scene.camera.projection =
+        orthographic_matrix(2.0, 1, {.near = 0.1, .far = 20}, scene.conventions);
+    Material material = plain_material("roof");
+    material.frame.id = variant.frame;
+    material.trace.id = "linear";
+    material.trace.parameters["steps"] = 4;
+    material.depth = 0.05f;
+    material.textures["height"] =
+        texture(write_texture("bottom.exr", 4, [](int, int, int) { return 0.0; }), "r");
+    scene.materials = {material};
+    Mesh mesh = refined_by_curvature(roof(crease), variant.levels);
+    add_object(scene, variant.smooth ? mesh : flat_shaded(mesh), 0);
+    return scene;
+}
+
+glm::dvec2 shift_at(const Film& film, int x, int y) {
+    return {value(film, "hit.uv.U", x, y) - value(film, "uv.U", x, y),
+            value(film, "hit.uv.V", x, y) - value(film, "uv.V", x, y)};
+}
+
+/// Greatest difference of the shift between neighbouring pixels of different triangles, in texels.
+double tear(const Renderer& renderer, double crease, const Variant& variant) {
+    const Film film =
+        take(renderer, roof_scene(crease, variant), {"A", "uv", "hit.uv", "id.primitive"});
+    double worst = 0;
+    const auto compare = [&](int x, int y, int to_x, int to_y) {
+        const bool seen = value(film, "A", x, y) > 0 && value(film, "A", to_x, to_y) > 0;
+        if (!seen || bits(film, "id.primitive", x, y) == bits(film, "id.primitive", to_x, to_y))
+            return;
+        const glm::dvec2 jump = shift_at(film, to_x, to_y) - shift_at(film, x, y);
+        worst = std::max(worst, std::sqrt(jump.x * jump.x + jump.y * jump.y) * texels_a_unit);
+    };
+    for (int y = 0; y + 1 < 160; ++y)
+        for (int x = 0; x + 1 < 160; ++x) {
+            compare(x, y, x + 1, y);
+            compare(x, y, x, y + 1);
+        }
+    return worst;
+}
+
+TEST(Tearing, GrowsWithTheCreaseAndShrinksWithRefinement) {
+    fmt::print("| crease |");
+    for (const Variant& variant : variants) fmt::print(" {} |", variant.name);
+    fmt::print("\n");
+    std::array<double, std::size(variants)> last{};
+    for (int crease = 5; crease <= 45; crease += 5) {
+        std::array<double, std::size(variants)> now;
+        fmt::print("| {} |", crease);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            now[i] = tear(render, crease, variants[i]);
+            fmt::print(" {:.1f} |", now[i]);
+            EXPECT_GT(now[i], last[i]) << variants[i].name << " at " << crease;
+        }
+        fmt::print("\n");
+        const double flat = now[1];
+        EXPECT_LT(now[3], 0.8 * flat) << "smooth normals at " << crease;
+        EXPECT_LT(now[5], 0.8 * flat) << "refined at " << crease;
+        EXPECT_LT(now[6], 0.8 * now[5]) << "refined again at " << crease;
+        EXPECT_LT(now[7], 0.8 * now[6]) << "refined further at " << crease;
+        last = now;
+    }
+}
+
+/// The jump between facets of one normal each, by hand: K = D J d / (V.N) on both sides.
+TEST(Tearing, OfFlatFacetsIsTheDifferenceOfTheirShifts) {
+    for (const double crease : {10.0, 40.0}) {
+        const Scene scene = roof_scene(crease, variants[1]);
+        const glm::dvec3 V = normalize(glm::dvec3(2, 1, 2.24));
+        const SinCos half = sin_cos_degrees(crease / 2);
+        glm::dvec2 K[2];
+        for (int side = 0; side < 2; ++side) {
+            const double s = side == 0 ? -1 : 1;
+            const glm::dvec3 N(s * half.sine, 0, half.cosine);
+            const glm::dvec3 along_u(half.cosine, 0, -s * half.sine);
+            K[side] = glm::dvec2(-dot(along_u, V), -V.y) * (0.05 / dot(N, V));
+        }
+        const double expected = length(K[1] - K[0]) * texels_a_unit;
+        EXPECT_NEAR(tear(render, crease, variants[1]), expected, 0.02 * expected);
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::render_tests
