@@ -9,6 +9,7 @@
 #include "cli/compare_arguments.hpp"
 #include "cli/compare_blame.hpp"
 #include "cli/console.hpp"
+#include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/preview.hpp"
@@ -32,7 +33,7 @@ constexpr const char* details =
 
 struct Arguments {
     std::string reference, test, layer, channels, heatmap, encode, blame;
-    std::vector<std::string> mappings, overrides;
+    std::vector<std::string> mappings, overrides, plugins;
     ToleranceArguments tolerances;
     bool flip_y = false, json = false;
 };
@@ -85,9 +86,15 @@ Images prepare(const Arguments& arguments) {
 ExitCode run_compare(const Arguments& arguments) {
     if (arguments.blame.empty() && !arguments.overrides.empty())
         throw UsageError("-D: expected with --blame only");
+    if (arguments.blame.empty() && !arguments.plugins.empty())
+        throw UsageError("--plugin: expected with --blame only");
+    load_plugins(arguments.plugins);
     const Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
-    if (!arguments.blame.empty()) scene = open_probed_scene(arguments.blame, arguments.overrides);
+    if (!arguments.blame.empty()) {
+        scene = open_probed_scene(arguments.blame, arguments.overrides);
+        scene->plugins = arguments.plugins;
+    }
     const Film &reference = images.reference.film, &test = images.test.film;
     CompareReport report = compare(reference, test, images.rules);
     report.preparation = images.preparation;
@@ -143,6 +150,7 @@ void add_compare(CLI::App& app, Action& action) {
     verb->add_option("-D,--define", a->overrides, "override a value of that scene; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    add_plugin_option(*verb, a->plugins);
     verb->add_option("--heatmap", a->heatmap, "write a PNG of the largest error of each pixel");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });

@@ -10,7 +10,7 @@ namespace quadrel::cli {
 
 ProbedScene open_probed_scene(const std::string& name, const std::vector<std::string>& overrides) {
     load_scene(name, overrides);
-    return {name, overrides};
+    return {name, overrides, {}};
 }
 
 void point_at_probe(Blame& blame, const ProbedScene& scene, const ComparableImage& reference) {
@@ -22,6 +22,8 @@ void point_at_probe(Blame& blame, const ProbedScene& scene, const ComparableImag
         fmt::format("quadrel probe {} --pixel {},{}", shell_word(scene.name), blame.x, blame.y);
     for (const std::string& override : scene.overrides)
         blame.command += " -D " + shell_word(override);
+    for (const std::string& plugin : scene.plugins)
+        blame.command += " --plugin " + shell_word(plugin);
     if (resized) blame.command += " --size " + size;
     const auto recorded = reference.attributes.find("quadrel:sceneHash");
     if (recorded == reference.attributes.end()) return;

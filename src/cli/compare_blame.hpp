@@ -12,6 +12,7 @@ namespace quadrel::cli {
 struct ProbedScene {
     std::string name;
     std::vector<std::string> overrides;
+    std::vector<std::string> plugins;  ///< files with stages that it names
 };
 
 /// Throws InputError if the scene cannot be loaded, whatever the images hold.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.hpp"
+#include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
@@ -86,17 +87,24 @@ void list_scenes(bool json) {
     for (const std::string& scene : installed_scenes()) print(scene + "\n");
 }
 
-void add_kind(CLI::App& list, const char* name, const char* meaning, void (*run)(bool),
-              Action& action) {
+struct Arguments {
+    bool json = false;
+    std::vector<std::string> plugins;
+};
+
+std::shared_ptr<Arguments> add_kind(CLI::App& list, const char* name, const char* meaning,
+                                    void (*run)(bool), Action& action) {
     CLI::App* kind = list.add_subcommand(name, meaning);
-    const auto json = std::make_shared<bool>(false);
-    kind->add_flag("--json", *json, "machine-readable, on standard output");
+    const auto arguments = std::make_shared<Arguments>();
+    kind->add_flag("--json", arguments->json, "machine-readable, on standard output");
     kind->callback([=, &action] {
         action = [=] {
-            run(*json);
+            load_plugins(arguments->plugins);
+            run(arguments->json);
             return ExitCode::ok;
         };
     });
+    return arguments;
 }
 
 }  // namespace
@@ -104,7 +112,9 @@ void add_kind(CLI::App& list, const char* name, const char* meaning, void (*run)
 void add_list(CLI::App& app, Action& action) {
     CLI::App* list = app.add_subcommand("list", "list algorithms, channels or scenes");
     list->require_subcommand(1);
-    add_kind(*list, "algorithms", "every stage with its parameters", list_algorithms, action);
+    const auto algorithms =
+        add_kind(*list, "algorithms", "every stage with its parameters", list_algorithms, action);
+    add_plugin_option(*list->get_subcommand("algorithms"), algorithms->plugins);
     add_kind(*list, "channels", "everything that an image can hold", list_channels, action);
     add_kind(*list, "scenes", "the installed scenes", list_scenes, action);
 }

@@ -6,6 +6,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/scene/load.hpp"
 
@@ -14,11 +15,12 @@ namespace {
 
 struct Arguments {
     std::string scene, pixel, size;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, plugins;
     bool json = false;
 };
 
 ExitCode run_probe(const Arguments& arguments) {
+    load_plugins(arguments.plugins);
     const Pixel pixel = parse_pixel("--pixel", arguments.pixel);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     const ProbeReport report = probe(scene, pixel.x, pixel.y);
@@ -41,6 +43,7 @@ void add_probe(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     verb->add_option("--size", a->size, "image size in pixels")->type_name("WxH");
+    add_plugin_option(*verb, a->plugins);
     verb->add_flag("--json", a->json, "machine-readable");
     verb->callback([a, &action] { action = [a] { return run_probe(*a); }; });
 }

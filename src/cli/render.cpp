@@ -7,6 +7,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "io/atomic_file.hpp"
 #include "quadrel/film/channels.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 struct Arguments {
     std::string scene, output, preview, stats, channels, size, window;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, plugins;
     bool explain = false, no_skip = false;
     RenderOptions options;
 };
@@ -76,6 +77,7 @@ void say_written(const std::filesystem::path& file) {
 }
 
 ExitCode run_render(const Arguments& arguments) {
+    load_plugins(arguments.plugins);
     const std::filesystem::path output = output_name(arguments);
     RenderOptions options = parse_options(arguments);
     if (!arguments.explain) check_outputs(output, arguments.preview);
@@ -140,6 +142,7 @@ void add_render(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("render", "render a scene to an EXR of named channels");
     const auto arguments = std::make_shared<Arguments>();
     add_values(*verb, *arguments);
+    add_plugin_option(*verb, arguments->plugins);
     verb->add_flag("--no-skip", arguments->no_skip,
                    "compute and load what no channel asks for, too; the bits are the same");
     add_execution(*verb, arguments->options);

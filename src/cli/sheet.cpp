@@ -7,6 +7,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/console.hpp"
+#include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "io/atomic_file.hpp"
 #include "quadrel/error.hpp"
@@ -21,7 +22,7 @@ namespace {
 struct Arguments {
     std::vector<std::string> inputs;
     std::string output, size, each;
-    std::vector<std::string> overrides;
+    std::vector<std::string> overrides, plugins;
     int columns = 4;
 };
 
@@ -75,6 +76,7 @@ void render_variants(const std::filesystem::path& scene_file, const Arguments& a
 
 ExitCode run_sheet(const Arguments& arguments) {
     const Variants variants = parse_variants(arguments.each);
+    load_plugins(arguments.plugins);
     check_writable(arguments.output);
     std::vector<SheetEntry> entries;
     ProgressBar bar;
@@ -109,6 +111,7 @@ void add_sheet(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     verb->add_option("--each", a->each, "render every scene with each of these values of a key")
         ->type_name("KEY=VALUE,VALUE...");
+    add_plugin_option(*verb, a->plugins);
     verb->add_option("--size", a->size, "size of every render in pixels")->type_name("WxH");
     verb->callback([a, &action] { action = [a] { return run_sheet(*a); }; });
 }

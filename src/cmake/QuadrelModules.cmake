@@ -2,14 +2,7 @@
 # object of its own with hidden visibility. In one link the linker would keep a single copy of each
 # inline function, whichever CPU it was compiled for; in a shared object nothing leaks.
 
-set(QUADREL_MODULE_DIR ${CMAKE_BINARY_DIR}/modules)
-
-# Highway gives 4-lane SSSE3 silently unless every flag of a target is present; each kernel source
-# has a static_assert on the target that it got.
-set(quadrel_flags_sse4 -msse4.2 -maes -mpclmul)
-set(quadrel_flags_avx2 -mavx2 -mfma -mbmi -mbmi2 -mf16c -maes -mpclmul)
-set(quadrel_flags_avx512 ${quadrel_flags_avx2} -mavx512f -mavx512vl -mavx512dq -mavx512bw
-    -mavx512cd)
+set(QUADREL_MODULE_DIR ${PROJECT_BINARY_DIR}/modules)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(QUADREL_ISAS sse4 avx2 avx512)
@@ -18,7 +11,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   endif()
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   set(QUADREL_ISAS neon)
-  set(quadrel_flags_neon "")
 else()
   set(QUADREL_ISAS "")
 endif()
@@ -28,6 +20,9 @@ set(QUADREL_ONLY_ISAS "" CACHE STRING "Lane sets to build modules of; empty: all
 if(QUADREL_ONLY_ISAS)
   set(QUADREL_ISAS ${QUADREL_ONLY_ISAS})
 endif()
+foreach(isa IN LISTS QUADREL_ISAS)
+  quadrel_isa_flags(quadrel_flags_${isa} ${isa})
+endforeach()
 
 # Groups of stages that are compiled together: name, header, list.
 set(QUADREL_KERNEL_GROUPS

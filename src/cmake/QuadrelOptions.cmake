@@ -9,7 +9,9 @@ target_compile_options(quadrel_values INTERFACE -ffp-contract=off)
 
 add_library(quadrel_warnings INTERFACE)
 target_compile_options(quadrel_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Werror
+  -Wall -Wextra -Wpedantic -Wshadow
+  # Within another project its compiler, which may be newer, must not stop that project's build.
+  $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>
   # GCC notes that the calling convention for wide vectors changed in 4.6; modules share no such
   # calls across instruction sets.
   -Wno-psabi

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "render/added_stages.hpp"
 #include "render/names.hpp"
 #include "render/prepared.hpp"
 
@@ -45,8 +46,11 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     const MaterialPlan& plan = prepared.plan.materials[m];
     for (const PlannedStage& stage : material_stages(scene, scene.materials[m])) {
         if (planned(plan, stage))
-            text.does.push_back(
-                fmt::format("runs {}: {}", stage_name(stage), names(needed_outputs(plan, stage))));
+            text.does.push_back(fmt::format(
+                "runs {}{}: {}", stage_name(stage),
+                runs_on_plain_lanes(*prepared.plan.kernels, stage.info->text.id) ? " on plain lanes"
+                                                                                 : "",
+                names(needed_outputs(plan, stage))));
         else
             text.leaves_out.push_back(fmt::format("stage {}", stage_name(stage)));
     }

@@ -2,8 +2,10 @@
 
 #include <array>
 
+#include "quadrel/error.hpp"
 #include "quadrel/relief/stages.hpp"
 #include "quadrel/shade/stages.hpp"
+#include "render/added_stages.hpp"
 
 namespace quadrel {
 namespace {
@@ -11,46 +13,56 @@ namespace {
 /// Every stage so far works on all of them.
 constexpr std::array<std::string_view, 2> number_types{"float", "double"};
 
-/// Whether a stage says that it reads the height map itself:
-///     static constexpr bool needs_height_map = true;
-template <class Stage>
-constexpr bool declares_height_map() {
-    if constexpr (requires { Stage::needs_height_map; }) return Stage::needs_height_map;
-    return false;
+/// More than any program adds; so that what all_stages gave out stays where it is.
+constexpr std::size_t added_capacity = 4096;
+
+template <class T>
+std::span<const T> list(const T* first, std::int32_t count) {
+    return {first, static_cast<std::size_t>(count)};
 }
 
-template <class Stage>
-StageInfo describe() {
-    return {Stage::text,
-            Stage::inputs,
-            Stage::outputs,
-            Stage::textures,
-            Stage::parameters,
-            number_types,
-            sizeof(typename Stage::Params),
-            declares_height_map<Stage>(),
-            [](void* params) { *static_cast<typename Stage::Params*>(params) = {}; }};
+StageInfo describe(const StageRow& row) {
+    return {.text = row.text,
+            .inputs = list(row.inputs, row.input_count),
+            .outputs = list(row.outputs, row.output_count),
+            .textures = list(row.textures, row.texture_count),
+            .parameters = list(row.parameters, row.parameter_count),
+            .number_types = number_types,
+            .params_size = static_cast<std::size_t>(row.params_size),
+            .uses_height_bounds = row.uses_height_bounds != 0,
+            .needs_height_map = row.needs_height_map != 0,
+            .set_defaults = row.set_defaults};
 }
 
 template <class... S>
 void describe_all(StageList<S...>, std::vector<StageInfo>& all) {
-    (all.push_back(describe<S>()), ...);
+    (all.push_back(describe(describe_stage<S>())), ...);
 }
 
 template <class... Lists>
 std::vector<StageInfo> describe_lists() {
     std::vector<StageInfo> all;
     (describe_all(Lists(), all), ...);
+    all.reserve(all.size() + added_capacity);
     return all;
+}
+
+std::vector<StageInfo>& registry() {
+    static auto stages =
+        describe_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
+                       HitStages, SurfaceStages, ShadowStages, OcclusionStages, ShadeStages>();
+    return stages;
 }
 
 }  // namespace
 
-std::span<const StageInfo> all_stages() {
-    static const auto stages =
-        describe_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
-                       HitStages, SurfaceStages, ShadowStages, OcclusionStages, ShadeStages>();
-    return stages;
+std::span<const StageInfo> all_stages() { return registry(); }
+
+void append_to_registry(std::span<const StageRow* const> rows) {
+    std::vector<StageInfo>& all = registry();
+    if (all.size() + rows.size() > all.capacity())
+        throw UsageError("more stages than the registry has room for");
+    for (const StageRow* row : rows) all.push_back(describe(*row));
 }
 
 const StageInfo* find_stage(std::string_view id) {

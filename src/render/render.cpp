@@ -9,10 +9,10 @@
 #include <chrono>
 #include <mutex>
 
-#include "kernels/select.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
+#include "render/added_stages.hpp"
 #include "render/prepared.hpp"
 #include "render/stats_record.hpp"
 
@@ -171,13 +171,12 @@ std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared) {
 }
 
 std::string explain(const Scene& scene, const RenderOptions& options) {
-    const PreparedRender prepared =
-        plan_render(scene, options, select_kernels(options.number, options.isa));
+    const PreparedRender prepared = plan_render(scene, options, select_kernels(options));
     return explain(prepared);
 }
 
 Film render(const Scene& scene, const RenderOptions& options) {
-    const KernelTable& kernels = select_kernels(options.number, options.isa);
+    const KernelTable& kernels = select_kernels(options);
     if (options.stats == nullptr) return draw(prepare_render(scene, options, kernels), options);
 
     RenderStats& stats = *options.stats;

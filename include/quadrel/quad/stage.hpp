@@ -114,9 +114,12 @@ struct NoParams {};
 inline constexpr std::array<ParameterText, 0> no_parameters{};
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
-/// What a stage has that declares nothing else: no textures, no parameters.
+/// What a stage has that declares nothing else: no textures, no parameters, no leaving out.
 struct StageDefaults {
     static constexpr auto textures = no_textures;
+    /// Whether the stage leaves out steps by the bounds of the height map's heights
+    /// (MaterialUniforms), with the same bits but for counts of steps and fetches.
+    static constexpr bool uses_height_bounds = false;
     using Params = NoParams;
     static constexpr auto parameters = no_parameters;
 };

@@ -1,12 +1,13 @@
 // Every stage by its id: what it is, what it reads and writes, which parameters it takes.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "quadrel/quad/stage.hpp"
+#include "quadrel/quad/stage_row.hpp"
 
 namespace quadrel {
 
@@ -18,6 +19,7 @@ struct StageInfo {
     std::span<const ParameterText> parameters;
     std::span<const std::string_view> number_types;
     std::size_t params_size;
+    bool uses_height_bounds;  ///< see StageDefaults
     /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of
     /// noise do not serve it.
     bool needs_height_map;
@@ -25,7 +27,8 @@ struct StageInfo {
     void (*set_defaults)(void* params);
 };
 
-/// All stages, in the order of the data flow.
+/// All stages: Quadrel's own in the order of the data flow, then those that were added, as they
+/// were. Adding keeps what was handed out valid; it must not happen while another thread renders.
 std::span<const StageInfo> all_stages();
 
 /// The stage of that id, or null.
@@ -33,5 +36,25 @@ const StageInfo* find_stage(std::string_view id);
 
 /// Name of a texture slot in scene files: height, color, gloss, emissive, normal, environment.
 std::string_view slot_name(TextureSlot slot);
+
+/// Adds stages of the calling program (see register_stages): all or none; the rows must live as
+/// long as the process. Adding the same again changes nothing. Throws UsageError for an id that
+/// another stage has, and for a stage that cannot be planned.
+void register_rows(std::span<const StageRow> rows);
+
+/// Makes stages of the calling program usable by id in scenes, in this process. They are compiled
+/// with the program, for plain numbers only: where a render runs on an instruction set, they run on
+/// Quad<float> between the others, with the same bits. A plugin has lanes too.
+template <class... Stages>
+void register_stages() {
+    static const StageRow rows[] = {make_stage_row<Stages, Quad<float>>()...};
+    register_rows(rows);
+}
+
+/// Loads a plugin built by quadrel_add_stages for the rest of the process and adds its stages. Its
+/// parts for instruction sets lie beside it and are loaded when a render first runs on them. Adding
+/// the same file again changes nothing. Throws InputError for a file that is missing, no plugin, of
+/// another version of Quadrel, or has stages that register_rows would refuse.
+void load_plugin(const std::filesystem::path& file);
 
 }  // namespace quadrel

@@ -1,0 +1,111 @@
+// A stage as plain data: what crosses into the registry from a plugin, or from the program that
+// uses the library. Pointers are to data that lives as long as the process.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "quadrel/num/quad.hpp"
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel {
+
+struct StageRow {
+    StageText text;
+    const Value* inputs;
+    const Value* outputs;
+    const TextureSlot* textures;
+    const ParameterText* parameters;
+    std::int32_t input_count, output_count, texture_count, parameter_count;
+    std::int64_t params_size;
+    std::int32_t uses_height_bounds, needs_height_map;  ///< see StageDefaults and StageInfo
+    /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
+    void (*set_defaults)(void* params);
+    StageFunction run;         ///< on floats: Quad<float>, or the lanes of an instruction set
+    StageFunction run_double;  ///< on Quad<double>; null in what is for one instruction set
+};
+
+namespace detail {
+/// Whether a stage says that it reads the height map itself:
+///     static constexpr bool needs_height_map = true;
+template <class Stage>
+constexpr bool declares_height_map() {
+    if constexpr (requires { Stage::needs_height_map; }) return Stage::needs_height_map;
+    return false;
+}
+}  // namespace detail
+
+/// The row of a stage without its functions.
+template <class Stage>
+StageRow describe_stage() {
+    using Params = typename Stage::Params;
+    static_assert(std::is_trivially_copyable_v<Params>, "parameters are plain data");
+    static_assert(alignof(Params) <= alignof(std::max_align_t));
+    StageRow row{};
+    row.text = Stage::text;
+    row.inputs = Stage::inputs.data();
+    row.outputs = Stage::outputs.data();
+    row.textures = Stage::textures.data();
+    row.parameters = Stage::parameters.data();
+    row.input_count = static_cast<std::int32_t>(Stage::inputs.size());
+    row.output_count = static_cast<std::int32_t>(Stage::outputs.size());
+    row.texture_count = static_cast<std::int32_t>(Stage::textures.size());
+    row.parameter_count = static_cast<std::int32_t>(Stage::parameters.size());
+    row.params_size = sizeof(Params);
+    row.uses_height_bounds = Stage::uses_height_bounds;
+    row.needs_height_map = detail::declares_height_map<Stage>();
+    row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };
+    return row;
+}
+
+/// The row of a stage whose float kernel runs on F; with a double kernel where F is Quad<float>.
+template <class Stage, class F>
+StageRow make_stage_row() {
+    StageRow row = describe_stage<Stage>();
+    row.run = &run_stage<Stage, F>;
+    if constexpr (std::is_same_v<F, Quad<float>>) row.run_double = &run_stage<Stage, Quad<double>>;
+    return row;
+}
+
+namespace detail {
+/// FNV-1a, 32 bits (Fowler, Noll and Vo).
+class Fingerprint {
+  public:
+    constexpr void add(std::uint64_t number) {
+        for (int i = 0; i < 8; ++i) mix(static_cast<unsigned char>(number >> (8 * i)));
+    }
+    constexpr void add(std::string_view text) {
+        for (const char c : text) mix(static_cast<unsigned char>(c));
+        add(text.size());
+    }
+    constexpr std::uint32_t value() const { return hash_; }
+
+  private:
+    constexpr void mix(unsigned char byte) { hash_ = (hash_ ^ byte) * 16777619u; }
+    std::uint32_t hash_ = 2166136261u;
+};
+}  // namespace detail
+
+/// Tells apart what stages compiled at different times take for granted. Follows by itself from the
+/// values, their order and the sizes of all that a stage is handed; `revision` is raised by hand
+/// when a meaning changes and no size does.
+inline constexpr std::uint32_t stage_abi_version = [] {
+    constexpr std::uint64_t revision = 1;
+    detail::Fingerprint print;
+    print.add(revision);
+    for (const ValueInfo& value : value_table) {
+        print.add(value.name);
+        print.add(std::uint64_t(value.components) * 4 + std::uint64_t(value.kind) * 2 +
+                  std::uint64_t(value.per_light));
+    }
+    for (const std::size_t size :
+         {std::size_t(texture_slot_count), std::size_t(max_lights), sizeof(StageRow),
+          sizeof(StageCall), sizeof(ParameterText), sizeof(FrameUniforms), sizeof(LightUniforms),
+          sizeof(MaterialUniforms), sizeof(PrimitiveData), sizeof(PrimitiveFrame),
+          sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent), sizeof(MarchStep)})
+        print.add(size);
+    return print.value();
+}();
+
+}  // namespace quadrel

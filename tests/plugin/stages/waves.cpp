@@ -1,0 +1,3 @@
+#include "stages.hpp"
+
+QUADREL_STAGES(plugin_tests::Waves);
