@@ -22,8 +22,9 @@ std::vector<fs::path> data_directories() {
 
 fs::path find_data_file(const fs::path& relative) {
     std::string searched;
+    std::error_code error;
     for (const fs::path& directory : data_directories()) {
-        if (fs::exists(directory / relative)) return directory / relative;
+        if (fs::exists(directory / relative, error)) return directory / relative;
         searched += (searched.empty() ? "" : ", ") + directory.string();
     }
     throw InputError(

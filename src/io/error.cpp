@@ -5,14 +5,29 @@
 namespace quadrel {
 namespace {
 
+/// What a file holds may get into a message: that stays one line, and no terminal obeys it.
+std::string printable(std::string text) {
+    for (char& c : text) {
+        if (c == '\n' || c == '\t') c = ' ';
+        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+    }
+    return text;
+}
+
+/// The beginning of a text that may be as long as a file.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t most = 400;
+    return text.size() > most ? text.substr(0, most) + "..." : text;
+}
+
 std::string input_message(const std::string& file, const std::string& key, const std::string& found,
                           const std::string& expected, int line, int column) {
     std::string text = file;
     if (line > 0) text += fmt::format(":{}:{}", line, column);
-    if (!key.empty()) text += (text.empty() ? "" : ": ") + key;
-    text += ": found " + found;
+    if (!key.empty()) text += (text.empty() ? "" : ": ") + shortened(key);
+    text += ": found " + shortened(found);
     if (!expected.empty()) text += ", expected " + expected;
-    return text;
+    return printable(text);
 }
 
 }  // namespace
@@ -28,7 +43,7 @@ InputError::InputError(std::string file_, std::string key_, std::string found_,
       column(column_) {}
 
 OutputError::OutputError(std::string file_, std::string reason_)
-    : std::runtime_error(file_ + ": " + reason_),
+    : std::runtime_error(printable(file_ + ": " + reason_)),
       file(std::move(file_)),
       reason(std::move(reason_)) {}
 

@@ -12,6 +12,8 @@
 #include <new>
 
 #include "io/exr_attributes.hpp"
+#include "io/exr_limits.hpp"
+#include "io/read_file.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 
@@ -20,8 +22,6 @@ namespace {
 
 constexpr std::int64_t largest_side = 65536;
 constexpr std::int64_t most_values = std::int64_t{1} << 31;
-/// No compression of OpenEXR comes near; a small damaged file cannot claim gigabytes.
-constexpr std::int64_t most_values_a_byte = 16384;
 
 [[noreturn]] void reject(const std::filesystem::path& file, const std::string& key,
                          const std::string& found, const std::string& expected) {
@@ -30,17 +30,13 @@ constexpr std::int64_t most_values_a_byte = 16384;
 
 /// OpenEXR says little about files that are no EXR at all; this does.
 void check_is_exr(const std::filesystem::path& file) {
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (status.type() == std::filesystem::file_type::not_found)
-        reject(file, "", "no such file", "an EXR file");
-    if (status.type() == std::filesystem::file_type::directory)
-        reject(file, "", "a directory", "an EXR file");
+    if (const char* reason = reason_not_to_read(file)) reject(file, "", reason, "an EXR file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) reject(file, "", "a file that cannot be opened", "an EXR file");
     char magic[4] = {};
     if (!stream.read(magic, 4) || !Imf::isImfMagic(magic))
         reject(file, "", "something else", "an EXR file");
+    check_exr_attributes(file, "");
 }
 
 /// Computed in 64 bits: a damaged header may hold any integers.
@@ -82,8 +78,7 @@ void add_planes(const std::filesystem::path& file, const Imf::Header& header,
     if (wanted.empty())
         reject(file, prefix, "no such channels", prefix.empty() ? "channels" : "a part or layer");
     const auto values = static_cast<std::int64_t>(result.film.window.area() * wanted.size());
-    const auto file_size = static_cast<std::int64_t>(std::filesystem::file_size(file));
-    const std::int64_t most = std::min(most_values, file_size * most_values_a_byte);
+    const std::int64_t most = std::min(most_values, most_exr_values(file, header));
     if (values > most)
         reject(file, "", std::to_string(values) + " values", "at most " + std::to_string(most));
     for (const auto& [name, type] : wanted) {

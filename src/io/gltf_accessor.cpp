@@ -113,10 +113,12 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index) {
         file.fail("accessors", "a reference to accessor " + std::to_string(index),
                   "one of the " + std::to_string(accessors.size()));
     const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(index)];
-    constexpr std::size_t most = std::size_t(1) << 28;
+    // Without a buffer view all are 0, however many the file claims.
+    const bool stored = accessor.bufferView >= 0;
+    const std::size_t most = stored ? std::size_t(1) << 28 : std::size_t(1) << 20;
     if (accessor.count == 0 || accessor.count > most)
         file.fail(place("accessors", index) + ".count", std::to_string(accessor.count),
-                  "1 to 2^28 elements");
+                  stored ? "1 to 2^28 elements" : "1 to 2^20 elements without a buffer view");
     return accessor;
 }
 
@@ -161,6 +163,10 @@ void apply_sparse(const GltfFile& file, const tinygltf::Accessor& accessor, int 
 void GltfFile::fail(const std::string& key, const std::string& found,
                     const std::string& expected) const {
     throw InputError(name, key, found, expected);
+}
+
+std::size_t accessor_count(const GltfFile& file, int index) {
+    return checked_accessor(file, index).count;
 }
 
 std::vector<Element> read_attribute(const GltfFile& file, int index, int components) {

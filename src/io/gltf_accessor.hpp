@@ -24,6 +24,10 @@ struct GltfFile {
                            const std::string& expected) const;
 };
 
+/// How many elements an accessor has. Throws InputError if there is no such accessor, or if the
+/// number is absurd.
+std::size_t accessor_count(const GltfFile& file, int accessor);
+
 /// An attribute of `components` finite floats a vertex (normalised integers decoded as the
 /// specification says), components in the first places of each element.
 std::vector<std::array<float, 4>> read_attribute(const GltfFile& file, int accessor,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "io/exr_limits.hpp"
 #include "io/image_readers.hpp"
 #include "quadrel/error.hpp"
 
@@ -116,6 +117,11 @@ Image read_open_file(Imf::InputFile& input, const std::string& file, const std::
     const Window display = to_window(header.displayWindow());
     check_image_size(data.width, data.height, channels, file, key);
     check_image_size(display.width, display.height, channels, file, key);
+    const std::int64_t pixels = std::max(data.width * data.height, display.width * display.height);
+    if (pixels * channels > most_exr_values(file, header)) {
+        throw InputError(file, key, fmt::format("{} pixels of {} channels", pixels, channels),
+                         "no more than a file of its size can hold");
+    }
     if (!input.isComplete()) {
         throw InputError(file, key, "a file that was not written to its end", "a complete EXR");
     }
@@ -131,6 +137,7 @@ Image read_open_file(Imf::InputFile& input, const std::string& file, const std::
 }  // namespace
 
 Image read_exr_image(const std::string& file, const std::string& key) {
+    check_exr_attributes(file, key);
     try {
         Imf::InputFile input(file.c_str(), 0);
         return read_open_file(input, file, key);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/image_readers.hpp"
+#include "io/read_file.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -20,10 +21,7 @@ std::string read_start(const fs::path& file, const std::string& key) {
     const auto refuse = [&](const char* found) {
         throw InputError(file.string(), key, found, "a readable image file");
     };
-    std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (!fs::exists(status)) refuse("no such file");
-    if (fs::is_directory(status)) refuse("a directory");
+    if (const char* reason = reason_not_to_read(file)) refuse(reason);
     std::ifstream in(file, std::ios::binary);
     if (!in) refuse("no permission to read");
     std::string start(4, '\0');

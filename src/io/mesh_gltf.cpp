@@ -1,61 +1,14 @@
 #include "io/mesh_gltf.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <glm/mat4x4.hpp>
 
-#include "io/gltf_accessor.hpp"
-#include "io/read_file.hpp"
+#include "io/gltf_open.hpp"
 #include "quadrel/num/functions.hpp"
+#include "quadrel/scene/mesh_file.hpp"
 
 namespace quadrel {
 namespace {
-
-std::string one_line(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text;
-}
-
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                const unsigned char*, int, void*) {
-    return true;
-}
-
-GltfFile open_gltf(const std::filesystem::path& path) {
-    GltfFile file{path.string(), {}};
-    const std::string bytes = read_whole_file(path);
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(skip_image, nullptr);
-    std::string error, warning;
-    bool read = false;
-    try {
-        const auto size = static_cast<unsigned int>(bytes.size());
-        const std::string folder = path.parent_path().string();
-        read = bytes.compare(0, 4, "glTF") == 0
-                   ? loader.LoadBinaryFromMemory(
-                         &file.model, &error, &warning,
-                         reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                   : loader.LoadASCIIFromString(&file.model, &error, &warning, bytes.data(), size,
-                                                folder);
-    } catch (const std::exception& failure) {
-        error = failure.what();
-    }
-    if (!read || !error.empty())
-        file.fail("", error.empty() ? "something unreadable" : one_line(error), "glTF 2.0");
-    return file;
-}
-
-// Extensions of materials and lights may be ignored; others change what the buffers mean.
-void check_extensions(const GltfFile& file) {
-    for (const std::string& name : file.model.extensionsRequired) {
-        const bool harmless = name.rfind("KHR_materials_", 0) == 0 ||
-                              name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" ||
-                              name == "KHR_texture_transform";
-        if (!harmless)
-            file.fail("extensionsRequired", "the extension " + name, "none that encodes meshes");
-    }
-}
 
 glm::dmat4 node_matrix(const tinygltf::Node& node) {
     glm::dmat4 matrix(1.0);
@@ -122,12 +75,17 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(int mode, std::size_t cou
     return triangles;
 }
 
+/// Levels of nodes: each is a call within a call.
+constexpr int most_levels = 1000;
+
 class GltfMeshReader {
   public:
     GltfMeshReader(const GltfFile& file, bool flip_v) : file_(file), flip_v_(flip_v) {}
 
     Mesh read() {
-        for (int root : root_nodes()) add_node(root, glm::dmat4(1.0));
+        for (int root : root_nodes()) place_node(root, glm::dmat4(1.0), 1);
+        check_vertices();
+        for (const Placed& placed : placed_) add_mesh(placed.mesh, placed.matrix);
         if (mesh_.triangles.empty()) file_.fail("", "no triangles", "a mesh");
         if (lacks_normals_) mesh_.normals.clear();
         if (lacks_uvs_) mesh_.uvs.clear();
@@ -157,7 +115,7 @@ class GltfMeshReader {
         return roots;
     }
 
-    void add_node(int index, const glm::dmat4& parent) {
+    void place_node(int index, const glm::dmat4& parent, int level) {
         const auto& nodes = file_.model.nodes;
         const std::string key = "nodes[" + std::to_string(index) + "]";
         if (index < 0 || static_cast<std::size_t>(index) >= nodes.size())
@@ -166,18 +124,43 @@ class GltfMeshReader {
         const auto at = static_cast<std::size_t>(index);
         if (visited_[at]) file_.fail(key, "a second way to the node", "a tree");
         visited_[at] = true;
+        if (level > most_levels)
+            file_.fail(key, "a node below " + std::to_string(level - 1) + " others",
+                       "at most " + std::to_string(most_levels));
         const tinygltf::Node& node = nodes[at];
         const glm::dmat4 matrix = parent * node_matrix(node);
-        if (node.mesh >= 0) add_mesh(node.mesh, matrix, key);
-        for (int child : node.children) add_node(child, matrix);
+        if (node.mesh >= 0) {
+            if (static_cast<std::size_t>(node.mesh) >= file_.model.meshes.size())
+                file_.fail(key + ".mesh", std::to_string(node.mesh),
+                           "below " + std::to_string(file_.model.meshes.size()));
+            placed_.push_back({node.mesh, matrix});
+        }
+        for (int child : node.children) place_node(child, matrix, level + 1);
     }
 
-    void add_mesh(int index, const glm::dmat4& matrix, const std::string& node_key) {
-        const auto& meshes = file_.model.meshes;
-        if (static_cast<std::size_t>(index) >= meshes.size())
-            file_.fail(node_key + ".mesh", std::to_string(index),
-                       "below " + std::to_string(meshes.size()));
-        const auto& primitives = meshes[static_cast<std::size_t>(index)].primitives;
+    const std::vector<tinygltf::Primitive>& primitives_of(int mesh) const {
+        return file_.model.meshes[static_cast<std::size_t>(mesh)].primitives;
+    }
+
+    // A small file can refer to one accessor a thousand times.
+    void check_vertices() const {
+        std::size_t vertices = 0;
+        for (const Placed& placed : placed_)
+            for (const auto& primitive : primitives_of(placed.mesh))
+                for (int accessor : {position_accessor(primitive), primitive.indices})
+                    if (accessor >= 0) vertices += accessor_count(file_, accessor);
+        if (vertices > max_mesh_vertices)
+            file_.fail("", std::to_string(vertices) + " vertices and indices",
+                       "at most " + std::to_string(max_mesh_vertices) + " in a mesh");
+    }
+
+    static int position_accessor(const tinygltf::Primitive& primitive) {
+        const auto found = primitive.attributes.find("POSITION");
+        return found == primitive.attributes.end() ? -1 : found->second;
+    }
+
+    void add_mesh(int index, const glm::dmat4& matrix) {
+        const auto& primitives = primitives_of(index);
         for (std::size_t i = 0; i < primitives.size(); ++i)
             add_primitive(
                 primitives[i], Placement(matrix),
@@ -250,44 +233,24 @@ class GltfMeshReader {
         }
     }
 
+    struct Placed {
+        int mesh;
+        glm::dmat4 matrix;
+    };
+
     const GltfFile& file_;
     bool flip_v_;
+    std::vector<Placed> placed_;
     bool lacks_normals_ = false, lacks_uvs_ = false, lacks_tangents_ = false;
     std::vector<bool> visited_;
     Mesh mesh_;
 };
 
-std::string decode_percent(const std::string& uri) {
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        unsigned char code = 0;
-        const char* digits = uri.data() + i + 1;
-        const bool escaped = uri[i] == '%' && i + 2 < uri.size() &&
-                             std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
-        if (escaped) {
-            text += static_cast<char>(code);
-            i += 2;
-        } else {
-            text += uri[i];
-        }
-    }
-    return text;
-}
-
 }  // namespace
 
 Mesh load_gltf(const std::filesystem::path& path, bool flip_v) {
     const GltfFile file = open_gltf(path);
-    check_extensions(file);
     return GltfMeshReader(file, flip_v).read();
-}
-
-std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& path) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& buffer : open_gltf(path).model.buffers)
-        if (!buffer.uri.empty() && buffer.uri.rfind("data:", 0) != 0)
-            files.push_back(path.parent_path() / decode_percent(buffer.uri));
-    return files;
 }
 
 }  // namespace quadrel

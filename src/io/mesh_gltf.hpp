@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "quadrel/scene/mesh.hpp"
 
@@ -11,8 +10,5 @@ namespace quadrel {
 /// All triangles of the default scene's nodes in one mesh, in the scene's space. Normals, uvs
 /// (TEXCOORD_0) and tangents are kept only if every primitive has them. Throws InputError.
 Mesh load_gltf(const std::filesystem::path& file, bool flip_v);
-
-/// The external buffers that the file refers to.
-std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& file);
 
 }  // namespace quadrel

@@ -1,5 +1,6 @@
 #include <cctype>
 
+#include "io/gltf_open.hpp"
 #include "io/mesh_gltf.hpp"
 #include "io/mesh_obj.hpp"
 #include "quadrel/error.hpp"

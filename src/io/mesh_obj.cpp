@@ -15,6 +15,8 @@ namespace quadrel {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
+/// Of a polygon: to cut it into triangles takes the square of their number, or worse.
+constexpr std::size_t most_corners = 1024;
 using Corner = std::array<std::uint32_t, 3>;  // position, uv, normal
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -131,7 +133,9 @@ class ObjReader {
     }
 
     void read_face(const std::vector<std::string_view>& words) {
-        if (words.size() < 4) fail("a face of " + std::to_string(words.size() - 1), "3 corners");
+        if (words.size() < 4 || words.size() > most_corners + 1)
+            fail("a face of " + std::to_string(words.size() - 1) + " corners",
+                 "3 to " + std::to_string(most_corners));
         std::vector<std::uint32_t> corners;
         std::vector<glm::dvec3> places;
         for (std::size_t i = 1; i < words.size(); ++i) {

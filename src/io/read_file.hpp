@@ -10,13 +10,23 @@
 
 namespace quadrel {
 
-/// The file's bytes. Throws InputError if it is missing or cannot be read.
+/// Why `file` cannot be an input that is read more than once, or null: a device may go on for ever,
+/// and a pipe gives its bytes only once.
+inline const char* reason_not_to_read(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) return "no such file";
+    if (std::filesystem::is_directory(status)) return "a directory";
+    if (std::filesystem::is_fifo(status)) return "a pipe";
+    return std::filesystem::is_regular_file(status) ? nullptr : "a device or socket";
+}
+
+/// The bytes of a file or pipe. Throws InputError if it is missing or cannot be read.
 inline std::string read_whole_file(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::exists(file, error))
-        throw InputError(file.string(), "", "no such file", "a file");
-    if (std::filesystem::is_directory(file, error))
-        throw InputError(file.string(), "", "a directory", "a file");
+    const char* const reason = reason_not_to_read(file);
+    if (reason != nullptr && !std::filesystem::is_fifo(file, error))
+        throw InputError(file.string(), "", reason, "a file");
     std::ifstream stream(file, std::ios::binary);
     std::string bytes{std::istreambuf_iterator<char>(stream), {}};
     if (!stream.is_open() || stream.bad())

@@ -39,19 +39,34 @@ class CountingIterator {
     const char** reached_;
 };
 
-TextPosition position_at(std::string_view text, std::size_t offset) {
-    const std::string_view before = text.substr(0, std::min(offset, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n');
-    const auto newline = before.rfind('\n');
-    const auto start = newline == std::string_view::npos ? 0 : newline + 1;
-    return {static_cast<int>(line) + 1, static_cast<int>(before.size() - start) + 1};
-}
+// Where each line of a text begins.
+class Lines {
+  public:
+    explicit Lines(std::string_view text) : size_(text.size()) {
+        for (std::size_t i = 0; i < text.size(); ++i)
+            if (text[i] == '\n') starts_.push_back(i + 1);
+    }
+    TextPosition position_at(std::size_t offset) const {
+        offset = std::min(offset, size_);
+        const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
+        return {static_cast<int>(next - starts_.begin()),
+                static_cast<int>(offset - *std::prev(next)) + 1};
+    }
+
+  private:
+    std::size_t size_;
+    std::vector<std::size_t> starts_{0};
+};
+
+// A file of more is no scene. Each position has its path, and keys are found one after another.
+constexpr std::size_t most_bytes = std::size_t(1) << 22, most_levels = 50, most_members = 4096,
+                      longest_key = 200;
 
 // Builds the tree from the parser's events.
 class TreeBuilder : public nlohmann::json_sax<Json> {
   public:
     TreeBuilder(SceneDocument& document, std::string_view text, const char* const& reached)
-        : document_(document), text_(text), reached_(reached) {}
+        : document_(document), text_(text), lines_(text), reached_(reached) {}
 
     bool null() override { return add(nullptr), true; }
     bool boolean(bool value) override { return add(value), true; }
@@ -67,12 +82,20 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool key(string_t& name) override {
         Level& level = open_.back();
-        const std::string path = join_key(level.path, name);
         const TextPosition here =
-            position_at(text_, offset() - std::min(offset(), name.size() + 2));
+            lines_.position_at(offset() - std::min(offset(), name.size() + 2));
+        if (name.size() > longest_key)
+            throw InputError(document_.file.string(), level.path,
+                             "a key of " + std::to_string(name.size()) + " bytes",
+                             "at most " + std::to_string(longest_key), here.line, here.column);
+        const std::string path = join_key(level.path, name);
         if (level.value->contains(name))
             throw InputError(document_.file.string(), path, "the key a second time",
                              "each key once in an object", here.line, here.column);
+        if (level.value->size() == most_members)
+            throw InputError(document_.file.string(), level.path,
+                             "more than " + std::to_string(most_members) + " keys", "a scene",
+                             here.line, here.column);
         document_.positions[path] = here;
         level.key = name;
         return true;
@@ -80,7 +103,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool parse_error(std::size_t position, const std::string&,
                      const nlohmann::detail::exception& error) override {
-        const TextPosition here = position_at(text_, position == 0 ? 0 : position - 1);
+        const TextPosition here = lines_.position_at(position == 0 ? 0 : position - 1);
         // The library's message is "[...] parse error at line L, column C: what - found; expected".
         std::string found = error.what();
         if (const auto colon = found.find(": "); colon != std::string::npos)
@@ -120,16 +143,18 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool open(Json value) {
         std::string path = path_of_next();
-        document_.positions.try_emplace(path, position_at(text_, offset() - 1));
+        document_.positions.try_emplace(path, lines_.position_at(offset() - 1));
         open_.push_back({add(std::move(value)), std::move(path), ""});
-        if (open_.size() > 100)
-            throw InputError(document_.file.string(), "", "more than 100 nested brackets",
+        if (open_.size() > most_levels)
+            throw InputError(document_.file.string(), "",
+                             "more than " + std::to_string(most_levels) + " nested brackets",
                              "a scene");
         return true;
     }
 
     SceneDocument& document_;
     std::string_view text_;
+    Lines lines_;
     const char* const& reached_;
     std::vector<Level> open_;
 };
@@ -162,6 +187,9 @@ bool SceneDocument::set_by_option(const std::string& path) const {
 }
 
 SceneDocument parse_scene_text(std::string_view text, const std::filesystem::path& file) {
+    if (text.size() > most_bytes)
+        throw InputError(file.string(), "", std::to_string(text.size()) + " bytes",
+                         "a scene of at most " + std::to_string(most_bytes));
     SceneDocument document;
     document.file = file;
     const char* reached = text.data();

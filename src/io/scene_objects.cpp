@@ -1,5 +1,7 @@
 #include "io/scene_objects.hpp"
 
+#include "quadrel/scene/mesh_file.hpp"
+
 namespace quadrel {
 namespace {
 
@@ -26,11 +28,15 @@ class ObjectReader {
   private:
     void read_named_meshes(const Value& meshes) {
         Fields fields(meshes);
-        for (const std::string& name : fields.rest())
-            add_mesh(name, read_mesh(meshes.member(name)));
+        for (const std::string& name : fields.rest()) add_mesh(name, meshes.member(name));
     }
 
-    std::size_t add_mesh(const std::string& name, Mesh mesh) {
+    std::size_t add_mesh(const std::string& name, const Value& value) {
+        Mesh mesh = read_mesh(value);
+        vertices_ += mesh.positions.size();
+        if (vertices_ > max_mesh_vertices)
+            value.fail("a mesh that makes " + std::to_string(vertices_) + " vertices in all",
+                       "at most " + std::to_string(max_mesh_vertices) + " in a scene");
         mesh.name = name;
         scene_.meshes.push_back(std::move(mesh));
         return named_[name] = scene_.meshes.size() - 1;
@@ -42,7 +48,7 @@ class ObjectReader {
         const std::string key = is_name ? value.string() : value.json().dump();
         if (const auto found = named_.find(key); found != named_.end()) return found->second;
         if (is_name) check_mesh_name(value);
-        return add_mesh(key, read_mesh(value));
+        return add_mesh(key, value);
     }
 
     void check_mesh_name(const Value& value) const {
@@ -81,6 +87,7 @@ class ObjectReader {
 
     Scene& scene_;
     std::map<std::string, std::size_t> named_;
+    std::size_t vertices_ = 0;  ///< of all meshes so far
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "io/read_file.hpp"
 #include "io/scene_read.hpp"
 
 namespace quadrel {
@@ -78,10 +79,8 @@ bool is_swizzle(std::string_view text) {
 std::filesystem::path read_path(const Value& value) {
     const std::filesystem::path path =
         value.document().file.parent_path() / std::filesystem::path(value.string());
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) value.fail("no file " + path.string(), "a file");
-    if (std::filesystem::is_directory(path, error))
-        value.fail("the directory " + path.string(), "a file");
+    if (const char* reason = reason_not_to_read(path))
+        value.fail(reason + (" (" + path.string() + ")"), "a file");
     return path;
 }
 

@@ -26,7 +26,7 @@ class EarClipper {
     std::vector<Triangle> clip() {
         std::vector<Triangle> triangles;
         while (left_.size() > 3) {
-            const std::size_t tip = find_ear();
+            const std::size_t tip = is_simple_ ? find_ear() : 1;
             triangles.push_back(triangle_at(tip));
             left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(tip));
         }
@@ -57,15 +57,19 @@ class EarClipper {
     }
 
     // Tips 1, 1, 1, ... of a convex polygon make the fan around corner 0.
-    std::size_t find_ear() const {
+    // A simple polygon always has an ear; without one, further searches would take the cube of the
+    // number of corners.
+    std::size_t find_ear() {
         for (std::size_t i = 1; i <= left_.size(); ++i)
             if (is_ear(i % left_.size())) return i % left_.size();
+        is_simple_ = false;
         return 1;
     }
 
     std::span<const glm::dvec3> corners_;
     glm::dvec3 normal_;
     std::vector<std::size_t> left_;
+    bool is_simple_ = true;
 };
 
 }  // namespace

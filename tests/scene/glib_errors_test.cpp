@@ -39,8 +39,8 @@ TEST_F(GlibErrors, UnitsAndFiles) {
     EXPECT_TRUE(refuses(with("Texture2D 8", "Texture2D 32"), 9, 11, "\"32\"", "from 0 to 31"));
     EXPECT_TRUE(refuses(with("Texture2D 8", "Texture2D -1"), 9, 11, "\"-1\"", "from 0 to 31"));
     EXPECT_TRUE(refuses(with("Texture2D 8", "Texture2D 8.5"), 9, 11, "\"8.5\"", "from 0 to 31"));
-    EXPECT_TRUE(refuses(with("colormap.bmp", "color.bmp"), 9, 13, "no file", "a file"));
-    EXPECT_TRUE(refuses(with("nvnegy", "nvnegq"), 6, 12, "no file", "a file"));
+    EXPECT_TRUE(refuses(with("colormap.bmp", "color.bmp"), 9, 13, "no such file", "a file"));
+    EXPECT_TRUE(refuses(with("nvnegy", "nvnegq"), 6, 12, "no such file", "a file"));
     EXPECT_TRUE(refuses(with("nvposz.bmp nvnegz.bmp", "nvposz.bmp"), 7, 11, "end of the command",
                         "six files"));
     EXPECT_TRUE(refuses(with("colormap.bmp", "colormap.bmp 3"), 9, 26, "\"3\" more",
