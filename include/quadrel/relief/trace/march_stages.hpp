@@ -18,6 +18,7 @@
 #include "quadrel/relief/trace/steep.hpp"
 #include "quadrel/relief/trace/steep_adaptive.hpp"
 #include "quadrel/relief/trace/steep_constant_xy.hpp"
+#include "quadrel/relief/trace/steep_maxmip.hpp"
 #include "quadrel/relief/trace/steep_mip.hpp"
 #include "quadrel/relief/trace/steep_published.hpp"
 #include "quadrel/relief/trace/thesis_linear_binary.hpp"
@@ -29,8 +30,8 @@ namespace quadrel {
 using MarchStages =
     StageList<Linear, LinearThesis, HeightOutward, HeightOutwardPublished, Steep, SteepPublished,
               SteepConstantXy, SteepConstantXyPublished, SteepAdaptive, SteepAdaptiveRabbid,
-              SteepQuality, SteepMipC, SteepMipI, Pom, PomDxsdk, RabbidPom, ReliefBinary, ReliefGg3,
-              RabbidRelief, ThesisLinearBinary, ThesisLinearBinaryPublished, Secant, Interval,
-              Contact, ThesisSphere>;
+              SteepQuality, SteepMipC, SteepMipI, SteepMaxmip, Pom, PomDxsdk, RabbidPom,
+              ReliefBinary, ReliefGg3, RabbidRelief, ThesisLinearBinary,
+              ThesisLinearBinaryPublished, Secant, Interval, Contact, ThesisSphere>;
 
 }  // namespace quadrel
