@@ -23,6 +23,9 @@ enum class PackRounding : std::int32_t {
     nearest,       ///< as published
 };
 
+/// Whether maps of a kind are {height, ratio} a texel.
+bool is_packable(BakeKind kind);
+
 /// Writes a map of {height, ratio} texels: 8 bits a channel if the file's name ends in .png,
 /// float32 if in .exr. Heights and ratios are cut to [0, 1]. Throws OutputError, UsageError for a
 /// map that does not hold {height, ratio} a texel of `height`, and for other names.

@@ -7,7 +7,8 @@
 //
 // The minimum is found by descending the maximum pyramid, nearest nodes first; a node's own
 // distance and height bound all that is in it, rounding included, because every operation is
-// monotonic. The result is that of comparing all cells with all.
+// monotonic. A cell starts with the cell that decided for its neighbour, which mostly is near to
+// the minimum already. The result is that of comparing all cells with all.
 #include "bake/cone.hpp"
 #include "bake/generators.hpp"
 #include "bake/pyramid.hpp"
@@ -27,29 +28,31 @@ int cells_between(int q, int first, int last, const GridAxis& axis) {
     return least - 1;
 }
 
+/// A node of the pyramid.
+struct Node {
+    int level, x, y;
+};
+
 class CellConeSearch {
   public:
     CellConeSearch(const BakeJob& job, const Texture& pyramid)
         : cells_(cell_grid(job.plane.width, job.plane.height, job.sampler)),
           metric_(job.plane.width, job.plane.height),
           limit_(job.parameter("c_max")),
-          pyramid_(pyramid) {}
+          view_(pyramid.view()) {}
 
-    float operator()(int i, int j) const {
+    /// The ratio of cell (i, j). `decider`: any cell; becomes the one that decided.
+    float operator()(int i, int j, Node& decider) const {
         const double own = greatest(0, i, j);
-        double best = touching(i, j, own) ? 0 : limit_;
-        if (best > 0) descend(i, j, own, {pyramid_.view().levels - 1, 0, 0}, best);
+        if (touching(i, j, own)) return 0;
+        double best = bound(i, j, own, decider);
+        descend(i, j, own, {view_.levels - 1, 0, 0}, best, decider);
         return safe_ratio(best, limit_);
     }
 
   private:
-    struct At {
-        int level, x, y;
-    };
-
     float greatest(int level, int x, int y) const {
-        return pyramid_.level_texels(
-            level, 0)[static_cast<std::size_t>(y) * pyramid_.view().width[level] + x];
+        return view_.texels[view_.offset[level] + y * view_.width[level] + x];
     }
 
     /// Whether one of the eight cells around is higher: most cells end here.
@@ -63,7 +66,7 @@ class CellConeSearch {
     }
 
     /// The least ratio that anything in a node can impose.
-    double bound(int i, int j, double own, const At& node) const {
+    double bound(int i, int j, double own, const Node& node) const {
         const double rise = greatest(node.level, node.x, node.y) - own;
         if (!(rise > 0)) return limit_;
         const auto gap = [&](int q, int n, const GridAxis& axis) {
@@ -71,33 +74,36 @@ class CellConeSearch {
             const int last = std::min((n + 1) << node.level, axis.count) - 1;
             return cells_between(q, first, last, axis);
         };
-        return cone_ratio(metric_(gap(i, node.x, cells_.u), gap(j, node.y, cells_.v)), rise);
+        const double distance = metric_(gap(i, node.x, cells_.u), gap(j, node.y, cells_.v));
+        return std::min(cone_ratio(distance, rise), limit_);
     }
 
-    void descend(int i, int j, double own, const At& node, double& best) const {
+    void descend(int i, int j, double own, const Node& node, double& best, Node& decider) const {
         if (node.level == 0) {
-            best = std::min(best, bound(i, j, own, node));
+            // Its bound is below the best, or it would not have been visited.
+            best = bound(i, j, own, node);
+            decider = node;
             return;
         }
-        std::pair<double, At> children[4];
+        std::pair<double, Node> children[4];
         int count = 0;
-        const TextureView& view = pyramid_.view();
         for (int k = 0; k < 4; ++k) {
-            const At child{node.level - 1, 2 * node.x + k % 2, 2 * node.y + k / 2};
-            if (child.x >= view.width[child.level] || child.y >= view.height[child.level]) continue;
+            const Node child{node.level - 1, 2 * node.x + k % 2, 2 * node.y + k / 2};
+            if (child.x >= view_.width[child.level] || child.y >= view_.height[child.level])
+                continue;
             const double least = bound(i, j, own, child);
             int at = count++;
             for (; at > 0 && children[at - 1].first > least; --at) children[at] = children[at - 1];
             children[at] = {least, child};
         }
         for (int k = 0; k < count && children[k].first < best; ++k)
-            descend(i, j, own, children[k].second, best);
+            descend(i, j, own, children[k].second, best, decider);
     }
 
     Grid cells_;
     TileMetric metric_;
     double limit_;
-    const Texture& pyramid_;
+    TextureView view_;
 };
 
 }  // namespace
@@ -110,10 +116,11 @@ std::shared_ptr<Texture> bake_cone_cell(const BakeJob& job) {
     const float* const greatest = pyramid->level_texels(0, 0);
     float* const texels = map->level_texels(0, 0);
     job.rows(size.second, 0.95, [&](int j) {
+        Node decider{0, 0, 0};
         for (int i = 0; i < size.first; ++i) {
             const std::size_t cell = static_cast<std::size_t>(j) * size.first + i;
             texels[2 * cell] = greatest[cell];
-            texels[2 * cell + 1] = search(i, j);
+            texels[2 * cell + 1] = search(i, j, decider);
         }
     });
     return map;

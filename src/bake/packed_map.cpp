@@ -116,6 +116,19 @@ Packing packing_from_name(std::string_view name) {
     throw UsageError(fmt::format("packing \"{}\" is unknown; expected dummer or gg3", name));
 }
 
+bool is_packable(BakeKind kind) {
+    switch (kind) {
+        case BakeKind::cone:
+        case BakeKind::cone_robust:
+        case BakeKind::cone_quick:
+        case BakeKind::relaxed_cone:
+        case BakeKind::relaxed_cone_exact:
+            return true;
+        default:
+            return false;
+    }
+}
+
 void write_packed(const std::filesystem::path& file, const Texture& map, const Texture& height,
                   const SamplerState& sampler, Packing packing, PackRounding rounding) {
     const TextureView &cones = map.view(), &heights = height.view();

@@ -52,6 +52,7 @@ int parse_and_run(int argc, char** argv) {
     add_probe(app, action);
     add_sheet(app, action);
     add_mips(app, action);
+    add_bake(app, action);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -1,0 +1,169 @@
+// quadrel bake: a map derived from a height field, into a file and into the cache.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <limits>
+#include <memory>
+
+#include "bake/wrap_names.hpp"
+#include "cli/console.hpp"
+#include "cli/verbs.hpp"
+#include "io/atomic_file.hpp"
+#include "quadrel/baked_file.hpp"
+#include "quadrel/baked_texture.hpp"
+#include "quadrel/packed_map.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+struct Arguments {
+    std::string image, kind, output, channel = "r", wrap_u = "repeat", wrap_v = "repeat", wrap;
+    std::string packed, packing = "dummer", rounding = "conservative";
+    std::vector<std::string> parameters;
+    float border = 0;
+    int threads = 0;
+    bool flip_v = false, no_cache = false;
+};
+
+std::shared_ptr<const Texture> load_heights(const Arguments& arguments) {
+    TextureOptions options;
+    options.swizzle = arguments.channel;
+    options.flip_v = arguments.flip_v;
+    options.mip_rule = MipRule::none;
+    return make_texture(load_image(arguments.image), options);
+}
+
+SamplerState make_sampler(const Arguments& arguments) {
+    SamplerState sampler;
+    const bool both = !arguments.wrap.empty();
+    sampler.wrap_u = wrap_modes().at(both ? arguments.wrap : arguments.wrap_u);
+    sampler.wrap_v = wrap_modes().at(both ? arguments.wrap : arguments.wrap_v);
+    sampler.border[0] = arguments.border;
+    return sampler;
+}
+
+/// "name=value".
+std::pair<std::string, double> parse_parameter(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    double value = 0;
+    if (equals != std::string::npos) {
+        const char* const end = text.data() + text.size();
+        const auto parsed = std::from_chars(text.data() + equals + 1, end, value);
+        if (parsed.ec == std::errc() && parsed.ptr == end) return {text.substr(0, equals), value};
+    }
+    throw UsageError(fmt::format("--param: found \"{}\", expected NAME=NUMBER", text));
+}
+
+BakedTextureOptions make_options(const Arguments& arguments) {
+    BakedTextureOptions options;
+    for (const std::string& text : arguments.parameters)
+        options.parameters.insert(parse_parameter(text));
+    options.threads = arguments.threads;
+    options.disk = !arguments.no_cache;
+    options.seconds_limit = std::numeric_limits<double>::infinity();
+    return options;
+}
+
+/// Before long work.
+void check_outputs(const Arguments& arguments, BakeKind kind) {
+    if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
+        throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
+    if (!arguments.packed.empty() && !is_packable(kind))
+        throw UsageError(fmt::format("{} maps have no packing of their source", arguments.kind));
+    for (const std::string& output : {arguments.output, arguments.packed})
+        if (!output.empty()) check_writable(output);
+}
+
+void say_written(const std::string& file) {
+    fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
+}
+
+ExitCode run_bake(const Arguments& arguments) {
+    const BakeKind kind = bake_kind_from_name(arguments.kind);
+    BakedTextureOptions options = make_options(arguments);
+    const Packing packing = packing_from_name(arguments.packing);
+    check_outputs(arguments, kind);
+    const auto height = load_heights(arguments);
+    const SamplerState sampler = make_sampler(arguments);
+    std::shared_ptr<const Texture> map;
+    {
+        ProgressBar bar;
+        options.progress = [&bar](double share) { bar.show(share); };
+        map = baked_texture(*height, kind, sampler, options);
+    }
+    if (!arguments.output.empty()) {
+        write_baked(arguments.output, *map, *height, kind, sampler, options);
+        say_written(arguments.output);
+    }
+    if (!arguments.packed.empty()) {
+        write_packed(
+            arguments.packed, *map, *height, sampler, packing,
+            arguments.rounding == "nearest" ? PackRounding::nearest : PackRounding::conservative);
+        say_written(arguments.packed);
+    }
+    return ExitCode::ok;
+}
+
+/// The kinds and their parameters, for the end of the help text.
+std::string describe_kinds() {
+    std::string text = "Kinds:\n";
+    for (const BakeKindInfo& info : bake_kinds()) {
+        text += fmt::format("  {:<20}{}\n", info.name, info.text);
+        for (const BakeParameter& p : info.parameters)
+            text += fmt::format("  {:<20}  {}={}: {}\n", "", p.name, p.standard, p.text);
+    }
+    return text;
+}
+
+void add_field(CLI::App& verb, Arguments& a) {
+    const CLI::IsMember modes(wrap_modes());
+    verb.add_option("heights", a.image, "image of any format that textures may have")->required();
+    verb.add_option("--channel", a.channel,
+                    "where the heights are: r, g, b, a, or 1-r ... for depth")
+        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"}))
+        ->capture_default_str();
+    verb.add_option("--wrap-u", a.wrap_u, "how the field goes on")
+        ->check(modes)
+        ->capture_default_str();
+    verb.add_option("--wrap-v", a.wrap_v, "how the field goes on")
+        ->check(modes)
+        ->capture_default_str();
+    verb.add_option("--wrap", a.wrap, "both of them")->check(modes);
+    verb.add_option("--border", a.border, "height outside with clamp-to-border")
+        ->capture_default_str();
+    verb.add_flag("--flip-v", a.flip_v, "last row first");
+}
+
+void add_outputs(CLI::App& verb, Arguments& a) {
+    verb.add_option("-o,--output", a.output, "EXR to write (without it the map is cached only)");
+    verb.add_option("--packed", a.packed,
+                    "also write .png (8 bits) or .exr in the channels of the source");
+    verb.add_option("--packing", a.packing,
+                    "dummer: height, root of the cone; gg3: normal x y, cone, depth")
+        ->capture_default_str();
+    verb.add_option("--rounding", a.rounding, "of packed values")
+        ->check(CLI::IsMember({"conservative", "nearest"}))
+        ->capture_default_str();
+    verb.add_flag("--no-cache", a.no_cache, "neither read nor write the disk cache");
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand("bake", "derive a map from a height field");
+    const auto a = std::make_shared<Arguments>();
+    add_field(*verb, *a);
+    verb->add_option("--kind", a->kind, "what to derive, see below")->required();
+    verb->add_option("--param", a->parameters, "of the kind; repeatable")
+        ->type_name("NAME=NUMBER")
+        ->allow_extra_args(false);
+    add_outputs(*verb, *a);
+    verb->add_option("-t,--threads", a->threads, "threads; 0: as many as there are CPUs")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    verb->footer(describe_kinds());
+    verb->callback([a, &action] { action = [a] { return run_bake(*a); }; });
+}
+
+}  // namespace quadrel::cli

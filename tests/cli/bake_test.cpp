@@ -1,0 +1,140 @@
+// quadrel bake: files, cache, messages.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "cli/process.hpp"
+#include "film/films.hpp"
+#include "quadrel/baked_file.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/packed_map.hpp"
+
+namespace quadrel::cli_tests {
+namespace {
+
+using testing_films::file_bytes;
+using testing_films::TemporaryFolder;
+
+constexpr const char* heights = QUADREL_DATA_DIR "/textures/spikes_height.exr";
+
+/// The environment's cache for as long as this lives.
+struct CacheFolder {
+    CacheFolder() { setenv("XDG_CACHE_HOME", folder.path().c_str(), 1); }
+    ~CacheFolder() { unsetenv("XDG_CACHE_HOME"); }
+    std::size_t entries() const {
+        const auto place = folder / "quadrel/baked";
+        if (!std::filesystem::exists(place)) return 0;
+        return static_cast<std::size_t>(
+            std::distance(std::filesystem::directory_iterator(place), {}));
+    }
+
+    TemporaryFolder folder;
+};
+
+std::shared_ptr<const Texture> load_heights() {
+    TextureOptions options;
+    options.swizzle = "r";
+    return make_texture(load_image(heights), options);
+}
+
+TEST(Bake, WritesWhatTheLibraryBakes) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const auto field = load_heights();
+    SamplerState sampler;
+    sampler.wrap_v = Wrap::clamp_to_edge;
+    for (const char* kind : {"max-mip", "cone-cell", "aniso-cone"}) {
+        const auto file = folder / (std::string(kind) + ".exr");
+        const Outcome outcome = run({"bake", heights, "--kind", kind, "--wrap-v", "clamp-to-edge",
+                                     "-o", file.string(), "-t", "1"});
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        const BakeKind which = bake_kind_from_name(kind);
+        const auto map = load_baked(file, which, sampler, *field);
+        EXPECT_EQ(map->id(), baked_id(*field, which, sampler));
+        EXPECT_THROW(load_baked(file, which, SamplerState(), *field), InputError);
+    }
+    EXPECT_EQ(cache.entries(), 3u);
+}
+
+/// Equal files from the cache, without it, and on any number of threads.
+TEST(Bake, TheCacheChangesNothing) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const auto bake_to = [&](const char* name, const std::vector<std::string>& more) {
+        std::vector<std::string> line{"bake",       heights, "--kind",
+                                      "cone-quick", "-o",    (folder / name).string()};
+        line.insert(line.end(), more.begin(), more.end());
+        EXPECT_EQ(run(line).code, 0);
+        return file_bytes(folder / name);
+    };
+    const std::string plain = bake_to("a.exr", {"--no-cache"});
+    EXPECT_EQ(cache.entries(), 0u);
+    EXPECT_EQ(bake_to("b.exr", {"-t", "1"}), plain);
+    EXPECT_EQ(cache.entries(), 1u);
+    EXPECT_EQ(bake_to("c.exr", {"-t", "2"}), plain);
+    EXPECT_NE(bake_to("d.exr", {"--param", "near_side=0"}), plain);
+    EXPECT_EQ(cache.entries(), 2u);
+}
+
+TEST(Bake, WithoutAnOutputItFillsTheCache) {
+    const CacheFolder cache;
+    EXPECT_EQ(run({"bake", heights, "--kind", "max-mip"}).code, 0);
+    EXPECT_EQ(cache.entries(), 1u);
+}
+
+TEST(Bake, PacksForOtherPrograms) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const auto packed = (folder / "packed.png").string();
+    ASSERT_EQ(
+        run({"bake", heights, "--kind", "cone-quick", "--packed", packed, "--packing", "gg3"}).code,
+        0);
+    const PackedMap map = load_packed(packed, Packing::normal_cone_depth);
+    EXPECT_EQ(map.cones->view().width[0], load_heights()->view().width[0]);
+}
+
+TEST(Bake, ComplainsInOneLine) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const std::string out = (folder / "map.exr").string();
+    const std::pair<std::vector<std::string>, int> lines[] = {
+        {{"bake", heights}, 2},
+        {{"bake", heights, "--kind", "conic", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--param", "c_max", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--param", "c_max=wide", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--param", "c_max=-1", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--param", "slices=3", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--wrap", "around", "-o", out}, 2},
+        {{"bake", heights, "--kind", "max-mip", "--no-cache"}, 2},
+        {{"bake", heights, "--kind", "max-mip", "--packed", out}, 2},
+        {{"bake", heights, "--kind", "cone-quick", "--packed", out, "--packing", "gg4"}, 2},
+        {{"bake", heights, "--kind", "cone-quick", "--packed", (folder / "a.jpg").string()}, 2},
+        {{"bake", "none.exr", "--kind", "cone", "-o", out}, 3},
+        {{"bake", heights, "--kind", "max-mip", "--channel", "g", "-o", out}, 3},
+        {{"bake", heights, "--kind", "max-mip", "-o", "/none/map.exr"}, 5}};
+    for (const auto& [line, code] : lines) {
+        const Outcome outcome = run(line);
+        std::string text;
+        for (const std::string& word : line) text += word + " ";
+        EXPECT_EQ(outcome.code, code) << text << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_EQ(outcome.err.compare(0, 9, "quadrel: "), 0) << outcome.err;
+        EXPECT_FALSE(std::filesystem::exists(out)) << text;
+    }
+}
+
+TEST(Bake, HelpNamesEveryKindAndParameter) {
+    const Outcome outcome = run({"bake", "--help"});
+    EXPECT_EQ(outcome.code, 0);
+    for (const BakeKindInfo& info : bake_kinds()) {
+        EXPECT_NE(outcome.out.find(std::string("  ") + info.name + " "), std::string::npos)
+            << info.name;
+        for (const BakeParameter& parameter : info.parameters)
+            EXPECT_NE(outcome.out.find(parameter.name), std::string::npos) << parameter.name;
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::cli_tests
