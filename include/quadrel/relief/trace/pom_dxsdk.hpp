@@ -5,8 +5,8 @@
 //   * n = trunc(lerp(50, 8, N.V)); bound and coordinate are accumulated; the first sample is one
 //     step in, and the height before it is taken to be 1, so that a hit in the first interval gives
 //     the offset 0;
-//   * the test is strict; a ray without a hit takes the full offset, as does one whose two
-//     intervals are equal: FLOOR and HIT;
+//   * the test is strict; a ray without a hit, or whose line of heights runs along the ray, takes
+//     the full offset: FLOOR and HIT;
 //   * fetches with the gradients of the undisplaced UV; beyond mip level `lod_threshold` of the
 //     map no offset, blended over the level before it.
 #pragma once

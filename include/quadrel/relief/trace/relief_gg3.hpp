@@ -7,8 +7,7 @@
 //   * the binary steps are half steps forward or back from the last p, not a bisection: the first
 //     may lead forward;
 //   * the end is never tested. Here: FLOOR where no sample was at or below the surface;
-//   * level 0 (the demonstration's maps are not mip-mapped); `last + 1` linear steps never test the
-//     top plane's own height twice, the bottom plane only in the binary search.
+//   * level 0 (the demonstration's maps are not mip-mapped).
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
