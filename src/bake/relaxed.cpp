@@ -47,10 +47,17 @@ class RelaxedSearch {
         return distance > rise * best * 1.0001;
     }
 
+    /// A depth map holds [0, 1].
+    static float depth_of(double height) {
+        return 1.0f - std::clamp(static_cast<float>(height), 0.0f, 1.0f);
+    }
     float depth_at(float u, float v) const {
-        const double x = std::floor(static_cast<double>(u) * plane_.width);
-        const double y = std::floor(static_cast<double>(v) * plane_.height);
-        return 1.0f - plane_.texel(static_cast<int>(x), static_cast<int>(y));
+        // Rays that are nearly level run far; beyond this a float has no texels left.
+        const auto texel = [](float x, int texels) {
+            return static_cast<int>(
+                std::clamp(std::floor(static_cast<double>(x) * texels), -1e9, 1e9));
+        };
+        return depth_of(plane_.texel(texel(u, plane_.width), texel(v, plane_.height)));
     }
 
     float listed_ratio(const Apex& apex, int di, int dj) const {
@@ -59,7 +66,7 @@ class RelaxedSearch {
         const float v = (float(apex.j + plane_.grid.v.first) + 0.5f) / height;
         const float to_u = u + float(di) / width, to_v = v + float(dj) / height;
         const float z = depth_at(to_u, to_v);
-        const float apex_depth = 1.0f - static_cast<float>(apex.height);
+        const float apex_depth = depth_of(apex.height);
         const DepthPoint exit =
             z == 0 ? DepthPoint{to_u, to_v, z} : leave({to_u, to_v, z}, {to_u - u, to_v - v, z});
         if (exit.z >= apex_depth) return 1;

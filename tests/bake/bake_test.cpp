@@ -131,6 +131,30 @@ TEST(Bake, IdentityHoldsWhatDecidesAboutValues) {
               baked_id(*field, BakeKind::cone, repeat()));
 }
 
+/// The same heights in another channel, with mip levels: the same map, hence the same identity.
+TEST(Bake, IdentityIsOfHeightsAndNotOfFiles) {
+    const Texels field = random_field(5, 3, 77);
+    Image image;
+    image.width = 5;
+    image.height = 3;
+    image.channels = 4;
+    for (int k = 0; k < 15; ++k)
+        for (const float v : {0.5f, 0.0f, 0.25f, 1 - texel_of(*field, 0, 0, k % 5, k / 5)})
+            image.values.push_back(v);
+    TextureOptions options;
+    options.swizzle = "1-ar";
+    const Texels packed = make_texture(image, options);
+    EXPECT_EQ(height_id(*packed), height_id(*field));
+    EXPECT_TRUE(same_texels(*bake(*packed, BakeKind::cone_cell, repeat()),
+                            *bake(*field, BakeKind::cone_cell, repeat())));
+    EXPECT_NE(height_id(*make_field(3, 5,
+                                    [&](int i, int j) {
+                                        return texel_of(*field, 0, 0, (j * 3 + i) % 5,
+                                                        (j * 3 + i) / 5);
+                                    })),
+              height_id(*field));
+}
+
 TEST(Bake, NamesAndKindsAgree) {
     int next = 0;
     for (const BakeKindInfo& info : bake_kinds()) {

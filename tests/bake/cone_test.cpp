@@ -9,26 +9,45 @@ namespace {
 /// Where a cone may be used.
 struct Sector {
     int layer, channel;
-    std::function<bool(double du, double dv)> holds;  ///< an offset in tiles
+    /// A texel at an offset in tiles, half a texel being (hu, hv).
+    std::function<bool(double du, double dv, double hu, double hv)> holds;
 };
 
-const std::vector<Sector> whole_circle{{0, 1, [](double, double) { return true; }}};
+const std::vector<Sector> whole_circle{{0, 1, [](double, double, double, double) { return true; }}};
 
 std::vector<Sector> quadrants() {
-    return {{0, 0, [](double u, double v) { return u < 0 && -u > std::abs(v) * (1 + 1e-9); }},
-            {0, 1, [](double u, double v) { return u > 0 && u > std::abs(v) * (1 + 1e-9); }},
-            {0, 2, [](double u, double v) { return v < 0 && -v >= std::abs(u) * (1 - 1e-9); }},
-            {0, 3, [](double u, double v) { return v > 0 && v >= std::abs(u) * (1 - 1e-9); }}};
+    return {
+        {0, 0,
+         [](double u, double v, double, double) { return u < 0 && -u > std::abs(v) * (1 + 1e-9); }},
+        {0, 1,
+         [](double u, double v, double, double) { return u > 0 && u > std::abs(v) * (1 + 1e-9); }},
+        {0, 2,
+         [](double u, double v, double, double) {
+             return v < 0 && -v >= std::abs(u) * (1 - 1e-9);
+         }},
+        {0, 3, [](double u, double v, double, double) {
+             return v > 0 && v >= std::abs(u) * (1 - 1e-9);
+         }}};
 }
 
-std::vector<Sector> octants() {
+/// Strictly between azimuths 45 k and 45 (k + 1).
+bool in_octant(int k, double u, double v) {
+    constexpr int axis[9][2] = {{1, 0},   {1, 1},  {0, 1},  {-1, 1}, {-1, 0},
+                                {-1, -1}, {0, -1}, {1, -1}, {1, 0}};
+    const auto &from = axis[k], &to = axis[k + 1];
+    return from[0] * v - from[1] * u > 1e-9 && u * to[1] - v * to[0] > 1e-9;
+}
+
+/// Texels count where a ray can pass over them: with `squares`, where any of their area is.
+std::vector<Sector> octants(bool squares) {
     std::vector<Sector> all;
     for (int k = 0; k < 8; ++k) {
-        all.push_back({k / 4, k % 4, [k](double u, double v) {
-                           const double degrees = std::atan2(v, u) * 57.29577951308232;
-                           const double turn = degrees < -1e-9 ? degrees + 360 : degrees;
-                           return (turn >= 45 * k - 1e-9 && turn <= 45 * (k + 1) + 1e-9) ||
-                                  (k == 7 && turn < 1e-9);
+        all.push_back({k / 4, k % 4, [=](double u, double v, double hu, double hv) {
+                           if (!squares) return in_octant(k, u, v);
+                           for (int n = 0; n < 25; ++n)
+                               if (in_octant(k, u + hu * (n % 5 - 2) / 2, v + hv * (n / 5 - 2) / 2))
+                                   return true;
+                           return false;
                        }});
     }
     return all;
@@ -58,7 +77,8 @@ MapCheck bounds_cones(const std::vector<Sector>& sectors, bool tight) {
             std::vector<double> least(sectors.size(), 1.0);
             for_each_higher(field, sampler, i, j, [&](double ratio, double du, double dv) {
                 for (std::size_t s = 0; s < sectors.size(); ++s)
-                    if (sectors[s].holds(du, dv)) least[s] = std::min(least[s], ratio);
+                    if (sectors[s].holds(du, dv, 0.5 / view.width[0], 0.5 / view.height[0]))
+                        least[s] = std::min(least[s], ratio);
             });
             for (std::size_t s = 0; s < sectors.size(); ++s) {
                 const double c = texel_of(map, 0, sectors[s].layer, i, j, sectors[s].channel);
@@ -173,7 +193,7 @@ TEST(Cone, SectorsHoldTheirDirections) {
         EXPECT_FALSE(holds_for_small_fields(planted_cones(planted, BakeKind::quad_cone, 0), quads))
             << static_cast<int>(planted);
     }
-    const auto eighths = bounds_cones(octants(), false);
+    const auto eighths = bounds_cones(octants(true), false);
     EXPECT_TRUE(holds_for_small_fields(baker(BakeKind::aniso_cone), eighths));
     for (const Planted planted :
          {Planted::sectors_turned, Planted::ratio_an_ulp_wide, Planted::open_cones}) {
@@ -181,6 +201,25 @@ TEST(Cone, SectorsHoldTheirDirections) {
             holds_for_small_fields(planted_cones(planted, BakeKind::aniso_cone, 0), eighths))
             << static_cast<int>(planted);
     }
+}
+
+/// An anisotropic map whose texels count by their centres alone.
+Texels bake_by_centres(const Texture& field, const SamplerState& sampler) {
+    const auto sectors = octants(false);
+    return with_values(*bake(field, BakeKind::aniso_cone, sampler),
+                       [&](float, int, int layer, int i, int j, int c) {
+                           double least = 1;
+                           for_each_higher(field, sampler, i, j, [&](double r, double u, double v) {
+                               if (sectors[layer * 4 + c].holds(u, v, 0, 0))
+                                   least = std::min(least, r);
+                           });
+                           return static_cast<float>(least * (1 - 3e-7));
+                       });
+}
+
+TEST(Cone, SectorsHoldWhatTheirRaysPassOver) {
+    EXPECT_TRUE(holds_for_small_fields(bake_by_centres, bounds_cones(octants(false), true)));
+    EXPECT_FALSE(holds_for_small_fields(bake_by_centres, bounds_cones(octants(true), false)));
 }
 
 /// Some sector of an anisotropic cone is as wide as the cone, and none is narrower.
