@@ -331,8 +331,8 @@ TEST(MarchRows, SphereStepsByTheVerticalGap) {
     EXPECT_EQ(log.s[1], 0.375f);
     EXPECT_EQ(log.s[2], 0.5625f);
     EXPECT_EQ(log.s[3], 0.65625f);
-    // 0.75 / 2^k <= 1/256 at k = 8.
-    EXPECT_EQ(batch.integer(Value::hit_steps, 0), 9);
+    // 0.75 / 2^k <= 1/1024 at k = 10.
+    EXPECT_EQ(batch.integer(Value::hit_steps, 0), 11);
     batch.log = nullptr;
     batch.run("thesis-sphere", {{"steps", 5}});
     EXPECT_EQ(batch.integer(Value::hit_status, 0), static_cast<int>(Status::cap));

@@ -70,7 +70,7 @@ inline std::vector<TraceRow> trace_rows() {
          false,
          true},
         {"thesis-linear-binary", refined, {{"binary_steps", 16}}, 16, 1, 0, 1.0 / 65536},
-        {"thesis-sphere", refined, {{"steps", 4000}}, 0, 0, 1.0 / 128, 0},
+        {"thesis-sphere", refined, {{"steps", 4000}}, 0, 0, 1.0 / 512, 0},
     };
     rows.insert(rows.end(), closer.begin(), closer.end());
     return rows;

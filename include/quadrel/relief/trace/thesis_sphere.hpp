@@ -24,12 +24,12 @@ struct ThesisSphere : StageDefaults {
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 64;
-        float tolerance = 1.0f / 256;
+        float tolerance = 1.0f / 1024;
     };
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "samples at most", 1, most_steps, 64),
         parameter<&Params::tolerance>("tolerance", "relief depths", "gap that counts as a hit", 0,
-                                      1, 1.0 / 256)};
+                                      1, 1.0 / 1024)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
