@@ -15,8 +15,8 @@ struct ExactMaps {
     std::array<Map, texture_slot_count> baked;
 
     explicit ExactMaps(Map map) : height(std::move(map)) {
-        for (const TextureSlot slot :
-             {TextureSlot::max_mip, TextureSlot::cone_cell, TextureSlot::rmq}) {
+        for (const TextureSlot slot : {TextureSlot::max_mip, TextureSlot::texel_max,
+                                       TextureSlot::cone_cell, TextureSlot::rmq}) {
             Map& to = baked[static_cast<std::size_t>(slot)];
             to.texture =
                 bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);
@@ -87,6 +87,26 @@ testing::AssertionResult is_not_wrong(const oracle::Field& field, const oracle::
     if (s > last.s + rounding)
         return testing::AssertionFailure() << "late: " << s << " after " << double(last.s);
     return testing::AssertionSuccess();
+}
+
+/// The same for the field of blocks, whose walls make s jump where the ray moves sideways: the s of
+/// rays displaced by the error of positions bracket it.
+template <PlainFloat T>
+testing::AssertionResult is_not_wrong_of_blocks(const oracle::Field& field, const oracle::Ray& ray,
+                                                T s) {
+    const oracle::Real error = height_error<T>(field, ray, 1);
+    oracle::Real first = 1, last = 0;
+    for (int k = 0; k < 9; ++k) {
+        oracle::Ray moved = ray;
+        moved.u += (k % 3 - 1) * error / field.width;
+        moved.v += (k / 3 - 1) * error / field.height;
+        first = std::min(first, oracle::meet_blocks(field, moved, error).s);
+        last = std::max(last, oracle::meet_blocks(field, moved, -error).s);
+    }
+    const oracle::Real rounding = 4 * std::numeric_limits<T>::epsilon();
+    if (s >= first - rounding && s <= last + rounding) return testing::AssertionSuccess();
+    return testing::AssertionFailure()
+           << s << " not between " << double(first) << " and " << double(last);
 }
 
 /// A row on a batch of its own copy.

@@ -4,11 +4,13 @@
 #include "quadrel/quad/stage_list.hpp"
 #include "quadrel/relief/trace/cone_cell.hpp"
 #include "quadrel/relief/trace/max_mip.hpp"
+#include "quadrel/relief/trace/pyramid.hpp"
+#include "quadrel/relief/trace/qdm.hpp"
 #include "quadrel/relief/trace/rmq_leap.hpp"
 #include "quadrel/relief/trace/texel_exact.hpp"
 
 namespace quadrel {
 
-using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap>;
+using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap, Qdm, Pyramid>;
 
 }  // namespace quadrel
