@@ -67,14 +67,14 @@ Scene roof_scene(double crease, const Variant& variant) {
 }
 
 glm::dvec2 shift_at(const Film& film, int x, int y) {
-    return {value(film, "hit.uv.U", x, y) - value(film, "uv.U", x, y),
-            value(film, "hit.uv.V", x, y) - value(film, "uv.V", x, y)};
+    return {value(film, "hit.U", x, y) - value(film, "uv.U", x, y),
+            value(film, "hit.V", x, y) - value(film, "uv.V", x, y)};
 }
 
 /// Greatest difference of the shift between neighbouring pixels of different triangles, in texels.
 double tear(const Renderer& renderer, double crease, const Variant& variant) {
     const Film film =
-        take(renderer, roof_scene(crease, variant), {"A", "uv", "hit.uv", "id.primitive"});
+        take(renderer, roof_scene(crease, variant), {"A", "uv", "hit.U", "hit.V", "id.primitive"});
     double worst = 0;
     const auto compare = [&](int x, int y, int to_x, int to_y) {
         const bool seen = value(film, "A", x, y) > 0 && value(film, "A", to_x, to_y) > 0;
