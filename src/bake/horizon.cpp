@@ -8,6 +8,7 @@
 // horizon-sampled: the nearest texel at every texel's length of the ray, as Max does.
 #include "bake/generators.hpp"
 #include "bake/horizon_ray.hpp"
+#include "bake/pyramid.hpp"
 #include "bake/rounding.hpp"
 #include "scene/degrees.hpp"
 
@@ -66,9 +67,11 @@ float highest_of(const HeightPlane& plane) {
 }  // namespace
 
 std::shared_ptr<Texture> bake_horizon(const BakeJob& job) {
-    const double top = highest_of(job.plane);
+    const HeightPlane& plane = job.plane;
+    const Grid cells = cell_grid(plane.width, plane.height, job.sampler);
+    const auto pyramid = cell_max_pyramid(job, 0.01);
     return make_horizons(job, [&](const HorizonRay& ray) {
-        const double slope = exact_horizon(job.plane, ray, top);
+        const double slope = exact_horizon(plane, cells, *pyramid, ray);
         return slope > 0 ? round_up(slope * (1 + 0x1p-40)) : 0;
     });
 }

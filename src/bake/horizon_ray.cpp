@@ -10,17 +10,41 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
+/// Cells of one axis, inclusive; unbounded where the outermost stored cell goes on.
+struct CellSpan {
+    CellSpan(int cell, const GridAxis& axis, int level) {
+        const int stored = HeightPlane::wrap(cell, axis);
+        const int begin = stored >> level << level;
+        const int end = std::min(begin + (1 << level), axis.count);
+        const int at = axis.periodic ? cell - stored : axis.first;
+        low = !axis.periodic && begin == 0 ? -everywhere : at + begin;
+        high = !axis.periodic && end == axis.count ? everywhere : at + end - 1;
+        node = stored >> level;
+    }
+
+    static constexpr int everywhere = 1 << 29;
+    int low, high, node;
+};
+
 /// One axis of the walk through the dual cells. The texel is a corner of the first cell.
 struct CellWalk {
     CellWalk(int texel, double texels_per_length)
         : speed(texels_per_length), cell(speed < 0 ? texel - 1 : texel), start(texel) {}
 
-    /// Where the ray leaves the current cell; from the start and a whole number, never summed up.
-    double exit() const {
+    /// Where the ray leaves a span; from the start and a whole number, never summed up.
+    double exit(const CellSpan& span) const {
         if (speed == 0) return never;
-        return (speed > 0 ? cell + 1 - start : start - cell) / std::abs(speed);
+        return (speed > 0 ? span.high + 1 - start : start - span.low) / std::abs(speed);
     }
-    void next() { cell += speed > 0 ? 1 : -1; }
+    /// Goes to where the ray is at t, in the span or, if it leaves it there, in the next cell.
+    void move(const CellSpan& span, double t) {
+        if (exit(span) <= t) {
+            cell = speed > 0 ? span.high + 1 : span.low - 1;
+        } else if (span.low != span.high && speed != 0) {
+            const double at = std::floor(start + speed * t);
+            cell = static_cast<int>(std::clamp(at, double(span.low), double(span.high)));
+        }
+    }
     /// Position in the current cell, [0, 1].
     double inside(double t) const { return std::clamp(start - cell + speed * t, 0.0, 1.0); }
 
@@ -66,17 +90,30 @@ double steepest(const Patch& patch, const CellWalk& x, const CellWalk& y, double
 
 }  // namespace
 
-double exact_horizon(const HeightPlane& plane, const HorizonRay& ray, double top) {
+double exact_horizon(const HeightPlane& plane, const Grid& cells, const Texture& pyramid,
+                     const HorizonRay& ray) {
     const double own = plane.texel(ray.i, ray.j);
+    const TextureView& view = pyramid.view();
     CellWalk x(ray.i, ray.along_u), y(ray.j, ray.along_v);
     double most = 0, from = 0;
-    while (from < ray.length && (from == 0 || (top - own) / from > most)) {
-        const double exit_x = x.exit(), exit_y = y.exit();
-        const double to = std::min({exit_x, exit_y, ray.length});
-        most = std::max(most, steepest(Patch(plane, x.cell, y.cell), x, y, own, from, to));
-        if (exit_x <= to) x.next();
-        if (exit_y <= to) y.next();
+    for (int level = 0; from < ray.length;) {
+        const CellSpan across(x.cell, cells.u, level), down(y.cell, cells.v, level);
+        const double greatest =
+            view.texels[view.offset[level] + down.node * view.width[level] + across.node];
+        const bool below = from > 0 && (greatest - own) / from <= most;
+        if (!below && level > 0) {
+            --level;
+            continue;
+        }
+        const double to = std::max(from, std::min({x.exit(across), y.exit(down), ray.length}));
+        if (!below) {
+            const Patch patch(plane, x.cell, y.cell);
+            most = std::max(most, steepest(patch, x, y, own, from, to));
+        }
+        x.move(across, to);
+        y.move(down, to);
         from = to;
+        if (below && level + 1 < view.levels) ++level;
     }
     return most;
 }

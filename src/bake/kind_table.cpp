@@ -11,7 +11,7 @@ namespace {
 double linear_time(double texels) { return 1e-7 * texels; }
 double logarithmic_time(double texels) { return 2e-6 * texels; }
 double layered_time(double texels) { return 1e-5 * texels; }
-double ray_time(double texels) { return 1.2e-6 * texels * std::sqrt(texels); }
+double ray_time(double texels) { return 6e-7 * texels * std::sqrt(texels); }
 double pair_time(double texels) { return 4e-9 * texels * texels; }
 double sector_time(double texels) { return 1.5e-8 * texels * texels; }
 double relaxed_time(double texels) { return 4e-8 * texels * texels; }
