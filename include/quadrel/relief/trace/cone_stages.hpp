@@ -2,9 +2,25 @@
 #pragma once
 
 #include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/trace/cone_aniso.hpp"
+#include "quadrel/relief/trace/cone_dummer_exact.hpp"
+#include "quadrel/relief/trace/cone_gg3.hpp"
+#include "quadrel/relief/trace/cone_hybrid.hpp"
+#include "quadrel/relief/trace/cone_quad.hpp"
+#include "quadrel/relief/trace/cone_rabbid.hpp"
+#include "quadrel/relief/trace/cone_robust.hpp"
+#include "quadrel/relief/trace/cone_robust_exact.hpp"
+#include "quadrel/relief/trace/cone_step.hpp"
+#include "quadrel/relief/trace/relaxed_cone.hpp"
+#include "quadrel/relief/trace/relaxed_cone_exact.hpp"
+#include "quadrel/relief/trace/relaxed_cone_published.hpp"
+#include "quadrel/relief/trace/sphere_3d.hpp"
+#include "quadrel/relief/trace/sphere_3d_published.hpp"
 
 namespace quadrel {
 
-using ConeStages = StageList<>;
+using ConeStages = StageList<Sphere3d, Sphere3dPublished, ConeStep, ConeRabbid, ConeGg3,
+                             ConeDummerExact, RelaxedCone, RelaxedConePublished, RelaxedConeExact,
+                             ConeRobust, ConeRobustExact, ConeQuad, ConeAniso, ConeHybrid>;
 
 }  // namespace quadrel

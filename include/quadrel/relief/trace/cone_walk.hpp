@@ -1,0 +1,71 @@
+// A walk down a ray in safe steps: what the corrected cone searches share.
+#pragma once
+
+#include "quadrel/relief/trace/cone_map.hpp"
+
+namespace quadrel {
+
+/// Where each lane is.
+template <Number F>
+struct ConeWalk {
+    F s = F(0), previous = F(0);  ///< the point tested last, and the one before it
+    Mask<F> active, met_nan = Mask<F>(false), found = Mask<F>(false);
+    SearchResult<F> result;
+
+    explicit ConeWalk(Mask<F> lanes) : active(lanes) {}
+
+    /// Takes in the height at s. Lanes within `tolerance` of the surface or below it have found it;
+    /// those whose step would end below the bottom plane are set on it.
+    void test(F height, F tolerance) {
+        result.h = select(active, height, result.h);
+        count_in<F>(result.steps, active);
+        met_nan = met_nan | (active & is_nan(height));
+        const Mask<F> ends = active & ((F(1) - s) - height <= tolerance);
+        found = found | ends;
+        active = active & !ends & !is_nan(height);
+    }
+    void fall(F by) {
+        previous = select(active, s, previous);
+        s = select(active, min(s + by, F(1)), s);
+    }
+};
+
+/// Walks at most `steps` points: `cone(active, s, uv)` looks up, `fall(cone, gap, uv)` says how far
+/// on. Lanes that are still above the surface after that have status CAP.
+template <Number F, class Look, class Fall>
+ConeWalk<F> walk_cones(const SearchRay<F>& ray, const Look& cone, const Fall& fall, int steps,
+                       F tolerance) {
+    ConeWalk<F> walk(ray.active);
+    for (int k = 0; k < steps; ++k) {
+        const vec2<F> uv = ray.at(walk.s);
+        const Cone<F> here = cone(walk.active, walk.s, uv);
+        walk.test(here.height, tolerance);
+        if (!any(walk.active)) break;
+        walk.fall(fall(here, (F(1) - walk.s) - here.height, uv));
+    }
+    walk.result.s = walk.s;
+    walk.result.status = search_status<F>(walk.found, walk.met_nan, Status::cap);
+    walk.result.fetches = walk.result.steps;
+    return walk;
+}
+
+/// Halves the last step `times` times where it ended below the surface.
+template <Number F, class Look>
+void bisect_last_step(const SearchRay<F>& ray, const Look& cone, int times, ConeWalk<F>& walk) {
+    F above = walk.previous, below = walk.s;
+    const Mask<F> lanes = walk.found & (below > above);
+    if (!any(lanes)) return;
+    for (int i = 0; i < times; ++i) {
+        const F middle = (above + below) * F(0.5f);
+        const F height = cone(lanes, middle, ray.at(middle)).height;
+        const Mask<F> under = height >= F(1) - middle;
+        below = select(lanes & under, middle, below);
+        walk.result.h = select(lanes & under, height, walk.result.h);
+        above = select(lanes & !under, middle, above);
+        count_in<F>(walk.result.fetches, lanes);
+        count_in<F>(walk.result.steps, lanes);
+    }
+    walk.result.s = select(lanes, below, walk.result.s);
+}
+
+}  // namespace quadrel
