@@ -6,11 +6,12 @@
 #include "quadrel/relief/trace/max_mip.hpp"
 #include "quadrel/relief/trace/pyramid.hpp"
 #include "quadrel/relief/trace/qdm.hpp"
+#include "quadrel/relief/trace/qdm_published.hpp"
 #include "quadrel/relief/trace/rmq_leap.hpp"
 #include "quadrel/relief/trace/texel_exact.hpp"
 
 namespace quadrel {
 
-using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap, Qdm, Pyramid>;
+using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap, Qdm, QdmPublished, Pyramid>;
 
 }  // namespace quadrel
