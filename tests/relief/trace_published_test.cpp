@@ -224,8 +224,8 @@ testing::AssertionResult lane_equals(const Listing& listing, Batch<float>& b, in
     return testing::AssertionFailure()
            << listing.id << ", lane " << lane << ": uv " << uv.x << " " << uv.y << " for "
            << end.uv.x << " " << end.uv.y << ", s " << b.real(Value::hit_s, lane) << " for "
-           << end.s << ", fetches " << b.integer(Value::hit_fetches, lane) << " for "
-           << end.fetches << ", h " << h << " for " << map;
+           << end.s << ", fetches " << b.integer(Value::hit_fetches, lane) << " for " << end.fetches
+           << ", h " << h << " for " << map;
 }
 
 /// Any map and sampler, footprints from a part of a texel to many, angles up to 84 degrees.
@@ -265,8 +265,8 @@ TEST(TraceListings, AreReproducedBitForBit) {
     }
 }
 
-/// The stage with an error: before it, the ray a ten-thousandth off in one quad; behind it, the result
-/// of one lane.
+/// The stage with an error: before it, the ray a ten-thousandth off in one quad; behind it, the
+/// result of one lane.
 StageUnderTest<float> flawed(const std::string& id, Planted planted) {
     const auto before = [planted](Batch<float>& b) {
         if (planted != Planted::ray_nudged) return;

@@ -33,7 +33,7 @@ struct HeightOutwardPublished : StageDefaults {
         std::int32_t points = 50;
     };
     static constexpr std::array parameters{
-        parameter<&Params::vscale>("vscale", "UV", "height of the relief", 0, 16, 0.1),
+        parameter<&Params::vscale>("vscale", "UV", "height of the relief", 0x1p-20, 16, 0.1),
         parameter<&Params::hresolution>("hresolution", "UV", "length of the map", 0x1p-20, 0x1p20,
                                         1),
         parameter<&Params::points>("points", "1", "points of the march", 1, 65536, 50)};
