@@ -17,9 +17,7 @@ static bool renders(const char* shade, bool two_tones) {
     const Scene scene =
         load_scene("bricks-45", {"size=[16,16]", std::string("material.shade=") + shade});
     const Film film = render(scene, options);
-    const auto at = [&](const char* name) {
-        return film.find(name)->as_float(film.index(8, 8));
-    };
+    const auto at = [&](const char* name) { return film.find(name)->as_float(film.index(8, 8)); };
     return at("A") == 1.0f && (at("R") == 0.0f || at("R") == 1.0f) == two_tones;
 }
 
@@ -31,8 +29,8 @@ int main(int argc, char** argv) {
 
     const std::array<ShaderVertex<1>, 3> half{
         {{{-1, -1, 0, 1}, {0}}, {{1, -1, 0, 1}, {8}}, {{-1, 1, 0, 1}, {0}}}};
-    const auto picture =
-        draw_triangle<F>({8, 8}, half, [](const auto& in) { return in.varying(0); }, -1.0f);
+    const auto picture = draw_triangle<F>(
+        {8, 8}, half, [](const auto& in) { return in.varying(0); }, -1.0f);
     const bool drawn = picture.at(2, 7) == 2.5f && picture.at(7, 0) == -1.0f;
 
     const auto quad = unit::run_quad<F>(4, 4, [](const auto& xy) { return xy.x * F(0.25f); });

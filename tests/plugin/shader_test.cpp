@@ -145,6 +145,24 @@ TEST(TriangleShader, DrawsAPictureFromTheTopLeft) {
     EXPECT_THROW(up.at(16, 0), std::out_of_range);
 }
 
+/// The example at the head of shader.hpp, and what it comes to.
+TEST(TriangleShader, ExampleOfTheHeader) {
+    const auto quad = unit::run_quad<F>(10, 20, [](const auto& xy) { return xy * 0.25f; });
+    EXPECT_EQ(quad.dFdx_fine(0), vec2<float>(0.25f, 0));
+    const std::array<ShaderVertex<2>, 3> triangle{
+        {{{-1, -1, 0, 1}, {0, 0}}, {{1, -1, 0, 1}, {1, 0}}, {{0, 1, 0, 1}, {0, 1}}}};
+    const auto picture = draw_triangle<F>(
+        {64, 64}, triangle,
+        [](const auto& in) {
+            const auto uv = in.varying2(0);
+            return fwidth(uv.x) * 64.0f + uv.y;
+        },
+        0.0f);
+    // u grows by 1/64 a column and falls by 1/128 a row: 1 + 1/2; v at the middle row: 31.5/64.
+    EXPECT_NEAR(picture.at(32, 32), 1.5f + 31.5f / 64, 1e-5f);
+    EXPECT_EQ(picture.at(0, 0), 0.0f);
+}
+
 TEST(TriangleShader, CullsWhatItIsToldTo) {
     const auto none = [](const auto& in) { return in.varying(0); };
     const Viewport window{16, 16};
