@@ -44,6 +44,8 @@ function(quadrel_add_stages target)
   get_target_property(isas Quadrel::headers QUADREL_ISAS)
   if(QUADREL_ONLY_ISAS)
     set(isas ${QUADREL_ONLY_ISAS})
+  elseif(NOT isas)  # of an architecture without lane sets
+    set(isas "")
   endif()
   foreach(isa IN LISTS isas)
     quadrel_isa_flags(flags ${isa})
