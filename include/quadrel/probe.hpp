@@ -65,12 +65,16 @@ struct ProbeReport {
     int lane = 0;
     int samples = 1;
     std::string conventions;
+    std::string number, isa;               ///< the kernels that computed the values
     std::vector<ProbeFragment> fragments;  ///< by ascending submission order; empty: background
 };
 
-/// Re-runs the quad of image pixel (x, y) on Quad<float>. The values are those of the render, bit
-/// for bit. Throws UsageError for a pixel outside, InputError as `render` does.
-ProbeReport probe(const Scene& scene, int x, int y);
+/// Re-runs the quad of image pixel (x, y). The values are those of the render with that `number`
+/// and `isa` (named as in RenderOptions), bit for bit; doubles are rounded to float, as channels
+/// are. Steps and look-ups are reported by float on scalar alone. Throws UsageError for a pixel
+/// outside and for kernels that are not there, InputError as `render` does.
+ProbeReport probe(const Scene& scene, int x, int y, const std::string& number = "float",
+                  const std::string& isa = "scalar");
 
 /// For people: decimal and hex float.
 std::string to_text(const ProbeReport& report);

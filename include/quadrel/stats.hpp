@@ -19,10 +19,29 @@ struct StageStats {
     double wall_ms = 0, cpu_ms = 0;
 };
 
+/// Distinct texels that look-ups touched (texture/marks.hpp has the rule), and distinct cache lines
+/// of 64 bytes that they lie in, as float32.
+struct TouchedStats {
+    std::uint64_t texels = 0, lines = 0;
+
+    TouchedStats& operator+=(const TouchedStats& other) {
+        texels += other.texels;
+        lines += other.lines;
+        return *this;
+    }
+};
+
 /// A texture that was loaded.
 struct TextureStats {
     std::string material, slot, file;
     int width = 0, height = 0, levels = 0, faces = 1, channels = 0;
+    std::uint64_t non_finite = 0;       ///< texels of the finest level with NaN or infinity
+    std::vector<TouchedStats> touched;  ///< by mip level, the finest first; all faces together
+};
+
+/// Time of a part of a render; cpu_ms: of all threads of the process.
+struct PhaseTime {
+    double wall_ms = 0, cpu_ms = 0;
 };
 
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
@@ -35,13 +54,18 @@ struct RenderStats {
     std::uint64_t covered_lanes = 0, helper_lanes = 0;
     FetchCounters fetches;                                 ///< all stages together
     std::map<std::string, std::uint64_t> fetches_by_kind;  ///< look-ups by texture slot
+    TouchedStats touched;  ///< a texture that several materials share is counted once
+    /// Points of rays that were tested, helper lanes included, by searches for the hit and towards
+    /// lights.
+    std::uint64_t trace_steps = 0, shadow_steps = 0;
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;
     std::vector<std::string> left_out;  ///< stages, textures and materials that nothing asked for
-    double plan_ms = 0;                 ///< wall time: planning and geometry
-    double load_ms = 0;                 ///< textures
-    double draw_ms = 0;
+    PhaseTime plan;                     ///< planning and geometry
+    PhaseTime load;                     ///< textures
+    PhaseTime draw;                     ///< the image
+    PhaseTime mark;                     ///< the second pass that finds what was touched
     std::uint64_t peak_memory_kib = 0;  ///< of the process so far (0 where the system cannot tell)
 };
 

@@ -44,7 +44,4 @@ CompareRules match_tolerances(std::span<const ToleranceRule> rules, const Film& 
 /// "REF=TEST" each. Throws UsageError.
 std::vector<ChannelMapping> parse_mappings(std::span<const std::string> arguments);
 
-/// As a POSIX shell reads it back: quoted if need be.
-std::string shell_word(const std::string& word);
-
 }  // namespace quadrel::cli

@@ -4,6 +4,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/compare_arguments.hpp"
+#include "io/shell_word.hpp"
 #include "quadrel/scene/load.hpp"
 
 namespace quadrel::cli {

@@ -10,6 +10,7 @@
 #include "quadrel/film/exr.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/texture/image.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -75,28 +76,12 @@ Json exr_info(const std::string& file) {
     return info;
 }
 
-const char* format_text(TexelFormat format) {
-    switch (format) {
-        case TexelFormat::unorm8:
-            return "unorm8";
-        case TexelFormat::srgb8:
-            return "srgb8";
-        case TexelFormat::unorm16:
-            return "unorm16";
-        case TexelFormat::half:
-            return "half";
-        case TexelFormat::float32:
-            return "float";
-    }
-    return "";
-}
-
 Json image_info(const std::string& file) {
     const Image image = load_image(file, NotFinite::count);
     return {{"kind", "image"},
             {"size", fmt::format("{}x{}", image.width, image.height)},
             {"channels", image.channels},
-            {"format", format_text(image.format)},
+            {"format", format_name(image.format)},
             {"not_finite", image.not_finite}};
 }
 

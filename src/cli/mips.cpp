@@ -11,15 +11,16 @@
 #include "io/atomic_file.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
 namespace {
 
-const std::map<std::string, TexelFormat> formats{{"unorm8", TexelFormat::unorm8},
-                                                 {"srgb8", TexelFormat::srgb8},
-                                                 {"unorm16", TexelFormat::unorm16},
-                                                 {"half", TexelFormat::half},
-                                                 {"float", TexelFormat::float32}};
+const std::map<std::string, TexelFormat> formats = [] {
+    std::map<std::string, TexelFormat> by_name;
+    for (const auto& [name, format] : named_formats) by_name.emplace(name, format);
+    return by_name;
+}();
 const std::map<std::string, MipRule> rules{{"box", MipRule::box}, {"area", MipRule::area}};
 
 struct Arguments {

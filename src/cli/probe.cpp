@@ -14,7 +14,7 @@ namespace quadrel::cli {
 namespace {
 
 struct Arguments {
-    std::string scene, pixel, size;
+    std::string scene, pixel, size, number = "float", isa = "scalar";
     std::vector<std::string> overrides, plugins;
     bool json = false;
 };
@@ -23,7 +23,7 @@ ExitCode run_probe(const Arguments& arguments) {
     load_plugins(arguments.plugins);
     const Pixel pixel = parse_pixel("--pixel", arguments.pixel);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
-    const ProbeReport report = probe(scene, pixel.x, pixel.y);
+    const ProbeReport report = probe(scene, pixel.x, pixel.y, arguments.number, arguments.isa);
     print(arguments.json ? to_json(report) : to_text(report));
     return ExitCode::ok;
 }
@@ -43,6 +43,13 @@ void add_probe(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     verb->add_option("--size", a->size, "image size in pixels")->type_name("WxH");
+    verb->add_option("--number", a->number, "number type of the shading")
+        ->check(CLI::IsMember({"float", "double"}))
+        ->capture_default_str();
+    verb->add_option("--isa", a->isa,
+                     "instruction set; steps and look-ups are shown by float on scalar alone")
+        ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
+        ->capture_default_str();
     add_plugin_option(*verb, a->plugins);
     verb->add_flag("--json", a->json, "machine-readable");
     verb->callback([a, &action] { action = [a] { return run_probe(*a); }; });

@@ -104,6 +104,7 @@ Scene load_scene(const std::filesystem::path& file_or_name,
     Fields root(Value(document, document.root, ""));
     Scene scene;
     scene.file = document.file;
+    scene.overrides = overrides;
     root.get("quadrel");
     read_settings(root, scene);
     const Json no_camera = Json::object();

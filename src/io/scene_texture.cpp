@@ -1,15 +1,11 @@
 #include "io/read_file.hpp"
 #include "io/scene_read.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel {
 namespace {
 
 constexpr Word<bool> colour_space_words[] = {{"linear", false}, {"srgb", true}};
-constexpr Word<TexelFormat> format_words[] = {{"unorm8", TexelFormat::unorm8},
-                                              {"srgb8", TexelFormat::srgb8},
-                                              {"unorm16", TexelFormat::unorm16},
-                                              {"half", TexelFormat::half},
-                                              {"float", TexelFormat::float32}};
 constexpr Word<MipRule> mip_words[] = {
     {"none", MipRule::none}, {"box", MipRule::box}, {"area", MipRule::area}};
 constexpr Word<Wrap> wrap_words[] = {{"repeat", Wrap::repeat},
@@ -93,9 +89,10 @@ TextureReference read_texture(const Value& value, Hardware hardware) {
     if (!texture.swizzle.empty() && !is_swizzle(texture.swizzle))
         value.member("swizzle").reject("1 to 4 of r g b a 0 1 1-r 1-g 1-b 1-a, without blanks");
     fields.read("colour_space", texture.srgb, colour_space_words);
-    if (fields.has("format")) texture.format = fields.get("format").word(format_words);
+    if (fields.has("format")) texture.format = fields.get("format").word(named_formats);
     fields.read("mip", texture.mip_rule, mip_words);
     fields.read("flip_v", texture.flip_v);
+    fields.read("allow_nan", texture.allow_nan);
     read_sampler(fields, hardware, texture.sampler);
     fields.finish("a texture");
     return texture;
@@ -110,7 +107,7 @@ Environment read_environment(const Value& value, Hardware hardware) {
         faces.reject("an array of 6 files: +X -X +Y -Y +Z -Z");
     for (std::size_t i = 0; i < 6; ++i) environment.faces[i] = read_path(faces.element(i));
     fields.read("colour_space", environment.srgb, colour_space_words);
-    if (fields.has("format")) environment.format = fields.get("format").word(format_words);
+    if (fields.has("format")) environment.format = fields.get("format").word(named_formats);
     fields.read("mip", environment.mip_rule, mip_words);
     read_sampler(fields, hardware, environment.sampler);
     fields.finish("an environment");

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <new>
 
+#include "render/border_check.hpp"
+
 namespace quadrel {
 namespace {
 
@@ -23,7 +25,8 @@ void load_edges(const QuadCoverage& quad, const ScreenTriangle& triangle, int sa
 
 void Batch::Free::operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
 
-Batch::Batch(int scalar_bytes) : scalar_bytes_(scalar_bytes), values_(slot_count, nullptr) {}
+Batch::Batch(int scalar_bytes, const ProbeCommand* command)
+    : scalar_bytes_(scalar_bytes), command_(command), values_(slot_count, nullptr) {}
 
 void Batch::prepare(const MaterialPlan& plan) {
     const ValueSet& values = plan.values;
@@ -59,6 +62,7 @@ void Batch::prepare(const MaterialPlan& plan) {
 void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
                  bool centroid) {
     quads_ = count;
+    loaded_ = quads;
     lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
     for (int q = 0; q < lanes_ / 4; ++q) {
         // Padding repeats the last quad, inactive: every address that it computes is valid.
@@ -90,14 +94,29 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
             sum += call.counters[slot].fetches;
         return sum;
     };
-    if (clock) clock->start();
     for (const PlannedStage& stage : plan.stages) {
         const std::uint64_t before = fetches();
+        if (clock) clock->start();
         call.parameters = stage.params.data();
         call.light = stage.light;
         stage.run(&call);
         if (clock) clock->lap(stage.info->text.id, call.lanes, fetches() - before);
+        check_border(stage);
     }
+}
+
+void Batch::check_border(const PlannedStage& stage) const {
+    const auto fault = find_border_fault(stage, values_.data(), 4 * quads_, scalar_bytes_);
+    if (!fault) return;
+    std::optional<QuadContext> context;
+    if (command_) context.emplace(*command_, std::span(loaded_ + fault->lane / 4, 1));
+    check_failed(__FILE__, __LINE__, "stage keeps its promises", fault->text);
+}
+
+std::uint64_t Batch::sum(int slot) const {
+    std::uint64_t sum = 0;
+    for (int lane = 0; has(slot) && lane < 4 * quads_; ++lane) sum += integer(slot, lane);
+    return sum;
 }
 
 float Batch::real(int slot, int lane) const {

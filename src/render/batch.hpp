@@ -10,6 +10,7 @@
 #include "quadrel/raster/quad_points.hpp"
 #include "render/geometry.hpp"
 #include "render/plan.hpp"
+#include "render/probe_command.hpp"
 #include "render/stage_clock.hpp"
 
 namespace quadrel {
@@ -38,22 +39,26 @@ class LaneBits {
 /// again; arrays are 64-byte aligned.
 class Batch {
   public:
-    explicit Batch(int scalar_bytes);
+    /// `command`, if given, is what failed checks name. It must outlive the batch.
+    explicit Batch(int scalar_bytes, const ProbeCommand* command = nullptr);
 
     /// Makes arrays for the plan's values; those of other values are null. Values that no stage
     /// of the plan produces are 0.
     void prepare(const MaterialPlan& plan);
 
-    /// Fills in up to batch_quads quads and pads with inactive ones to a whole packet.
+    /// Fills in up to batch_quads quads, which must stay until they have run, and pads with
+    /// inactive ones to a whole packet.
     void load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
               bool centroid);
 
-    /// Runs the plan's stages. `call` comes with material, frame, textures and counters set. A
-    /// `clock`, if given, times them.
+    /// Runs the plan's stages and checks what each stored. `call` comes with material, frame,
+    /// textures and counters set. A `clock`, if given, times the stages.
     void run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
              StageClock* clock = nullptr);
 
     int quads() const { return quads_; }
+    /// Sum over all lanes of the quads; 0 where the array is not there.
+    std::uint64_t sum(int slot) const;
     /// The arrays that a channel's bits come from, to be read lane by lane.
     LaneBits bits(const ChannelSource& source) const;
     float real(int slot, int lane) const;
@@ -67,7 +72,11 @@ class Batch {
         void operator()(std::byte* memory) const;
     };
 
+    void check_border(const PlannedStage& stage) const;
+
     int scalar_bytes_;
+    const ProbeCommand* command_;
+    const QuadCoverage* loaded_ = nullptr;
     int quads_ = 0, lanes_ = 0;
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t capacity_ = 0;

@@ -14,6 +14,7 @@ struct DrawRecord {
     StageTimes stages;
     std::array<FetchCounters, texture_slot_count> fetches{};  ///< by slot
     std::uint64_t quads = 0, covered_lanes = 0, helper_lanes = 0;
+    std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
 };
 
 /// Adds what another thread recorded.
@@ -24,6 +25,8 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     into.quads += from.quads;
     into.covered_lanes += from.covered_lanes;
     into.helper_lanes += from.helper_lanes;
+    into.trace_steps += from.trace_steps;
+    into.shadow_steps += from.shadow_steps;
 }
 
 }  // namespace quadrel

@@ -58,6 +58,33 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
         text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
 }
 
+/// Ids of the planned stages that leave out steps by the heights of the map.
+std::string stages_that_leave_out_steps(const MaterialPlan& plan) {
+    std::vector<std::string> ids;
+    for (const PlannedStage& stage : plan.stages)
+        if (const std::string id = stage.info->text.id;
+            stage.info->uses_height_bounds && std::find(ids.begin(), ids.end(), id) == ids.end())
+            ids.push_back(id);
+    return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+/// What the heights of the map spare, once it has been loaded; before, that they will be measured.
+void describe_steps(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
+    const MaterialPlan& plan = prepared.plan.materials[m];
+    const MaterialUniforms& uniforms = prepared.plan.uniforms[m];
+    if (!may_leave_out_steps(plan) || uniforms.noise_octaves > 0) return;
+    const std::string stages = stages_that_leave_out_steps(plan);
+    if (uniforms.heights_bounded == 0)
+        text.does.push_back(fmt::format(
+            "measures the height map, for steps of {} that no height can meet", stages));
+    else if (uniforms.height_low == uniforms.height_high)
+        text.leaves_out.push_back(
+            fmt::format("steps of {}: the height map is flat, {}", stages, uniforms.height_high));
+    else if (uniforms.height_high < 1)
+        text.leaves_out.push_back(
+            fmt::format("steps of {} above height {}", stages, uniforms.height_high));
+}
+
 void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
     const Scene& scene = *prepared.scene;
     const SlotSet slots = prepared.plan.materials[m].textures | prepared.plan.discard[m].textures;
@@ -83,6 +110,7 @@ MaterialText describe(const PreparedRender& prepared, std::size_t m) {
     }
     describe_stages(prepared, m, text);
     describe_textures(prepared, m, text);
+    describe_steps(prepared, m, text);
     return text;
 }
 

@@ -33,6 +33,11 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
           DrawRecord* record = nullptr);
 
+/// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
+/// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.
+TouchedTexels mark_touched(const PreparedRender& prepared, const RenderOptions& options,
+                           DrawRecord& record);
+
 /// The plan for people: kernels, what each material runs and reads, and what is left out.
 std::string explain(const PreparedRender& prepared);
 /// Stages, textures and materials that nothing asked for, a line each.

@@ -9,6 +9,7 @@
 #include "quadrel/film/channels.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "render/added_stages.hpp"
 #include "render/names.hpp"
 #include "render/prepared.hpp"
 
@@ -115,7 +116,7 @@ std::vector<ProbeStage> run_stages(const PreparedRender& prepared, const Materia
                                    std::uint32_t material, Batch& batch) {
     StageCall call = stage_call(prepared.plan, material);
     Collector collector(call);
-    call.log = &collector;
+    if (prepared.plan.kernels == &scalar_float_kernels()) call.log = &collector;
     std::vector<ProbeStage> stages;
     for (const PlannedStage& planned : plan.stages) {
         MaterialPlan alone;
@@ -151,7 +152,7 @@ ProbeFragment probe_fragment(const PreparedRender& prepared, const QuadCoverage&
     }
 
     const MaterialPlan& plan = prepared.plan.materials[triangle.material];
-    Batch batch(sizeof(float));
+    Batch batch(prepared.plan.scalar_bytes);
     batch.prepare(plan);
     batch.load(&quad, 1, prepared.geometry, scene.samples, scene.centroid);
     fragment.stages = run_stages(prepared, plan, triangle.material, batch);
@@ -170,14 +171,17 @@ std::vector<std::string> every_channel() {
 
 }  // namespace
 
-ProbeReport probe(const Scene& scene, int x, int y) {
+ProbeReport probe(const Scene& scene, int x, int y, const std::string& number,
+                  const std::string& isa) {
     if (x < 0 || y < 0 || x >= scene.width || y >= scene.height)
         throw UsageError(fmt::format("pixel {},{} is outside of the {}x{} image", x, y, scene.width,
                                      scene.height));
     RenderOptions options;
     options.channels = every_channel();
     options.window = Window{x, y, x + 1, y + 1};
-    const PreparedRender prepared = prepare_render(scene, options, scalar_float_kernels());
+    options.number = number;
+    options.isa = isa;
+    const PreparedRender prepared = prepare_render(scene, options, select_kernels(options));
 
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     ProbeReport report;
@@ -190,6 +194,8 @@ ProbeReport probe(const Scene& scene, int x, int y) {
     report.lane = (report.window_x & 1) + 2 * (report.window_y & 1);
     report.samples = scene.samples;
     report.conventions = name_of(scene.conventions);
+    report.number = number;
+    report.isa = prepared.plan.kernels->isa;
     for (const QuadCoverage& quad : visible_quads(prepared))
         report.fragments.push_back(probe_fragment(prepared, quad));
     return report;

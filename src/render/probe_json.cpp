@@ -107,6 +107,8 @@ std::string to_json(const ProbeReport& report) {
              {"lane", report.lane},
              {"samples", report.samples},
              {"conventions", report.conventions},
+             {"number", report.number},
+             {"isa", report.isa},
              {"fragments", Json::array()}};
     for (const ProbeFragment& fragment : report.fragments)
         out["fragments"].push_back(to_json(fragment));

@@ -104,9 +104,11 @@ void append(std::string& out, const ProbeFragment& fragment) {
 
 std::string to_text(const ProbeReport& report) {
     std::string out = fmt::format(
-        "image pixel {},{} = window pixel {},{} ({}), lane {} of the quad at {},{}; {} sample{}\n",
+        "image pixel {},{} = window pixel {},{} ({}), lane {} of the quad at {},{}; {} sample{}; "
+        "{} on {}\n",
         report.image_x, report.image_y, report.window_x, report.window_y, report.conventions,
-        report.lane, report.quad_x, report.quad_y, report.samples, report.samples > 1 ? "s" : "");
+        report.lane, report.quad_x, report.quad_y, report.samples, report.samples > 1 ? "s" : "",
+        report.number, report.isa);
     if (report.fragments.empty()) out += "nothing covers this quad: background\n";
     for (const ProbeFragment& fragment : report.fragments) append(out, fragment);
     return out;

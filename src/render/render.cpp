@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <mutex>
 
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
+#include "quadrel/stats.hpp"
 #include "render/added_stages.hpp"
 #include "render/prepared.hpp"
 #include "render/stats_record.hpp"
@@ -48,9 +50,23 @@ std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptio
     return sources;
 }
 
+/// Of a film: 8 GB, and what a reader of EXR files takes.
+constexpr std::int64_t most_values = std::int64_t(1) << 31;
+
+void check_film_size(const Scene& scene, const Window& window, std::size_t channels) {
+    const std::int64_t values =
+        std::int64_t(window.width()) * window.height() * static_cast<std::int64_t>(channels);
+    if (values <= most_values) return;
+    throw InputError(
+        scene.file.string(), "size",
+        fmt::format("{}x{} pixels of {} channels", window.width(), window.height(), channels),
+        "at most 2^31 values in all, or a window of it");
+}
+
 /// Every plane as if nothing were drawn.
 Film empty_film(const Scene& scene, const Window& window,
                 const std::vector<ChannelSource>& channels) {
+    check_film_size(scene, window, channels.size());
     Film film;
     film.frame = {0, 0, scene.width, scene.height};
     film.window = window;
@@ -93,17 +109,47 @@ class Progress {
 
 class Stopwatch {
   public:
-    /// Wall time since the last lap, or the beginning.
-    double lap_ms() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double, std::milli> lap = now - last_;
+    /// Time since the last lap, or the beginning.
+    PhaseTime lap() {
+        const PhaseTime now = so_far();
+        const PhaseTime lap{now.wall_ms - last_.wall_ms, now.cpu_ms - last_.cpu_ms};
         last_ = now;
-        return lap.count();
+        return lap;
     }
 
   private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    static PhaseTime so_far() {
+        const std::chrono::duration<double, std::milli> wall =
+            std::chrono::steady_clock::now().time_since_epoch();
+        timespec cpu{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
+        return {wall.count(),
+                1e3 * static_cast<double>(cpu.tv_sec) + 1e-6 * static_cast<double>(cpu.tv_nsec)};
+    }
+
+    PhaseTime last_ = so_far();
 };
+
+/// Renders all tiles, each thread with a renderer that `make` makes, and gathers the records.
+template <class Make>
+void render_tiles(const PreparedRender& prepared, const RenderOptions& options, const Make& make,
+                  DrawRecord* record) {
+    const Scene& scene = *prepared.scene;
+    const Viewport viewport{scene.width, scene.height, scene.conventions};
+    const std::vector<Tile> tiles =
+        bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
+    Progress progress(options.progress, tiles.size());
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::enumerable_thread_specific<TileRenderer> renderers(make);
+        tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
+            renderers.local().render(tiles[i]);
+            progress.advance();
+        });
+        if (record == nullptr) return;
+        for (const TileRenderer& renderer : renderers) merge(*record, renderer.record());
+    });
+}
 
 }  // namespace
 
@@ -113,6 +159,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
     PreparedRender prepared{
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
     prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
+    prepared.plan.isa = options.isa;
     prepared.geometry =
         assemble_geometry(scene, prepared.plan.hardware, reads_frames(prepared.plan));
     prepared.used = std::vector<bool>(scene.materials.size(), true);
@@ -136,23 +183,32 @@ Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawReco
     Film film = empty_film(scene, prepared.window, prepared.channels);
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
-    const std::vector<Tile> tiles =
-        bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
-
-    Progress progress(options.progress, tiles.size());
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-        tbb::enumerable_thread_specific<TileRenderer> renderers([&] {
-            return TileRenderer(scene, prepared.plan, prepared.geometry, target, record != nullptr);
-        });
-        tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
-            renderers.local().render(tiles[i]);
-            progress.advance();
-        });
-        if (record == nullptr) return;
-        for (const TileRenderer& renderer : renderers) merge(*record, renderer.record());
-    });
+    const Recording recording = record ? Recording::counts : Recording::nothing;
+    render_tiles(
+        prepared, options,
+        [&] { return TileRenderer(scene, prepared.plan, prepared.geometry, target, recording); },
+        record);
     return film;
+}
+
+TouchedTexels mark_touched(const PreparedRender& prepared, const RenderOptions& options,
+                           DrawRecord& record) {
+    const Scene& scene = *prepared.scene;
+    Film film;
+    const Viewport viewport{scene.width, scene.height, scene.conventions};
+    const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
+    const RenderPlan counting = plan_with_steps(prepared.plan);
+    TouchedTexels touched(prepared.plan);
+    RenderOptions silent = options;
+    silent.progress = nullptr;
+    render_tiles(
+        prepared, silent,
+        [&] {
+            return TileRenderer(scene, counting, prepared.geometry, target, Recording::marks,
+                                &touched);
+        },
+        &record);
+    return touched;
 }
 
 std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared) {
@@ -183,14 +239,19 @@ Film render(const Scene& scene, const RenderOptions& options) {
     stats = {};
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
-    stats.plan_ms = watch.lap_ms();
+    stats.plan = watch.lap();
     load_plan_textures(scene, prepared.used, prepared.plan);
-    stats.load_ms = watch.lap_ms();
+    stats.load = watch.lap();
     DrawRecord record;
     Film film = draw(prepared, options, &record);
-    stats.draw_ms = watch.lap_ms();
+    stats.draw = watch.lap();
     record_plan(prepared, options, stats);
     record_drawing(record, stats);
+    DrawRecord marking;
+    watch.lap();
+    const TouchedTexels touched = mark_touched(prepared, options, marking);
+    stats.mark = watch.lap();
+    record_marks(prepared, marking, touched, stats);
     return film;
 }
 

@@ -28,7 +28,8 @@ void check_lights(const Scene& scene) {
 }
 
 void check_height(const Scene& scene, const Material& material, const MaterialPlan& plan) {
-    const std::string key = fmt::format("materials.{}.height", material.name);
+    const std::string key =
+        (material.key.empty() ? "materials." + material.name : material.key) + ".height";
     if (material.noise && plan.needs_height_map)
         throw InputError(scene.file.string(), key, "noise",
                          fmt::format("a texture: {} reads texels", plan.needs_height_map->text.id));

@@ -13,6 +13,7 @@ namespace quadrel {
 struct RenderPlan {
     HardwareModel hardware;
     const KernelTable* kernels = nullptr;
+    std::string isa = "auto";  ///< by which name the kernels were asked for
     int scalar_bytes = 4;
     FrameUniforms frame{};
     std::vector<MaterialPlan> materials;  ///< per material of the scene
@@ -29,12 +30,21 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
 /// Whether a stage reads PrimitiveFrame rows.
 bool reads_frames(const RenderPlan& plan);
 
+/// Whether steps of a material's searches may be left out: a stage knows how, and nothing asks how
+/// many there are.
+bool may_leave_out_steps(const MaterialPlan& plan);
+
 /// Whether each material has a triangle in `area` (window coordinates).
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
                                  const PixelRect& area);
 
-/// Loads the textures that the plan reads, of the materials in `used`.
+/// Loads the textures that the plan reads, of the materials in `used`, and measures the heights of
+/// those whose stages leave out steps by them.
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan);
+
+/// The same plan, storing the step counts of the searches that it runs, too. What they leave out
+/// stays left out.
+RenderPlan plan_with_steps(const RenderPlan& plan);
 
 /// What a stage of that material is called with, but for values and parameters.
 StageCall stage_call(const RenderPlan& plan, std::uint32_t material);

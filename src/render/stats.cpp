@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "render/stats_record.hpp"
@@ -23,11 +25,56 @@ Json to_json(const StageStats& stage) {
             {"fetches", stage.fetches}, {"wall_ms", stage.wall_ms}, {"cpu_ms", stage.cpu_ms}};
 }
 
+Json to_json(const TouchedStats& touched) {
+    return {{"texels", touched.texels}, {"lines", touched.lines}};
+}
+
 Json to_json(const TextureStats& texture) {
-    return {{"material", texture.material}, {"slot", texture.slot},
-            {"file", texture.file},         {"width", texture.width},
-            {"height", texture.height},     {"levels", texture.levels},
-            {"faces", texture.faces},       {"channels", texture.channels}};
+    Json out{{"material", texture.material},
+             {"slot", texture.slot},
+             {"file", texture.file},
+             {"width", texture.width},
+             {"height", texture.height},
+             {"levels", texture.levels},
+             {"faces", texture.faces},
+             {"channels", texture.channels},
+             {"non_finite", texture.non_finite}};
+    TouchedStats sum;
+    Json levels = Json::array();
+    for (std::size_t level = 0; level < texture.touched.size(); ++level) {
+        const TouchedStats& touched = texture.touched[level];
+        if (touched.texels == 0) continue;
+        sum += touched;
+        Json row{{"level", level}};
+        row.update(to_json(touched));
+        levels.push_back(row);
+    }
+    out["touched"] = to_json(sum);
+    out["touched"]["levels"] = levels;
+    return out;
+}
+
+Json to_json(const PhaseTime& time) { return {{"wall_ms", time.wall_ms}, {"cpu_ms", time.cpu_ms}}; }
+
+// What is baked comes from the file of the heights.
+std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
+    const auto kind = static_cast<TextureSlot>(slot);
+    if (kind == TextureSlot::environment) return scene.environment->faces[0].string();
+    const auto source = kind >= first_baked_slot ? TextureSlot::height : kind;
+    return material.textures.at(std::string(slot_name(source))).file.string();
+}
+
+std::uint64_t count_non_finite(const Texture& texture) {
+    const TextureView& view = texture.view();
+    const std::size_t texels = static_cast<std::size_t>(view.width[0]) * view.height[0];
+    std::uint64_t count = 0;
+    for (int face = 0; face < view.faces; ++face) {
+        const float* texel = texture.level_texels(0, face);
+        for (std::size_t i = 0; i < texels; ++i, texel += view.channels)
+            count += std::any_of(texel, texel + view.channels,
+                                 [](float value) { return !std::isfinite(value); });
+    }
+    return count;
 }
 
 void record_textures(const PreparedRender& prepared, RenderStats& stats) {
@@ -37,13 +84,18 @@ void record_textures(const PreparedRender& prepared, RenderStats& stats) {
             const auto& texture = prepared.plan.textures[m].owned[slot];
             if (!texture) continue;
             const std::string name(slot_name(static_cast<TextureSlot>(slot)));
-            const auto found = scene.materials[m].textures.find(name);
-            const std::string file = found != scene.materials[m].textures.end()
-                                         ? found->second.file.string()
-                                         : scene.environment->faces[0].string();
+            const std::string file = file_of_slot(scene, scene.materials[m], slot);
             const TextureView& view = texture->view();
-            stats.textures.push_back({scene.materials[m].name, name, file, view.width[0],
-                                      view.height[0], view.levels, view.faces, view.channels});
+            stats.textures.push_back({scene.materials[m].name,
+                                      name,
+                                      file,
+                                      view.width[0],
+                                      view.height[0],
+                                      view.levels,
+                                      view.faces,
+                                      view.channels,
+                                      count_non_finite(*texture),
+                                      {}});
         }
     }
 }
@@ -84,6 +136,21 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
     stats.peak_memory_kib = peak_memory_kib();
 }
 
+void record_marks(const PreparedRender& prepared, const DrawRecord& record,
+                  const TouchedTexels& touched, RenderStats& stats) {
+    auto row = stats.textures.begin();
+    for (std::uint32_t m = 0; m < prepared.plan.textures.size(); ++m)
+        for (int slot = 0; slot < texture_slot_count; ++slot) {
+            if (touched.marks(m, slot) == nullptr) continue;
+            for (int level = 0; level < row->levels; ++level)
+                row->touched.push_back(touched.count(m, slot, level));
+            ++row;
+        }
+    stats.touched = touched.total();
+    stats.trace_steps = record.trace_steps;
+    stats.shadow_steps = record.shadow_steps;
+}
+
 std::string to_json(const RenderStats& stats) {
     Json out{{"isa", stats.isa},
              {"number", stats.number},
@@ -97,13 +164,17 @@ std::string to_json(const RenderStats& stats) {
                {"nan_coordinates", stats.fetches.nan_coordinates},
                {"huge_coordinates", stats.fetches.huge_coordinates},
                {"by_kind", stats.fetches_by_kind}}},
+             {"touched", to_json(stats.touched)},
+             {"steps", {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}}},
              {"primitives", to_json(stats.primitives)},
              {"stages", Json::array()},
              {"textures", Json::array()},
              {"left_out", stats.left_out},
-             {"plan_ms", stats.plan_ms},
-             {"load_ms", stats.load_ms},
-             {"draw_ms", stats.draw_ms},
+             {"phases",
+              {{"plan", to_json(stats.plan)},
+               {"load", to_json(stats.load)},
+               {"draw", to_json(stats.draw)},
+               {"mark", to_json(stats.mark)}}},
              {"peak_memory_kib", stats.peak_memory_kib}};
     for (const StageStats& stage : stats.stages) out["stages"].push_back(to_json(stage));
     for (const TextureStats& texture : stats.textures) out["textures"].push_back(to_json(texture));

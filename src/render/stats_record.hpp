@@ -15,4 +15,8 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
 /// What drawing counted.
 void record_drawing(const DrawRecord& record, RenderStats& stats);
 
+/// What a marking pass found, after record_plan.
+void record_marks(const PreparedRender& prepared, const DrawRecord& record,
+                  const TouchedTexels& touched, RenderStats& stats);
+
 }  // namespace quadrel

@@ -146,7 +146,7 @@ std::string content_hash(const Image& image) {
 }
 
 std::string texture_id(const std::string& content_hash, const TextureOptions& options) {
-    const char* const format = options.format ? format_name(*options.format) : "own";
+    const std::string_view format = options.format ? format_name(*options.format) : "own";
     return sha256_hex(fmt::format("{} swizzle={} srgb={} format={} mips={} flip={}", content_hash,
                                   options.swizzle, options.srgb, format,
                                   static_cast<int>(options.mip_rule), options.flip_v));

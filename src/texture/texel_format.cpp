@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "quadrel/num/srgb.hpp"
@@ -23,20 +24,10 @@ int max_code(TexelFormat format) {
     return 0;
 }
 
-const char* format_name(TexelFormat format) {
-    switch (format) {
-        case TexelFormat::unorm8:
-            return "unorm8";
-        case TexelFormat::srgb8:
-            return "srgb8";
-        case TexelFormat::unorm16:
-            return "unorm16";
-        case TexelFormat::half:
-            return "half";
-        case TexelFormat::float32:
-            break;
-    }
-    return "float32";
+std::string_view format_name(TexelFormat format) {
+    return std::find_if(std::begin(named_formats), std::end(named_formats),
+                        [&](const auto& named) { return named.second == format; })
+        ->first;
 }
 
 double round_to_half(double x) {

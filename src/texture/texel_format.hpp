@@ -1,6 +1,9 @@
 // Rounding values to what a format can store.
 #pragma once
 
+#include <string_view>
+#include <utility>
+
 #include "quadrel/texture/format.hpp"
 
 namespace quadrel {
@@ -8,7 +11,15 @@ namespace quadrel {
 /// Codes of a normalised format: 255, 65535; 0 for the floating-point ones.
 int max_code(TexelFormat format);
 
-const char* format_name(TexelFormat format);
+/// The formats as scene files, command lines and messages name them.
+inline constexpr std::pair<std::string_view, TexelFormat> named_formats[] = {
+    {"unorm8", TexelFormat::unorm8},
+    {"srgb8", TexelFormat::srgb8},
+    {"unorm16", TexelFormat::unorm16},
+    {"half", TexelFormat::half},
+    {"float", TexelFormat::float32}};
+
+std::string_view format_name(TexelFormat format);
 
 /// The nearest half-precision number, halves to even; overflow gives infinity.
 double round_to_half(double x);

@@ -69,6 +69,11 @@ struct MaterialUniforms {
     std::int32_t noise_octaves;   ///< 0: heights come from the map, else from noise (noise.hpp)
     float noise_frequency;        ///< lattice cells a tile of the first octave
     float seat;                   ///< sigma: height at which the polygon lies
+    /// 1: every look-up in the height map gives a height in [height_low, height_high], the map is
+    /// flat where the two are equal, and no one asked how many steps or fetches searches take. Then
+    /// steps that cannot meet the surface may be left out.
+    std::int32_t heights_bounded;
+    float height_low, height_high;
     float ambient[3], diffuse[3], specular[3], emission[3];
     float shininess;
 };

@@ -2,11 +2,43 @@
 // noise in its place.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "quadrel/relief/noise.hpp"
 #include "quadrel/relief/view.hpp"
 #include "quadrel/texture/height_sampler.hpp"
 
 namespace quadrel {
+
+/// What the height map's look-ups can give.
+template <class T>
+struct HeightBounds {
+    T low = -std::numeric_limits<T>::infinity(), high = std::numeric_limits<T>::infinity();
+    bool flat() const { return low == high; }
+};
+
+/// The bounds that the material states; infinite where searches are to make every step.
+template <class Io, class F = typename Io::Number>
+HeightBounds<Scalar<F>> height_bounds(const Io& io) {
+    const MaterialUniforms& material = io.material();
+    if (material.heights_bounded == 0) return {};
+    return {Scalar<F>(material.height_low), Scalar<F>(material.height_high)};
+}
+
+/// First k in [0, n] with h >= 1 - k / n, else n + 1, by the comparison that a march in n equal
+/// steps makes.
+template <class T>
+int first_step_below(T h, int n) {
+    const auto below = [&](int k) { return h >= 1 - static_cast<T>(k) / static_cast<T>(n); };
+    const T count = static_cast<T>(n);
+    // Off by rounding at most: the neighbours decide.
+    int k = static_cast<int>(std::clamp(std::floor(count * (1 - h)), T(0), count));
+    while (k > 0 && below(k - 1)) --k;
+    while (k <= n && !below(k)) ++k;
+    return k;
+}
 
 /// Whether the material's heights are noise: then it has no height map.
 template <class Io>

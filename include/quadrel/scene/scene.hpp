@@ -29,7 +29,8 @@ struct TextureReference {
     bool srgb = false;    ///< colour channels are sRGB-encoded in the file
     std::optional<TexelFormat> format;  ///< the file's own if absent
     MipRule mip_rule = MipRule::box;
-    bool flip_v = false;  ///< row 0 of the texture is the file's last row
+    bool flip_v = false;     ///< row 0 of the texture is the file's last row
+    bool allow_nan = false;  ///< NaN and infinite texels are kept, and counted in the statistics
     SamplerState sampler;
     std::string key;  ///< where the scene file names it, for messages
 };
@@ -64,6 +65,7 @@ struct StageChoice {
 /// Relief and its shading. Depth and seat are the height field's (design: D and sigma).
 struct Material {
     std::string name;
+    std::string key;  ///< where the scene file describes it, for messages; may be empty
     StageChoice frame, trace, clip, frag_depth, surface, shadow, occlusion, shade;
     float depth = 0.05f;          ///< D: relief thickness in world (eye-space) length units, >= 0
     bool depth_in_tiles = false;  ///< `depth` is in lengths of one tile of the texture instead

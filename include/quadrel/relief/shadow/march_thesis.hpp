@@ -19,6 +19,7 @@ struct ShadowMarchThesis : StageDefaults {
                Value::dUVdx, Value::dUVdy, Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_P);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool uses_height_bounds = true;
     struct Params {
         std::int32_t steps = 128;
     };
@@ -54,9 +55,11 @@ struct ShadowMarchThesis : StageDefaults {
         const auto height = march_heights(io);
         // A march stops below the surface, by up to a step: the ray starts where the surface is.
         const F z = max(F(1) - io.template load<Value::hit_s>(), io.template load<Value::hit_h>());
+        // Above the top plane, or the highest texel where it is known, nothing occludes.
+        const F top(std::min(Scalar<F>(1), height_bounds(io).high));
         for (int k = 1; k < n; ++k) {
             const F t(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n));
-            active = active & (z + t < F(1));
+            active = active & (z + t < top);
             if (!any(active)) break;
             const F h = height(active, uv + K * t);
             io.march_step(active, F(1) - (z + t), uv + K * t, z + t, h);

@@ -11,12 +11,13 @@
 namespace quadrel {
 
 /// First k in [0, n] with height(uv(k/n)) >= 1 - k/n. NaN heights are never at or above the ray.
-/// `height(active, s, uv, ray height)` fetches.
+/// `height(active, s, uv, ray height)` fetches. `start`: steps before it are known to be above the
+/// surface.
 template <Number F, class Height>
-SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n) {
+SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n, int start = 0) {
     SearchResult<F> result;
     Mask<F> active = ray.active, found(false), met_nan(false);
-    for (int k = 0; k <= n; ++k) {
+    for (int k = start; k <= n; ++k) {
         const Scalar<F> s = static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n);
         const F h = height(active, F(s), ray.at(s), F(1 - s));
         const Mask<F> below = active & (h >= F(1 - s));
@@ -33,12 +34,25 @@ SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int 
     return result;
 }
 
+/// linear_march over a map whose every height is `h`: its only hit in closed form, without a fetch.
+template <Number F>
+SearchResult<F> flat_march(const SearchRay<F>& ray, int n, Scalar<F> h) {
+    SearchResult<F> result;
+    const int k = first_step_below(h, n);
+    const Mask<F> found = ray.active & Mask<F>(k <= n);
+    result.s = select(found, F(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n)), F(1));
+    result.h = select(ray.active, F(h), F(0));
+    result.status = search_status<F>(found, Mask<F>(false));
+    return result;
+}
+
 struct Linear : StageDefaults {
     static constexpr StageText text{"linear", "trace", "linear search in equal steps of depth",
                                     "correction of linear-thesis; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool uses_height_bounds = true;
     struct Params {
         std::int32_t steps = 128;
     };
@@ -49,6 +63,9 @@ struct Linear : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
+        const HeightBounds<Scalar<F>> bounds = height_bounds(io);
+        if (bounds.flat())
+            return store_search(io, ray, flat_march<F>(ray, params.steps, bounds.low));
         const auto heights = march_heights(io);
         const auto found = linear_march<F>(
             [&](Mask<F> active, F s, const vec2<F>& uv, F ray_height) {
@@ -56,7 +73,7 @@ struct Linear : StageDefaults {
                 io.march_step(active, s, uv, ray_height, h);
                 return h;
             },
-            ray, params.steps);
+            ray, params.steps, std::min(params.steps, first_step_below(bounds.high, params.steps)));
         store_search(io, ray, found);
     }
 };
