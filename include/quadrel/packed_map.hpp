@@ -12,9 +12,9 @@ enum class Packing : std::int32_t {
     /// "Cone
     /// Step Mapping", 2006.
     height_sqrt_cone,
-    /// "gg3": the normal's x and y as 0.5 + 0.5 n in red and green (normal_4tap, depth 0.1), the
-    /// ratio in blue, depth in alpha: the top is black. Source: Policarpo, Oliveira, GPU Gems 3,
-    /// chapter 18.
+    /// "gg3": the normal's x and y as 0.5 + 0.5 n in red and green (normal_4tap, depth 0.1; y with
+    /// the other sign than there, since the source's shader negates what it reads), the ratio in
+    /// blue, depth in alpha: the top is black. Source: Policarpo, Oliveira, GPU Gems 3, chapter 18.
     normal_cone_depth,
 };
 

@@ -69,7 +69,7 @@ struct TexelPacker {
             return;
         }
         out[0] = store(normal[0], normal[0], Direction::nearest, same);
-        out[1] = store(normal[1], normal[1], Direction::nearest, same);
+        out[1] = store(1 - normal[1], 1 - normal[1], Direction::nearest, same);
         out[2] = store(c, c, direction(Direction::down), same);
         out[3] = store(1.0 - static_cast<double>(h), 1 - h, direction(Direction::down), same);
     }
