@@ -305,4 +305,41 @@ inline End gpu_gems_3(const Vec2& uv, Vec3 v, int linear_steps, int binary_steps
     return end;
 }
 
+/// "Derivative-Based Relief Mapping", 2012, has no listing of its search by texels. Its text:
+/// "perform a linear per-pixel search over the uninterpolated height map, followed by a binary
+/// search over the interpolated values of the last two texels where the intersection is found in
+/// the linear search". Comparisons as in its listed search; `steps` is one a texel; at(s) is the
+/// ray. The two ends of the interval are looked up once more, to see whether there is a crossing.
+inline End thesis_by_texels(const std::function<Vec2(float)>& at, int steps, int halvings,
+                            const Sampler& uninterpolated, const Sampler& interpolated) {
+    End end;
+    float last = 0, found = -1;
+    // a linear per-pixel search over the uninterpolated height map
+    for (int k = 0; k <= steps && found < 0; ++k) {
+        const float s = static_cast<float>(k) / static_cast<float>(steps);
+        end.map = uninterpolated(at(s));
+        ++end.fetches;
+        if (end.map > 1 - s) {
+            found = s;
+        } else {
+            last = s;
+        }
+    }
+    end.s = found < 0 ? 1 : found;
+    // followed by a binary search over the interpolated values
+    if (found >= 0) end.fetches += 2;
+    for (int i = 0; found >= 0 && i < halvings; ++i) {
+        const float middle = (last + end.s) * 0.5f, h = interpolated(at(middle));
+        ++end.fetches;
+        if (h > 1 - middle) {
+            end.s = middle;
+            end.map = h;
+        } else {
+            last = middle;
+        }
+    }
+    end.uv = at(end.s);
+    return end;
+}
+
 }  // namespace quadrel::listings

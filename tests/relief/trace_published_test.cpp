@@ -195,11 +195,49 @@ Listing gpu_gems_3() {
     return {"relief-gg3", run, {}, "relief-binary"};
 }
 
+/// Level 0 by one filter.
+Sampler filtered(Batch<float>& batch, Filter filter) {
+    SampledTexture map = *batch.bound(TextureSlot::height);
+    map.sampler.mag = map.sampler.min = filter;
+    map.sampler.mip = MipFilter::none;
+    return [map](const Vec2& uv) {
+        return texture_lod(map, SampleContext<Fetch>(), vec2<Fetch>(Fetch(uv.x), Fetch(uv.y)),
+                           Fetch(0))
+            .x.lane[0];
+    };
+}
+
+Listing thesis_by_texels() {
+    const auto run = [](Batch<float>& b, int quad) {
+        const TextureView& view = b.bound(TextureSlot::height)->view;
+        return each_fragment(quad, [&](int lane) {
+            const Vec2 uv = b.vector2(Value::uv, lane), K = b.vector2(Value::K, lane);
+            const float polygon = 1 - b.material.seat;
+            const float texels = max(std::fabs(K.x) * static_cast<float>(view.width[0]),
+                                     std::fabs(K.y) * static_cast<float>(view.height[0]));
+            return listings::thesis_by_texels(
+                [&](float s) { return uv + K * (s - polygon); },
+                static_cast<int>(clamp(std::ceil(texels), 1.0f, 1024.0f)), 7,
+                filtered(b, Filter::nearest), filtered(b, Filter::linear));
+        });
+    };
+    return {"thesis-linear-binary@published", run, {}, "thesis-linear-binary"};
+}
+
 std::vector<Listing> all_listings() {
-    return {welsh(false),  welsh(true),           mcguire(false),
-            mcguire(true), flightgear(1),         flightgear(0.7f),
-            dx_sdk(),      rabbid(false, 0.5, 1), rabbid(false, 0.05f, 0.3f),
-            gpu_gems_3(),  rabbid(true, 2, 1),    rabbid(true, 0.05f, 0.6f)};
+    return {welsh(false),
+            welsh(true),
+            mcguire(false),
+            mcguire(true),
+            flightgear(1),
+            flightgear(0.7f),
+            dx_sdk(),
+            rabbid(false, 0.5, 1),
+            rabbid(false, 0.05f, 0.3f),
+            gpu_gems_3(),
+            thesis_by_texels(),
+            rabbid(true, 2, 1),
+            rabbid(true, 0.05f, 0.6f)};
 }
 
 // ---- The check ----------------------------------------------------------------------------------

@@ -81,13 +81,12 @@ struct ThesisLinearBinaryPublished : StageDefaults {
             count_in<F>(interval.steps, interval.found);
             return h - (F(1) - s);
         };
-        const Mask<F> crosses =
-            (excess(interval.s_above) <= F(0)) & (excess(interval.s_below) > F(0));
+        const F before = excess(interval.s_above), behind = excess(interval.s_below);
         for (int i = 0; i < times; ++i) {
             const F s = (interval.s_above + interval.s_below) * F(0.5f);
             take(interval, interval.found, s, height(interval.found, s, ray.at(s), F(1) - s));
         }
-        return crosses;
+        return (before <= F(0)) & (behind > F(0));
     }
 
     /// Bracket::narrow with the strict test.
