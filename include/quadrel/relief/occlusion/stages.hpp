@@ -2,10 +2,11 @@
 #pragma once
 
 #include "quadrel/quad/stage_list.hpp"
+#include "quadrel/relief/occlusion/horizon.hpp"
 #include "quadrel/relief/occlusion/none.hpp"
 
 namespace quadrel {
 
-using OcclusionStages = StageList<OcclusionNone>;
+using OcclusionStages = StageList<OcclusionNone, AoHorizon>;
 
 }  // namespace quadrel

@@ -1,0 +1,69 @@
+// shadow-relief: the view's search, run from the light.
+//
+// Source: F. Policarpo, M. M. Oliveira, J. L. D. Comba, "Real-Time Relief Mapping on Arbitrary
+// Polygonal Surfaces", I3D 2005: the ray that enters the top plane towards the hit is searched as
+// the view's is, in equal steps and by bisection; the hit is in shadow where it meets the surface
+// earlier, by more than `bias`. The same cost and misses as relief-binary.
+#pragma once
+
+#include "quadrel/relief/shadow/light_ray.hpp"
+
+namespace quadrel {
+
+struct ShadowRelief : StageDefaults {
+    static constexpr StageText text{"shadow-relief", "shadow",
+                                    "linear search and bisection from the light's side",
+                                    "Policarpo, Oliveira, Comba 2005"};
+    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
+    static constexpr auto outputs = shadow_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    struct Params {
+        std::int32_t steps = 15, binary_steps = 6;
+        float bias = 0.02f;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::steps>("steps", "1", "steps from the top plane to the hit", 1, 65536,
+                                  15),
+        parameter<&Params::binary_steps>("binary_steps", "1", "halvings of the last step", 0, 60,
+                                         6),
+        parameter<&Params::bias>("bias", "depth", "how much earlier an occluder is met", 0, 1,
+                                 0.02)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const LightRay<F> ray = light_ray(io);
+        const auto height = march_heights(io);
+        Int<F> steps(0);
+        // t falls from the top plane, 1 - z, to the hit, 0.
+        const F top = F(1) - ray.z;
+        const auto below = [&](Mask<F> active, F t) {
+            const F h = height(active, ray.uv + ray.K * t);
+            io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+            count_tested<F>(steps, active);
+            return active & (h >= ray.z + t);
+        };
+        F last_above = top, first_below(0);
+        Mask<F> active = ray.active, found(false);
+        for (int k = 0; k < params.steps; ++k) {
+            const Scalar<F> part = static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(params.steps);
+            const F t = top * F(1 - part);
+            const Mask<F> hit = below(active, t);
+            first_below = select(hit, t, first_below);
+            last_above = select(active & !hit, t, last_above);
+            found = found | hit;
+            active = active & !hit;
+            if (!any(active)) break;
+        }
+        for (int i = 0; i < params.binary_steps && any(found); ++i) {
+            const F middle = (last_above + first_below) * F(0.5f);
+            const Mask<F> hit = below(found, middle);
+            first_below = select(hit, middle, first_below);
+            last_above = select(found & !hit, middle, last_above);
+        }
+        const Mask<F> occluded = found & (first_below > F(params.bias));
+        store_shadow(io, ray, select(occluded, F(0), F(1)), steps);
+    }
+};
+
+}  // namespace quadrel

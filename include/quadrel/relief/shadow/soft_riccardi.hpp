@@ -1,0 +1,56 @@
+// shadow-soft-riccardi: the deepest point of the light ray under the surface, nearer ones more.
+//
+// Source: A. Riccardi, "Contact Refinement Parallax Mapping" (github.com/a-riccardi/shader-toy),
+// after the soft shadow of sunandblackcat.com's parallax mapping: from the hit to the top plane in
+// n equal steps, n the steps of the view march that lie above the hit; visibility is 1 less the
+// most of (height over the ray) * (1 - j / n). Corrected: the source walks away from the light and
+// takes points above the surface for points below it, and its slope holds for 256 steps only.
+#pragma once
+
+#include "quadrel/relief/shadow/light_ray.hpp"
+
+namespace quadrel {
+
+struct ShadowSoftRiccardi : StageDefaults {
+    static constexpr StageText text{"shadow-soft-riccardi", "shadow",
+                                    "greatest depth below the surface on the way to the light",
+                                    "Riccardi 2018, contact refinement, soft shadow"};
+    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
+    static constexpr auto outputs = shadow_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    struct Params {
+        std::int32_t steps = 32;
+        float hardness = 4;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, 65536, 32),
+        parameter<&Params::hardness>("hardness", "1", "factor of the depth below the surface", 0,
+                                     1000, 4)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const LightRay<F> ray = light_ray(io);
+        const auto height = march_heights(io);
+        const F rise = F(1) - ray.z;
+        const F n = round_even(rise * F(static_cast<Scalar<F>>(params.steps)));
+        F most(0);
+        Int<F> steps(0);
+        Mask<F> active = ray.active;
+        for (int j = 1; j < params.steps; ++j) {
+            const F index(static_cast<Scalar<F>>(j));
+            active = active & (index < n);
+            if (!any(active)) break;
+            const F part = index / n, t = rise * part;
+            const F h = height(active, ray.uv + ray.K * t);
+            io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+            count_tested<F>(steps, active);
+            const F depth = (h - (ray.z + t)) * (F(1) - part);
+            most = select(active, max(most, depth), most);
+        }
+        const F visibility = F(1) - clamp(most * F(params.hardness), F(0), F(1));
+        store_shadow(io, ray, visibility, steps);
+    }
+};
+
+}  // namespace quadrel

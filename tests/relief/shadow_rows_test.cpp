@@ -1,0 +1,359 @@
+// Self-shadows: listings bit for bit, and what all of them promise.
+#include "quadrel/bake.hpp"
+#include "relief/exact_search.hpp"
+#include "relief/planted.hpp"
+#include "relief/surface_rays.hpp"
+
+namespace quadrel::test {
+namespace {
+
+// ---- Lit hits -----------------------------------------------------------------------------------
+
+/// Hits of an exact search over a map, a plane a quad, and a directional light on their side.
+class LitBatch {
+  public:
+    Batch<float> batch;
+
+    LitBatch(const Map& height, int seed, double least_elevation = 0.2) : height_(height) {
+        Random random(static_cast<std::uint64_t>(seed) * 31 + 7);
+        batch.bind(TextureSlot::height, height.sampled);
+        for (const TextureSlot slot : {TextureSlot::cone_robust, TextureSlot::horizon}) {
+            Map& map = baked_[static_cast<std::size_t>(slot)];
+            map.texture =
+                bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);
+            map.sampled = {map.texture->view(), height.sampled.sampler};
+            batch.bind(slot, map.sampled);
+        }
+        // One plane for the whole batch, so that one light stands at one elevation.
+        fill_surface(batch, random, {.least_r = 0.5, .depth = 0.1});
+        for (int lane = 0; lane < batch.lanes; ++lane) {
+            for (const Value v : {Value::T, Value::B, Value::frame_normal, Value::Ng})
+                batch.set(v, lane, batch.vector3(v, 0));
+            for (int c = 0; c < 6; ++c) batch.real(Value::J, lane, c) = batch.real(Value::J, 0, c);
+        }
+        batch.run("texel-exact");
+        for (int lane = 0; lane < batch.lanes; ++lane)
+            batch.set(Value::hit_P, lane, batch.vector3(Value::P, lane));
+        light(random.uniform(0, 6.28), random.uniform(least_elevation, 1.5));
+    }
+    LitBatch(const LitBatch&) = delete;
+
+    /// A directional light at an azimuth from T towards B and an elevation over the plane, radians.
+    void light(double azimuth, double elevation) {
+        const dvec3 T(batch.vector3(Value::T, 0)), B(batch.vector3(Value::B, 0));
+        const dvec3 N(batch.vector3(Value::frame_normal, 0));
+        const dvec3 L =
+            (T * quadrel::cos(azimuth) + B * quadrel::sin(azimuth)) * quadrel::cos(elevation) +
+            N * quadrel::sin(elevation);
+        batch.frame.lights[0].directional = 1;
+        for (int c = 0; c < 3; ++c) batch.frame.lights[0].position[c] = static_cast<float>(L[c]);
+    }
+
+    /// K of the light ray of a lane.
+    dvec2 light_shift(int lane) {
+        const LightUniforms& light = batch.frame.lights[0];
+        const dvec3 L = normalize(dvec3(light.position[0], light.position[1], light.position[2]));
+        const double r = dot(L, dvec3(batch.vector3(Value::frame_normal, lane)));
+        return dvec2(dot(dvec3(batch.vector3(Value::J, lane, 0)), L),
+                     dot(dvec3(batch.vector3(Value::J, lane, 3)), L)) *
+               (batch.material.depth / r);
+    }
+
+    /// How far the field rises over the light ray, at most, from `from` of its way on: above 0 is
+    /// shadow.
+    double most_excess(int lane, double from) {
+        const oracle::Field field(height_.sampled);
+        const dvec2 K = light_shift(lane), uv(batch.vector2(Value::hit_uv, lane));
+        const double z =
+            std::max<double>(1 - batch.real(Value::hit_s, lane), batch.real(Value::hit_h, lane));
+        double most = -1;
+        const int samples = 4000;
+        for (int k = 0; k <= samples; ++k) {
+            const double t = (1 - z) * (from + (1 - from) * k / samples);
+            const dvec2 at = uv + K * t;
+            const auto h = field.bilinear(at.x * field.width - 0.5, at.y * field.height - 0.5);
+            most = std::max(most, static_cast<double>(h) - (z + t));
+        }
+        return most;
+    }
+
+    float visibility(int lane) { return batch.real(Value::shadow_visibility, lane); }
+
+  private:
+    const Map& height_;
+    std::array<Map, texture_slot_count> baked_;
+};
+
+const std::vector<std::string> shadows = {"shadow-march-mcguire",
+                                          "shadow-march-mcguire@published",
+                                          "shadow-relief",
+                                          "shadow-soft-pom",
+                                          "shadow-soft-riccardi",
+                                          "shadow-cone",
+                                          "horizon",
+                                          "shadow-march-thesis"};
+
+Map stress(const char* name, int seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    for (const StressMap& kind : stress_maps())
+        if (std::string(kind.name) == name)
+            return make_stress_map(kind, 32, 32, plain_sampler(), random);
+    QUADREL_CHECK(!"a stress map of that name", name);
+    return {};
+}
+
+// ---- What all promise ---------------------------------------------------------------------------
+
+/// Every lane of a batch is lit.
+testing::AssertionResult all_lit(LitBatch& lit, const StageUnderTest<float>& shadow) {
+    shadow.run(lit.batch);
+    for (int lane = 0; lane < lit.batch.lanes; ++lane)
+        if (lit.visibility(lane) != 1)
+            return testing::AssertionFailure() << shadow.id << ": " << lit.visibility(lane);
+    return testing::AssertionSuccess();
+}
+
+TEST(Shadows, NothingShadowsAPlane) {
+    const Map flat = flat_map(0.4f, 16);
+    for (const std::string& id : shadows)
+        for (int seed = 0; seed < 4; ++seed) {
+            LitBatch lit(flat, seed);
+            EXPECT_TRUE(all_lit(lit, {id}));
+        }
+    LitBatch lit(flat, 0);
+    const auto darken = [](Batch<float>& b) { b.real(Value::shadow_visibility, 7) = 0; };
+    EXPECT_FALSE(all_lit(lit, {"shadow-relief", {}, darken}));
+}
+
+TEST(Shadows, ALightBehindTheSurfaceIsDark) {
+    const Map map = stress("sinusoid", 1);
+    for (const std::string& id : shadows) {
+        LitBatch lit(map, 2);
+        lit.light(1.0, -0.3);
+        lit.batch.run(id);
+        for (int lane = 0; lane < lit.batch.lanes; ++lane) EXPECT_EQ(lit.visibility(lane), 0) << id;
+    }
+}
+
+TEST(Shadows, AnOverheadLightReachesEverything) {
+    const Map map = stress("sinusoid", 1);
+    for (const std::string& id : shadows) {
+        LitBatch lit(map, 3);
+        lit.light(0, 1.5707963267948966);
+        EXPECT_TRUE(all_lit(lit, {id}));
+    }
+}
+
+/// Hard shadows agree with a fine march wherever it is plain: what rises well above the ray, some
+/// way off, is dark; a ray that stays well above everything is lit.
+int disagreements(const StageUnderTest<float>& shadow, const Parameters& parameters) {
+    int wrong = 0;
+    for (int seed = 0; seed < 6; ++seed) {
+        const Map map = stress(seed % 2 == 0 ? "sinusoid" : "cliff", seed);
+        LitBatch lit(map, seed, 0.1);
+        shadow.run(lit.batch, parameters);
+        for (int lane = 0; lane < lit.batch.lanes; lane += 5) {
+            const bool dark = lit.most_excess(lane, 0.2) > 0.08;
+            const bool clear = lit.most_excess(lane, 0.02) < -0.02;
+            wrong += (dark && lit.visibility(lane) != 0) || (clear && lit.visibility(lane) != 1);
+        }
+    }
+    return wrong;
+}
+
+TEST(Shadows, HardOnesAreWhereTheyBelong) {
+    EXPECT_LE(disagreements({"shadow-march-mcguire"}, {{"steps_normal", 64}}), 3);
+    EXPECT_LE(disagreements({"shadow-relief"}, {{"steps", 64}}), 3);
+    EXPECT_LE(disagreements({"shadow-cone"}, {{"steps", 400}}), 3);
+    EXPECT_LE(disagreements({"shadow-march-thesis"}, {}), 3);
+    const auto mirror = [](Batch<float>& b) {
+        for (int lane = 0; lane < b.lanes; ++lane)
+            for (int c = 0; c < 6; ++c) b.real(Value::J, lane, c) *= -1;
+    };
+    EXPECT_GT(disagreements({"shadow-relief", mirror}, {{"steps", 64}}), 10);
+}
+
+/// Towards stored azimuths, from texel centres, a horizon decides as a fine march does.
+testing::AssertionResult horizon_is_exact(const StageUnderTest<float>& shadow) {
+    int decided = 0;
+    for (int seed = 0; seed < 8; ++seed) {
+        const Map map = stress("sinusoid", seed);
+        LitBatch lit(map, seed);
+        lit.light(seed * 0.78539816339744831, 0.05 + 0.05 * seed);
+        for (int lane = 0; lane < lit.batch.lanes; ++lane) {
+            const vec2<float> uv = lit.batch.vector2(Value::hit_uv, lane);
+            const vec2<float> centre = (floor(uv * 32.0f) + 0.5f) / 32.0f;
+            const oracle::Field field(map.sampled);
+            lit.batch.set(Value::hit_uv, lane, centre);
+            const float h =
+                static_cast<float>(field.bilinear(centre.x * 32 - 0.5, centre.y * 32 - 0.5));
+            lit.batch.real(Value::hit_s, lane) = 1 - h;
+            lit.batch.real(Value::hit_h, lane) = h;
+        }
+        shadow.run(lit.batch);
+        for (int lane = 0; lane < lit.batch.lanes; lane += 3) {
+            const double excess = lit.most_excess(lane, 1e-3);
+            if (std::abs(excess) < 1e-3) continue;
+            ++decided;
+            if ((excess > 0) != (lit.visibility(lane) == 0))
+                return testing::AssertionFailure() << "excess " << excess << " is "
+                                                   << lit.visibility(lane) << ", seed " << seed;
+        }
+    }
+    return decided > 100 ? testing::AssertionSuccess() : testing::AssertionFailure() << decided;
+}
+
+TEST(Shadows, HorizonsAreExactAtTexelCentres) {
+    EXPECT_TRUE(horizon_is_exact({"horizon"}));
+    const auto turn = [](Batch<float>& b) {
+        for (int lane = 0; lane < b.lanes; ++lane)
+            for (int c = 0; c < 3; ++c) b.real(Value::J, lane, c) *= -1;
+    };
+    EXPECT_FALSE(horizon_is_exact({"horizon", turn}));
+}
+
+/// Softer with distance: visibility is within [0, 1] and takes values between.
+TEST(Shadows, SoftOnesHavePenumbras) {
+    for (const char* id : {"shadow-soft-pom", "shadow-soft-riccardi"}) {
+        int between = 0;
+        for (int seed = 0; seed < 4; ++seed) {
+            const Map map = stress("sinusoid", seed);
+            LitBatch lit(map, seed, 0.1);
+            lit.light(seed, 0.2);
+            lit.batch.run(id);
+            for (int lane = 0; lane < lit.batch.lanes; ++lane) {
+                EXPECT_GE(lit.visibility(lane), 0);
+                EXPECT_LE(lit.visibility(lane), 1);
+                between += lit.visibility(lane) > 0 && lit.visibility(lane) < 1;
+            }
+        }
+        EXPECT_GT(between, 20) << id;
+    }
+}
+
+TEST(Shadows, SoftHorizonsFade) {
+    const Map map = stress("sinusoid", 5);
+    LitBatch lit(map, 5);
+    lit.light(0.3, 0.15);
+    lit.batch.run("horizon", {{"softness", 1}});
+    int between = 0;
+    for (int lane = 0; lane < lit.batch.lanes; ++lane)
+        between += lit.visibility(lane) > 0 && lit.visibility(lane) < 1;
+    EXPECT_GT(between, 20);
+}
+
+// ---- Listings -----------------------------------------------------------------------------------
+
+using ShadowSampler = std::function<float(const vec2<float>&)>;
+
+/// McGuire and McGuire 2005: the shadow loop. `delta_of` is its (tsL.x, -tsL.y) * bumpScale /
+/// tsL.z.
+float mcguire_shadow(float NB_a, vec2<float> offsetCoord, const vec2<float>& delta_of, float tsL_z,
+                     const ShadowSampler& normalBumpMap) {
+    // const int numShadowSteps = mix(60,5,tsL.z);
+    const float numShadowSteps = trunc(mix(60.0f, 5.0f, tsL_z));
+    // step = 1.0 / numShadowSteps;
+    const float step = 1.0f / numShadowSteps;
+    // delta = vec2(tsL.x, -tsL.y) * bumpScale / (numShadowSteps * tsL.z);
+    const vec2<float> delta = delta_of / numShadowSteps;
+    // height = NB.a + step * 0.1;
+    float height = NB_a + step * 0.1f;
+    // while ((NB.a < height) && (height < 1)) {
+    while (NB_a < height && height < 1) {
+        // height += step;
+        height = height + step;
+        // offsetCoord += delta;
+        offsetCoord = offsetCoord + delta;
+        // NB = texture2D(normalBumpMap, offsetCoord);
+        NB_a = normalBumpMap(offsetCoord);
+    }
+    // selfShadow = (NB.a < height);
+    return NB_a < height ? 1.0f : 0.0f;
+}
+
+/// DirectX SDK, ParallaxOcclusionMapping.fx: the soft shadow. `vLightRayTS` is vLightTS.xy times
+/// the height scale.
+float dxsdk_shadow(const vec2<float>& texSample, const vec2<float>& vLightRayTS, float softening,
+                   const ShadowSampler& height_at) {
+    // sh0 is the height at the displaced coordinate
+    const float sh0 = height_at(texSample);
+    // shA to sh4: (height at a fraction of the ray - sh0 - fraction) * weight * softening
+    const auto sh = [&](float at, float weight) {
+        return (height_at(texSample + vLightRayTS * at) - sh0 - at) * weight * softening;
+    };
+    const float shA = sh(0.88f, 1), sh9 = sh(0.77f, 2), sh8 = sh(0.66f, 4), sh7 = sh(0.55f, 6);
+    const float sh6 = sh(0.44f, 8), sh5 = sh(0.33f, 10), sh4 = sh(0.22f, 12);
+    // fOcclusionShadow = 1 - the greatest of them
+    const float most = max(max(max(max(max(max(shA, sh9), sh8), sh7), sh6), sh5), sh4);
+    const float fOcclusionShadow = 1 - most;
+    // remapped: fOcclusionShadow * 0.6 + 0.4
+    return fOcclusionShadow * 0.6f + 0.4f;
+}
+
+/// K of a lane's light ray and L.N, as the stages compute them.
+struct FloatRay {
+    vec2<float> K;
+    float r;
+
+    FloatRay(Batch<float>& b, int lane) {
+        const LightUniforms& light = b.frame.lights[0];
+        const vec3<float> L =
+            normalize(vec3<float>(light.position[0], light.position[1], light.position[2]));
+        r = dot(L, b.vector3(Value::frame_normal, lane));
+        K = vec2<float>(dot(b.vector3(Value::J, lane, 0), L),
+                        dot(b.vector3(Value::J, lane, 3), L)) /
+            r * b.material.depth;
+    }
+};
+
+testing::AssertionResult is_the_listing(const StageUnderTest<float>& shadow, bool soft) {
+    for (int seed = 0; seed < 8; ++seed) {
+        const Map map = stress(seed % 2 == 0 ? "white noise" : "sinusoid", seed);
+        LitBatch lit(map, seed, 0.05);
+        shadow.run(lit.batch);
+        for (int lane = 0; lane < lit.batch.lanes; ++lane) {
+            const FloatRay ray(lit.batch, lane);
+            const auto sample = [&](const vec2<float>& uv) {
+                return height_at(lit.batch, lane, uv);
+            };
+            const vec2<float> uv = lit.batch.vector2(Value::hit_uv, lane);
+            const float expected =
+                soft ? dxsdk_shadow(uv, ray.K * ray.r, 0.58f, sample)
+                     : mcguire_shadow(lit.batch.real(Value::hit_h, lane), uv, ray.K, ray.r, sample);
+            if (lit.visibility(lane) != expected)
+                return testing::AssertionFailure()
+                       << shadow.id << ": " << lit.visibility(lane) << ", listed " << expected;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+// The maps have one level, so that the listings' derivatives do not matter.
+TEST(ShadowListings, StagesHaveTheirBits) {
+    EXPECT_TRUE(is_the_listing({"shadow-march-mcguire@published"}, false));
+    EXPECT_FALSE(is_the_listing({"shadow-march-mcguire"}, false));
+    EXPECT_TRUE(is_the_listing({"shadow-soft-pom@published"}, true));
+    EXPECT_FALSE(is_the_listing({"shadow-soft-pom"}, true));
+}
+
+// ---- Ambient occlusion --------------------------------------------------------------------------
+
+TEST(AmbientOcclusion, APlaneIsOpenAndAPitIsNot) {
+    const Map flat = flat_map(0.4f, 16), spikes = stress("wall x", 4);
+    LitBatch open(flat, 1), closed(spikes, 1);
+    open.batch.run("ao-horizon");
+    closed.batch.material.depth = 0.4f;
+    closed.batch.run("ao-horizon");
+    double sum = 0;
+    for (int lane = 0; lane < open.batch.lanes; ++lane) {
+        EXPECT_EQ(open.batch.real(Value::occlusion, lane), 1);
+        const float o = closed.batch.real(Value::occlusion, lane);
+        EXPECT_GE(o, 0);
+        EXPECT_LE(o, 1);
+        sum += o;
+    }
+    EXPECT_LT(sum / closed.batch.lanes, 0.9);
+}
+
+}  // namespace
+}  // namespace quadrel::test
