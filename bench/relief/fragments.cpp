@@ -1,0 +1,114 @@
+#include "relief/fragments.hpp"
+
+#include <sstream>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel::bench {
+
+Row::Row(const std::string& row) : text(row) {
+    std::istringstream words(row);
+    words >> id;
+    if (find_stage(id) == nullptr) throw UsageError("no search is named \"" + id + "\"");
+    for (std::string word; words >> word;) {
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos) throw UsageError("\"" + word + "\" is not name=value");
+        parameters[word.substr(0, equals)] = std::stod(word.substr(equals + 1));
+    }
+}
+
+Fragments::Fragments(int count, double depth)
+    : count_((count + 15) / 16 * 16),
+      active_(static_cast<std::size_t>(count_), 1),
+      reals_(slot_count, std::vector<double>(active_.size())),
+      integers_(slot_count, std::vector<std::int32_t>(active_.size())) {
+    material_.depth = static_cast<float>(depth);
+    material_.seat = 1;
+    frame_.derivatives = DerivativeMode::fine;
+    const auto fill = [&](Value v, int component, double x) {
+        reals_[slot(v, component)].assign(active_.size(), x);
+    };
+    fill(Value::relief_depth, 0, depth);
+    fill(Value::J, 0, 1);
+    fill(Value::J, 4, 1);
+    fill(Value::T, 0, 1);
+    fill(Value::B, 1, 1);
+    fill(Value::frame_normal, 2, 1);
+    integers_[slot(Value::frame_status)].assign(active_.size(), static_cast<int>(Status::hit));
+}
+
+void Fragments::set_ray(int lane, double u, double v, double Ku, double Kv, double cosine) {
+    const auto i = static_cast<std::size_t>(lane);
+    const double depth = reals_[slot(Value::relief_depth)][i];
+    // The same numbers for every number type.
+    const auto set = [&](Value value, int component, double x) {
+        reals_[slot(value, component)][i] = static_cast<float>(x);
+    };
+    set(Value::uv, 0, u);
+    set(Value::uv, 1, v);
+    set(Value::K, 0, Ku);
+    set(Value::K, 1, Kv);
+    set(Value::uv_rate, 0, Ku / depth);
+    set(Value::uv_rate, 1, Kv / depth);
+    set(Value::r, 0, cosine);
+    // A point from which the eye, at the origin, sees the plane along K.
+    set(Value::P, 0, Ku / depth);
+    set(Value::P, 1, Kv / depth);
+    set(Value::P, 2, -1);
+}
+
+void Fragments::bind(const Texture& height, const SamplerState& sampler) {
+    height_ = &height;
+    baked_ = {};
+    textures_[static_cast<std::size_t>(TextureSlot::height)] = {height.view(), sampler};
+}
+
+void Fragments::bake_for(const StageInfo& stage) {
+    const SamplerState sampler = textures_[static_cast<std::size_t>(TextureSlot::height)].sampler;
+    for (const TextureSlot slot : stage.textures) {
+        const auto i = static_cast<std::size_t>(slot);
+        if (slot < first_baked_slot || baked_[i]) continue;
+        baked_[i] = baked_texture(*height_, bake_kind_from_name(slot_name(slot)), sampler);
+        textures_[i] = {baked_[i]->view(), sampler};
+    }
+}
+
+void Fragments::run(const Row& row) {
+    const StageInfo& stage = row.stage();
+    bake_for(stage);
+    std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
+    stage.set_defaults(params.data());
+    for (const auto& [name, value] : row.parameters) {
+        bool known = false;
+        for (const ParameterText& parameter : stage.parameters) {
+            if (name != parameter.name) continue;
+            parameter.set(params.data(), value);
+            known = true;
+        }
+        if (!known) throw UsageError(row.id + " has no parameter \"" + name + "\"");
+    }
+    std::array<void*, slot_count> arrays;
+    for (int v = 0; v < static_cast<int>(Value::count); ++v) {
+        const auto value = static_cast<Value>(v);
+        for (int k = 0; k < arrays_of(value); ++k) {
+            const std::size_t at = slot(value, k);
+            arrays[at] = info(value).kind == ValueKind::real
+                             ? static_cast<void*>(reals_[at].data())
+                             : static_cast<void*>(integers_[at].data());
+        }
+    }
+    StageCall call{};
+    call.values = arrays.data();
+    call.active = active_.data();
+    call.lanes = count_;
+    call.parameters = params.data();
+    call.material = &material_;
+    call.frame = &frame_;
+    for (const TextureSlot slot : stage.textures) {
+        const auto i = static_cast<std::size_t>(slot);
+        call.textures[i] = &textures_[i];
+    }
+    find_kernel(scalar_double_kernels(), row.id)(&call);
+}
+
+}  // namespace quadrel::bench
