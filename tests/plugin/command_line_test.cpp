@@ -56,6 +56,27 @@ TEST_F(CommandLine, RendersWithTheSameBitsOnEveryInstructionSet) {
     EXPECT_FALSE(same_bits(film("auto.exr"), film("other.exr")));
 }
 
+/// What README.md says to run, but smaller; its stage takes the place of the scene's own.
+TEST_F(CommandLine, RunsTheExampleOfTheReadme) {
+    const auto bricks = [&](const std::string& out, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render",     "bricks-45",   "--size", "40x32",
+                                              "--channels", "R,G,B,hit,N", "-o",     out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments, folder.path());
+    };
+    const std::string readme = plugin("quadrel-test-readme").string();
+    ASSERT_EQ(bricks("linear.exr", {}).code, 0);
+    const Outcome own =
+        bricks("own.exr", {"--plugin", readme, "-D", "material.relief.trace=my-steep"});
+    ASSERT_EQ(own.code, 0) << own.err;
+    EXPECT_TRUE(same_bits(film("linear.exr"), film("own.exr")));
+    ASSERT_EQ(bricks("more.exr", {"--plugin", readme, "-D", "material.relief.trace=my-steep", "-D",
+                                  "material.relief.steps=512"})
+                  .code,
+              0);
+    EXPECT_FALSE(same_bits(film("linear.exr"), film("more.exr")));
+}
+
 TEST_F(CommandLine, StagesAreUnknownWithoutThePlugin) {
     std::vector<std::string> arguments = {"render", "bricks-45"};
     arguments.insert(arguments.end(), own_stages.begin(), own_stages.end());

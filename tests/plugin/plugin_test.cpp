@@ -189,7 +189,7 @@ TEST(Readme, ExampleIsTheLinearSearch) {
     for (const std::string& isa : built_isas())
         EXPECT_TRUE(same_bits(linear, render_all(relief_scene({"my-steep", "", ""}), isa))) << isa;
     Scene fewer = relief_scene({"my-steep", "", ""});
-    fewer.materials[0].trace.parameters = {{"samples", 20}};
+    fewer.materials[0].trace.parameters = {{"steps", 20}};
     EXPECT_FALSE(same_bits(linear, render_all(fewer, "scalar")));
     EXPECT_TRUE(same_bits(render_all(relief_scene({"linear", "", ""}), "auto", "double"),
                           render_all(relief_scene({"my-steep", "", ""}), "auto", "double")));
