@@ -121,7 +121,7 @@ CellRay<F> make_cell_ray(const SearchRay<F>& ray, const SampledTexture& height, 
     };
     cells.is_nan = !(is_finite(ray.uv.x + ray.uv.y) & is_finite(cells.x.start + cells.x.rate) &
                      is_finite(cells.y.start + cells.y.rate));
-    cells.too_long = long_axis(cells.x) | long_axis(cells.y);
+    cells.too_long = (long_axis(cells.x) | long_axis(cells.y)) & !cells.is_nan;
     // Lanes that are not searched still compute, and must read inside of their maps.
     for (CellRayAxis<F>* axis : {&cells.x, &cells.y}) {
         axis->start = select(cells.searchable(), axis->start, F(0));
