@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <charconv>
+#include <cmath>
 
 #include "bake/kinds.hpp"
 #include "bake/layout.hpp"
@@ -104,6 +106,26 @@ int read_number(const std::filesystem::path& file, const std::string& key,
     return number;
 }
 
+/// The parameters that the map was made with; they are part of its identity.
+BakeOptions read_options(const std::filesystem::path& file, const std::string& key,
+                         const Attributes& attributes, const BakeKindInfo& info) {
+    BakeOptions options;
+    for (const BakeParameter& p : info.parameters) {
+        const auto at = attributes.find(std::string("quadrel:bake.parameter.") + p.name);
+        const std::string text = at == attributes.end() ? "" : at->second;
+        double value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool number = error == std::errc() && stop == end && value >= p.low &&
+                            value <= p.high && (!p.whole || value == std::floor(value));
+        if (!number)
+            refuse(file, key, fmt::format("parameter {} \"{}\"", p.name, text),
+                   fmt::format("{} to {}", p.low, p.high));
+        options.parameters[p.name] = value;
+    }
+    return options;
+}
+
 void fill_level(const std::filesystem::path& file, const std::string& key, const Film& film,
                 int level, Texture& map) {
     const TextureView& view = map.view();
@@ -142,15 +164,21 @@ std::shared_ptr<const Texture> load_baked(const std::filesystem::path& file, Bak
     for (std::size_t level = 1; level < count; ++level)
         levels.push_back(read_exr(file, fmt::format("level{}", level)));
     std::vector<LevelSize> sizes;
-    for (const ExrFile& level : levels)
-        sizes.emplace_back(level.film.window.width(), level.film.window.height());
     const int channels = read_number(file, key, attributes, "quadrel:bake.channels", 4);
-    if (channels == 3) refuse(file, key, "3 channels", "1, 2 or 4");
-    const auto layout = make_layout(
-        channels, read_number(file, key, attributes, "quadrel:bake.layers", 1024), sizes);
+    const int layers = read_number(file, key, attributes, "quadrel:bake.layers", 1024);
+    for (const ExrFile& level : levels) {
+        // Before room is made for what a damaged header claims.
+        const std::size_t planes = static_cast<std::size_t>(channels) * layers;
+        if (level.film.planes.size() != planes || channels == 3)
+            refuse(file, key, fmt::format("{} channels", level.film.planes.size()),
+                   fmt::format("{} layers of {}", layers, channels));
+        sizes.emplace_back(level.film.window.width(), level.film.window.height());
+    }
+    const auto layout = make_layout(channels, layers, sizes);
     if (!layout) refuse(file, key, "more than a texture holds", "at most 2^29 floats");
-    const auto map =
-        std::make_shared<Texture>(*layout, TexelFormat::float32, attributes.at("quadrel:bake.id"));
+    const BakeOptions options = read_options(file, key, attributes, bake_kind_info(kind));
+    const auto map = std::make_shared<Texture>(*layout, TexelFormat::float32,
+                                               baked_id(height, kind, sampler, options));
     for (int level = 0; level < layout->levels; ++level)
         fill_level(file, key, levels[static_cast<std::size_t>(level)].film, level, *map);
     return map;

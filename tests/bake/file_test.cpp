@@ -113,8 +113,18 @@ TEST(BakedFile, RefusesWhatIsNoBakedMap) {
     const auto map = bake(*field, BakeKind::cone, repeat());
     write_baked(folder / "map.exr", *map, *field, BakeKind::cone, repeat());
     write_exr(folder / "odd.exr", film, read_exr(folder / "map.exr").attributes);
-    EXPECT_TRUE(
-        refuses(load, folder / "odd.exr", BakeKind::cone, repeat(), *field, "no channel R"));
+    EXPECT_TRUE(refuses(load, folder / "odd.exr", BakeKind::cone, repeat(), *field, "1 channels"));
+    // Attributes that are missing or make no sense.
+    Film cones = read_exr(folder / "map.exr").film;
+    for (const char* name : {"channels", "layers", "parameter.c_max", "kind", "version"}) {
+        for (const char* value : {"", "-1", "nonsense", "99999999999"}) {
+            Attributes attributes = read_exr(folder / "map.exr").attributes;
+            attributes[std::string("quadrel:bake.") + name] = value;
+            write_exr(folder / "odd.exr", cones, attributes);
+            EXPECT_THROW(load(folder / "odd.exr", BakeKind::cone, repeat(), *field), InputError)
+                << name << " " << value;
+        }
+    }
     // Cut at every length, it is refused or, if nothing needed is missing, whole.
     const std::string bytes = bytes_of(folder / "map.exr");
     for (std::size_t size = 0; size < bytes.size(); size += 7) {
