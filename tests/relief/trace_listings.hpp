@@ -53,6 +53,22 @@ inline End welsh(const Vec2& texcoord0, const Vec3& texcoord3, float scale, floa
     return end;
 }
 
+/// Unity, UnityCG.cginc, ParallaxOffset: its steps in its order, in words of this project.
+inline End unity(const Vec2& uv, const Vec3& view, float height, const Sampler& map) {
+    End end;
+    end.map = map(uv);
+    end.fetches = 1;
+    end.s = 1.0f - end.map;
+    // The height times its range, minus half of the range.
+    const float h = end.map * height - height / 2.0f;
+    // The view vector normalised, 0.42 added to its z.
+    Vec3 v = normalize(view);
+    v.z += 0.42f;
+    // The height times (v.xy / v.z).
+    end.uv = {uv.x + h * (v.x / v.z), uv.y + h * (v.y / v.z)};
+    return end;
+}
+
 /// M. McGuire, M. McGuire, "Steep Parallax Mapping", 2005: the view march; `constant_xy` takes the
 /// two commented lines for delta and step. `numSteps` is 5 in the listing.
 inline End mcguire(const Vec2& texCoord, const Vec3& _tsE, float numSteps, float bumpScale,

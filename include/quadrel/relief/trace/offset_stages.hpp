@@ -5,6 +5,7 @@
 #include "quadrel/relief/trace/none.hpp"
 #include "quadrel/relief/trace/offset_limit.hpp"
 #include "quadrel/relief/trace/offset_limit_042.hpp"
+#include "quadrel/relief/trace/offset_limit_042_published.hpp"
 #include "quadrel/relief/trace/offset_limit_fixed.hpp"
 #include "quadrel/relief/trace/parallax.hpp"
 #include "quadrel/relief/trace/parallax_bias.hpp"
@@ -14,8 +15,9 @@
 
 namespace quadrel {
 
-using OffsetStages = StageList<TraceNone, Parallax, ParallaxBias, ParallaxBiasPublished,
-                               OffsetLimit, OffsetLimitPublished, OffsetLimit042, OffsetLimitFixed,
-                               ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter>;
+using OffsetStages =
+    StageList<TraceNone, Parallax, ParallaxBias, ParallaxBiasPublished, OffsetLimit,
+              OffsetLimitPublished, OffsetLimit042, OffsetLimit042Published, OffsetLimitFixed,
+              ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter>;
 
 }  // namespace quadrel
