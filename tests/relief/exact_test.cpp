@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "relief/exact_flaws.hpp"
+#include "relief/oracle_exact.hpp"
 
 namespace quadrel::test {
 namespace {
@@ -156,6 +157,31 @@ TEST(Exact, GrazesAreFlagged) {
     EXPECT_TRUE(flags_grazes(exact<float>("texel-exact"), batches_a_map()));
     EXPECT_TRUE(flags_grazes(exact<double>("texel-exact"), batches_a_map()));
     EXPECT_FALSE(flags_grazes(exact<float>("texel-exact", Planted::grazes_unflagged), 2));
+}
+
+// ---- Rational arithmetic ------------------------------------------------------------------------
+
+/// In double, a hit that is not flagged is the one that rational arithmetic decides on.
+testing::AssertionResult unflagged_hits_are_decided(const StageUnderTest<double>& row) {
+    return on_stress_maps<double>(1, [&](const oracle::Field& field, Batch<double>& rays) {
+        Batch<double> found = rays;
+        row.run(found);
+        for (int lane = 0; lane < 64; ++lane) {
+            if (found.integer(Value::hit_flags, lane) & HitFlag::ambiguous) continue;
+            const double s = found.real(Value::hit_s, lane);
+            const oracle::Hit hit = oracle::meet_bilinear_exactly(field, oracle_ray(rays, lane));
+            if (std::fabs(s - hit.s) > 1e-6L)
+                return testing::AssertionFailure()
+                       << "lane " << lane << ": " << s << " for " << double(hit.s);
+        }
+        return testing::AssertionSuccess();
+    });
+}
+
+TEST(Exact, UnflaggedHitsAreThoseOfRationals) {
+    EXPECT_TRUE(unflagged_hits_are_decided(exact<double>("texel-exact")));
+    for (const Planted planted : {Planted::late_border, Planted::wrong_wrap})
+        EXPECT_FALSE(unflagged_hits_are_decided(exact<double>("texel-exact", planted)));
 }
 
 }  // namespace
