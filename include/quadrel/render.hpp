@@ -36,7 +36,7 @@ Film render(const Scene& scene, const RenderOptions& options);
 std::string explain(const Scene& scene, const RenderOptions& options);
 
 /// The quadrel:* attributes of a render: scene hash, conventions, stages and parameters, number
-/// type, version. Nothing that changes between equal runs.
+/// type, version, loaded plugins with their hashes. Nothing that changes between equal runs.
 std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& scene,
                                                                    const RenderOptions& options);
 

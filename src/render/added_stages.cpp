@@ -6,6 +6,8 @@
 #include <map>
 #include <mutex>
 
+#include "io/hash.hpp"
+#include "io/read_file.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
 #include "render/stage_check.hpp"
@@ -18,6 +20,7 @@ namespace fs = std::filesystem;
 /// A plugin, and its functions by instruction set.
 struct Plugin {
     fs::path file;
+    std::string hash;  ///< SHA-256 of the file
     std::vector<const StageRow*> rows;
     std::map<std::string, std::vector<const StageRow*>, std::less<>> parts;
 };
@@ -119,7 +122,8 @@ void load_plugin(const fs::path& file) {
     const fs::path path = fs::weakly_canonical(fs::absolute(file), error);
     for (const Plugin& plugin : stages.plugins)
         if (plugin.file == path) return;
-    Plugin plugin{path, rows_of(*open_plugin(file, "scalar")), {}};
+    Plugin plugin{path, "", rows_of(*open_plugin(file, "scalar")), {}};
+    plugin.hash = sha256_hex(read_whole_file(path));
     if (const auto fault = first_fault(plugin.rows))
         throw InputError(file.string(), fmt::format("stage \"{}\"", fault->stage), fault->found,
                          fault->expected);
@@ -133,6 +137,15 @@ std::vector<fs::path> loaded_plugins() {
     std::vector<fs::path> files;
     for (const Plugin& plugin : stages.plugins) files.push_back(plugin.file);
     return files;
+}
+
+std::vector<std::string> plugin_hashes() {
+    AddedStages& stages = added();
+    const std::lock_guard lock(stages.mutex);
+    std::vector<std::string> out;
+    for (const Plugin& plugin : stages.plugins)
+        out.push_back(plugin.file.filename().string() + " " + plugin.hash);
+    return out;
 }
 
 StageFunction find_added_kernel(const KernelTable& table, std::string_view id) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "kernels/table.hpp"
 #include "quadrel/quad/plugin_table.hpp"
@@ -31,6 +32,9 @@ const KernelTable& select_kernels(const RenderOptions& options);
 
 /// The plugins that were loaded, in order.
 std::vector<std::filesystem::path> loaded_plugins();
+
+/// "name.so SHA-256" of the main part of every loaded plugin, in the order of loading.
+std::vector<std::string> plugin_hashes();
 
 /// One part of a plugin, loaded for the rest of the process. Throws InputError (file, what was
 /// found) for a file that is missing, no plugin, of another version, or not for `isa`.

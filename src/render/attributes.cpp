@@ -4,6 +4,7 @@
 
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
+#include "render/added_stages.hpp"
 #include "render/names.hpp"
 #include "render/plan.hpp"
 
@@ -40,7 +41,7 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
                                                                    const RenderOptions& options) {
     const HardwareModel hardware = hardware_model(scene.hardware);
     const DerivativeMode derivatives = scene.derivatives.value_or(hardware.derivatives);
-    return {
+    std::vector<std::pair<std::string, std::string>> all = {
         {"quadrel:version", QUADREL_VERSION},
         {"quadrel:scene", scene.canonical},
         {"quadrel:sceneHash", scene.hash},
@@ -51,6 +52,10 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
         {"quadrel:samples", fmt::format("{}", scene.samples)},
         {"quadrel:number", options.number},
     };
+    const std::vector<std::string> plugins = plugin_hashes();
+    if (!plugins.empty())
+        all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));
+    return all;
 }
 
 }  // namespace quadrel

@@ -77,6 +77,16 @@ TEST_F(CommandLine, RunsTheExampleOfTheReadme) {
     EXPECT_FALSE(same_bits(film("linear.exr"), film("more.exr")));
 }
 
+/// The stages' ids alone would not say what they did.
+TEST_F(CommandLine, ImagesNameThePlugin) {
+    ASSERT_EQ(render(stages, "a.exr").code, 0);
+    const std::string named = read_exr(folder / "a.exr").attributes.at("quadrel:plugins");
+    EXPECT_EQ(named.find("quadrel-test-stages.so "), 0u) << named;
+    EXPECT_EQ(named.size(), std::string("quadrel-test-stages.so ").size() + 64);
+    ASSERT_EQ(run({"render", "bricks-45", "--size", "8x8", "-o", "b.exr"}, folder.path()).code, 0);
+    EXPECT_EQ(read_exr(folder / "b.exr").attributes.count("quadrel:plugins"), 0u);
+}
+
 TEST_F(CommandLine, StagesAreUnknownWithoutThePlugin) {
     std::vector<std::string> arguments = {"render", "bricks-45"};
     arguments.insert(arguments.end(), own_stages.begin(), own_stages.end());
