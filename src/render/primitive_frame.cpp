@@ -114,13 +114,14 @@ void PrimitiveFrames::make_mikkt(const Mesh& mesh) {
     }
 }
 
+// glTF's bitangents point up the picture, against v; here all point along it.
 void PrimitiveFrames::make_own(const Mesh& mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         Corners& corners = corners_.emplace_back();
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::vec4 tangent = mesh.tangents[mesh.triangles[t][c]];
             corners[c] = {unit(glm::mat3(model_view_) * glm::vec3(tangent)),
-                          unit(normal_matrix_ * object_normal(mesh, t, c)), tangent.w * side_};
+                          unit(normal_matrix_ * object_normal(mesh, t, c)), -tangent.w * side_};
         }
     }
 }
