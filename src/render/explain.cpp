@@ -100,6 +100,11 @@ void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialTe
     for (const auto& [slot, reference] : scene.materials[m].textures)
         describe(slot, reference.file.string());
     if (scene.environment) describe("environment", scene.environment->faces[0].string());
+    for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i) {
+        if (!slots[i]) continue;
+        text.does.push_back(
+            fmt::format("derives {} from the height map", slot_name(static_cast<TextureSlot>(i))));
+    }
 }
 
 MaterialText describe(const PreparedRender& prepared, std::size_t m) {
