@@ -118,7 +118,7 @@ NoiseHeights read_noise(const Value& value) {
     if (fields.has("octaves"))
         noise.octaves = fields.get("octaves").integer(1, NoiseHeights::max_octaves);
     fields.finish("noise");
-    height.finish("heights of noise");
+    height.finish("a height of noise");
     return noise;
 }
 

@@ -59,6 +59,9 @@ const std::vector<BadScene> bad_scenes = {
     {"relief without heights",
      [](Scene& s) { s.materials[0].textures.erase("height"); },
      {"materials.stone.height", "nothing", "a texture"}},
+    {"noise for a stage that reads texels",
+     [](Scene& s) { s.materials[0].noise = NoiseHeights(); },
+     {"materials.stone.height", "noise", "h2n-thesis"}},
     {"too many lights", [](Scene& s) { s.lights.resize(9); }, {"lights", "9 lights", "at most 8"}},
 };
 

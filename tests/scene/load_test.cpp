@@ -58,6 +58,29 @@ TEST_F(LoadScene, CommentsAreAllowedAndNumbersOfAnyForm) {
     EXPECT_EQ(scene.width, 64);
 }
 
+TEST_F(LoadScene, HeightsOfNoise) {
+    const Scene scene = load(R"("materials": {
+        "rough": {"height": {"noise": {"frequency": 6, "octaves": 3}}},
+        "plain": {"height": {"noise": {}}}})");
+    const Material& rough = scene.materials[scene.materials[0].name == "rough" ? 0 : 1];
+    ASSERT_TRUE(rough.noise.has_value());
+    EXPECT_EQ(rough.noise->frequency, 6);
+    EXPECT_EQ(rough.noise->octaves, 3);
+    EXPECT_TRUE(rough.textures.empty());
+    EXPECT_TRUE(scene.materials[0].noise && scene.materials[1].noise);
+    const auto in_material = [](const std::string& members) {
+        return "\"materials\": {\"m\": {" + members + "}}";
+    };
+    EXPECT_TRUE(refuses(in_material(R"("height": {"noise": {"octaves": 11}})"),
+                        {"materials.m.height.noise.octaves", "11", "[1, 10]"}));
+    EXPECT_TRUE(refuses(in_material(R"("height": {"noise": {"frequency": 0}})"),
+                        {"materials.m.height.noise.frequency", "0", ""}));
+    EXPECT_TRUE(refuses(in_material(R"("height": {"noise": {}, "wrap": "repeat"})"),
+                        {"materials.m.height.wrap", "does not take", ""}));
+    EXPECT_TRUE(
+        refuses(in_material(R"("color": {"noise": {}})"), {"materials.m.color", "file", ""}));
+}
+
 TEST_F(LoadScene, MaterialsTexturesAndStages) {
     folder.write("h.exr", "not decoded here");
     const Scene scene = load(R"(

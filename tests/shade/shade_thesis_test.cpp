@@ -41,9 +41,8 @@ Shading misled(Planted planted) {
             });
         case Planted::linear_as_quadratic:
             return before([](Batch<float>& b) {
-                for (auto& light : b.frame.lights) {
+                for (auto& light : b.frame.lights)
                     std::swap(light.attenuation[1], light.attenuation[2]);
-                }
             });
         case Planted::first_light_only:
             return before([](Batch<float>& b) { b.frame.light_count = 1; });
