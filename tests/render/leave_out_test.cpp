@@ -189,7 +189,7 @@ TEST(LeaveOut, BoundsHoldAllThatSamplersGive) {
         const TextureReference& map = scene.materials[0].textures.at("height");
         TextureOptions options;
         options.swizzle = "r";
-        const auto owned = make_texture(load_image(map.file), options);
+        const auto owned = make_texture(load_image(map.file, NotFinite::count), options);
         SampledTexture sampled{owned->view(), map.sampler};
         change(sampled.sampler);
         return height_range(sampled);
@@ -207,6 +207,8 @@ TEST(LeaveOut, BoundsHoldAllThatSamplersGive) {
     const auto zeros = range(0.0f, -0.0f, unchanged);
     EXPECT_TRUE(zeros && zeros->low < zeros->high);
     EXPECT_FALSE(range(-3e38f, 3.4028234e38f, unchanged).has_value());
+    EXPECT_FALSE(range(0.5f, std::nanf(""), unchanged).has_value());
+    EXPECT_FALSE(range(INFINITY, INFINITY, unchanged).has_value());
 }
 
 RenderStats stats_of(const Scene& scene, const std::vector<std::string>& channels,
