@@ -14,6 +14,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "quadrel/texture/counters.hpp"
 
@@ -26,21 +28,38 @@ struct NoiseSample {
     vec2<F> gradient;
 };
 
+// Sums and products wrap around on packets; on plain integers that must be said.
+template <class I>
+I wrapping_sum(I a, I b) {
+    if constexpr (std::is_same_v<I, std::int32_t>)
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) +
+                                         static_cast<std::uint32_t>(b));
+    else
+        return a + b;
+}
+template <class I>
+I wrapping_product(I a, std::uint32_t b) {
+    if constexpr (std::is_same_v<I, std::int32_t>)
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * b);
+    else
+        return a * I(static_cast<std::int32_t>(b));
+}
+
 /// The hash of an integer: every input bit changes every output bit about half of the time.
 template <Number F>
 Int<F> noise_hash(Int<F> x) {
     x = x ^ (shift_right<16>(x) & Int<F>(0xffff));
-    x = x * Int<F>(0x7feb352d);
+    x = wrapping_product(x, 0x7feb352du);
     x = x ^ (shift_right<15>(x) & Int<F>(0x1ffff));
-    x = x * Int<F>(static_cast<std::int32_t>(0x846ca68bu));
+    x = wrapping_product(x, 0x846ca68bu);
     return x ^ (shift_right<16>(x) & Int<F>(0xffff));
 }
 
 /// The unit gradient of lattice point (x, y) in octave `seed`.
 template <Number F>
 vec2<F> noise_gradient(Int<F> x, Int<F> y, std::int32_t seed) {
-    const Int<F> row = noise_hash<F>(y + noise_hash<F>(Int<F>(seed)));
-    const Int<F> bits = noise_hash<F>(x + row);
+    const Int<F> row = noise_hash<F>(wrapping_sum(y, noise_hash<F>(Int<F>(seed))));
+    const Int<F> bits = noise_hash<F>(wrapping_sum(x, row));
     const auto bit = [&](std::int32_t mask) { return (bits & Int<F>(mask)) != Int<F>(0); };
     const F diagonal(static_cast<Scalar<F>>(0.70710678118654752));
     const F first = select(bit(1), F(-1), F(1)), second = select(bit(2), F(-1), F(1));
