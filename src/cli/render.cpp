@@ -41,13 +41,17 @@ RenderOptions parse_options(const Arguments& arguments) {
     return options;
 }
 
-void check_outputs(const std::filesystem::path& output, const std::filesystem::path& preview) {
+/// Before minutes of rendering, not after.
+void check_outputs(const std::filesystem::path& output, const Arguments& arguments) {
     check_writable(output);
-    if (preview.empty()) return;
-    check_writable(preview);
-    if (std::filesystem::absolute(preview).lexically_normal() ==
-        std::filesystem::absolute(output).lexically_normal())
-        throw UsageError("--preview and the output have the same name");
+    for (const auto& [option, other] :
+         {std::pair{"--preview", arguments.preview}, {"--stats", arguments.stats}}) {
+        if (other.empty()) continue;
+        check_writable(other);
+        if (std::filesystem::absolute(other).lexically_normal() ==
+            std::filesystem::absolute(output).lexically_normal())
+            throw UsageError(std::string(option) + " and the output have the same name");
+    }
 }
 
 void check_window(const RenderOptions& options, const Scene& scene) {
@@ -80,7 +84,7 @@ ExitCode run_render(const Arguments& arguments) {
     load_plugins(arguments.plugins);
     const std::filesystem::path output = output_name(arguments);
     RenderOptions options = parse_options(arguments);
-    if (!arguments.explain) check_outputs(output, arguments.preview);
+    if (!arguments.explain) check_outputs(output, arguments);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     check_window(options, scene);
     if (arguments.explain) {

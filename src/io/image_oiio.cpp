@@ -1,10 +1,14 @@
 // Reads images through the OpenImageIO module, and converts what the file stores by ourselves.
 #include <Imath/half.h>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstring>
 #include <exception>
+#include <mutex>
 
 #include "io/image_readers.hpp"
 #include "io/module_path.hpp"
@@ -40,6 +44,38 @@ const Module& image_module() {
 std::size_t value_size(QuadrelOiioType type) {
     static constexpr std::size_t sizes[] = {1, 2, 4, 2, 4, 8};
     return sizes[type];
+}
+
+/// Standard error goes nowhere as long as this lives: libpng writes about damaged files there,
+/// besides returning the error. One at a time.
+class QuietLibraries {
+  public:
+    QuietLibraries() : lock_(mutex()), saved_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3)) {
+        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (saved_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+        if (nowhere >= 0) close(nowhere);
+    }
+    ~QuietLibraries() {
+        std::fflush(stderr);
+        if (saved_ < 0) return;
+        dup2(saved_, STDERR_FILENO);
+        close(saved_);
+    }
+    QuietLibraries(const QuietLibraries&) = delete;
+    QuietLibraries& operator=(const QuietLibraries&) = delete;
+
+  private:
+    static std::mutex& mutex() {
+        static std::mutex mutex;
+        return mutex;
+    }
+    std::lock_guard<std::mutex> lock_;
+    int saved_;
+};
+
+int read_quietly(const Module& module, const std::string& file, QuadrelOiioRequest& request) {
+    const QuietLibraries quiet;
+    return module.read(file.c_str(), &request);
 }
 
 /// What a read fills. Exceptions must not cross the module: they wait here.
@@ -115,7 +151,7 @@ Image read_other_image(const std::string& file, const std::string& key) {
     }
     Read read{file, key, {}, {}, nullptr};
     QuadrelOiioRequest request{quadrel_oiio_version, &read, allocate, {}};
-    const int result = module.read(file.c_str(), &request);
+    const int result = read_quietly(module, file, request);
     if (read.exception) std::rethrow_exception(read.exception);
     if (result != 0) throw InputError(file, key, request.error, "a complete image file");
     Image image;

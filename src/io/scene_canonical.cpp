@@ -19,6 +19,8 @@ std::string content_hash(const std::vector<std::filesystem::path>& files) {
     return "sha256:" + sha256_hex(hashes);
 }
 
+// Files that nothing uses are hashed, too: the hash is of the scene as it is described, and does
+// not depend on which channels a render asks for or on what the planner finds out.
 class Canonical {
   public:
     explicit Canonical(const SceneDocument& document) : folder_(document.file.parent_path()) {}

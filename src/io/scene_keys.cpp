@@ -40,6 +40,7 @@ constexpr SceneKey keys[] = {
     {"texture", "format"},
     {"texture", "mip"},
     {"texture", "flip_v"},
+    {"texture", "allow_nan"},
     {"texture", "wrap"},
     {"texture", "mag"},
     {"texture", "min"},

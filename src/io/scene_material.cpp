@@ -138,6 +138,7 @@ Material read_material(const Value& value, const std::string& name, const Textur
     Fields fields(value);
     Material material;
     material.name = name;
+    material.key = value.path();
     read_maps(fields, textures, hardware, material);
     if (fields.has("relief")) read_relief(fields.get("relief"), material);
     material.shade = read_stage(fields, "shade");

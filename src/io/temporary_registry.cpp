@@ -63,7 +63,9 @@ void install_signal_cleanup() {
         if (sigaction(signal, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
         sigaction(signal, &action, nullptr);
     }
+    // Writing fails instead, and is reported: a pipe without a reader, a limit on file sizes.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace quadrel

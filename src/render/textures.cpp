@@ -6,6 +6,7 @@
 
 #include "quadrel/bake.hpp"
 #include "quadrel/error.hpp"
+#include "texture/swizzle.hpp"
 
 namespace quadrel {
 namespace {
@@ -13,23 +14,22 @@ namespace {
 /// A render waits this long for a baked map, in seconds; what takes longer is baked beforehand.
 constexpr double longest_bake = 20;
 
-/// Heights are one channel: alpha where the file has one (the usual place beside a normal or a
-/// colour), else the first.
-std::string height_swizzle(const TextureReference& reference) {
-    if (!reference.swizzle.empty()) return reference.swizzle;
-    const int channels = load_image(reference.file).channels;
-    return channels == 2 || channels == 4 ? "a" : "r";
-}
-
 TextureOptions texture_options(const TextureReference& reference, TextureSlot slot) {
     TextureOptions options;
-    options.swizzle = slot == TextureSlot::height ? height_swizzle(reference) : reference.swizzle;
+    options.swizzle = reference.swizzle;
+    if (slot == TextureSlot::height && reference.swizzle.empty()) options.swizzle = height_swizzle;
     options.srgb = reference.srgb;
     options.format = reference.format;
     options.mip_rule = reference.mip_rule;
     options.flip_v = reference.flip_v;
     options.key = reference.key;
     return options;
+}
+
+std::shared_ptr<const Texture> load(TextureCache& cache, const TextureReference& reference,
+                                    TextureSlot slot) {
+    return cache.load(reference.file, texture_options(reference, slot),
+                      reference.allow_nan ? NotFinite::count : NotFinite::refuse);
 }
 
 void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
@@ -71,7 +71,7 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
     const auto found = material.textures.find(std::string(slot_name(TextureSlot::height)));
     if (found == material.textures.end()) return;
     const TextureReference& reference = found->second;
-    const auto height = cache.load(reference.file, texture_options(reference, TextureSlot::height));
+    const auto height = load(cache, reference, TextureSlot::height);
     const auto i = static_cast<std::size_t>(slot);
     out.owned[i] = baked_map(scene, reference, *height, slot);
     out.sampled[i] = {out.owned[i]->view(), reference.sampler};
@@ -96,7 +96,7 @@ MaterialTextures load_textures(const Scene& scene, const Material& material, con
         const auto found = material.textures.find(std::string(slot_name(slot)));
         if (found == material.textures.end()) continue;
         const TextureReference& reference = found->second;
-        out.owned[i] = cache.load(reference.file, texture_options(reference, slot));
+        out.owned[i] = load(cache, reference, slot);
         out.sampled[i] = {out.owned[i]->view(), reference.sampler};
     }
     return out;

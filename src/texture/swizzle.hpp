@@ -20,6 +20,10 @@ struct SwizzleEntry {
 std::vector<SwizzleEntry> parse_swizzle(const std::string& text, const std::string& file,
                                         const std::string& key);
 
+/// Stands for the one channel that holds heights: alpha where an image has it (the usual place
+/// beside a normal or a colour), else the first.
+inline constexpr const char* height_swizzle = "height";
+
 /// The swizzle of `text`, or the image's own channels if it is empty, with each source an index
 /// into the image's channels: luminance answers for r, g and b, a missing alpha is 1.
 std::vector<SwizzleEntry> resolve_swizzle(const std::string& text, const Image& image,

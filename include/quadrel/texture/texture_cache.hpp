@@ -15,7 +15,8 @@ class TextureCache {
     /// Reads the file's bytes; decodes them only if no texture with this content and these options
     /// is alive. Throws InputError as load_image and make_texture do.
     std::shared_ptr<const Texture> load(const std::filesystem::path& file,
-                                        const TextureOptions& options = {});
+                                        const TextureOptions& options = {},
+                                        NotFinite not_finite = NotFinite::refuse);
     std::shared_ptr<const Texture> load_cube(const std::array<std::filesystem::path, 6>& faces,
                                              const TextureOptions& options = {});
 

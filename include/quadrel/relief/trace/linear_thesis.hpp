@@ -35,7 +35,7 @@ struct LinearThesis : StageDefaults {
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const F scalar = io.template load<Value::relief_depth>();
 
-        Mask<F> active = io.active();
+        Mask<F> active = io.active(), met_nan(false);
         F offset(0), h(0);
         Int<F> fetches(0);
         for (int sample = 0; sample <= max_samples; ++sample) {
@@ -46,6 +46,7 @@ struct LinearThesis : StageDefaults {
             io.march_step(active, offset / scalar, at, F(1) - offset / scalar, texel);
             const F tex_h = (F(1) - texel) * scalar;
             h = select(active, texel, h);
+            met_nan = met_nan | (active & is_nan(texel));
             fetches = fetches + select(active, Int<F>(1), Int<F>(0));
             active = active & !(offset > tex_h);
             offset = select(active, offset + F(offset_per_sample), offset);
@@ -56,7 +57,8 @@ struct LinearThesis : StageDefaults {
         io.template store<Value::hit_h>(h);
         io.template store<Value::hit_depth>(offset);
         io.template store<Value::hit_status>(
-            select(active, status_packet<F>(Status::floor), status_packet<F>(Status::hit)));
+            select(met_nan, status_packet<F>(Status::nan),
+                   select(active, status_packet<F>(Status::floor), status_packet<F>(Status::hit))));
         io.template store<Value::hit_flags>(io.template load<Value::frame_flags>());
         io.template store<Value::hit_steps>(fetches);
         io.template store<Value::hit_fetches>(fetches);
