@@ -1,18 +1,13 @@
 #include "render/textures.hpp"
 
-#include <fmt/format.h>
-
 #include <string>
 
-#include "quadrel/bake.hpp"
+#include "quadrel/baked_texture.hpp"
 #include "quadrel/error.hpp"
 #include "texture/swizzle.hpp"
 
 namespace quadrel {
 namespace {
-
-/// A render waits this long for a baked map, in seconds; what takes longer is baked beforehand.
-constexpr double longest_bake = 20;
 
 TextureOptions texture_options(const TextureReference& reference, TextureSlot slot) {
     TextureOptions options;
@@ -45,35 +40,34 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
     out.sampled[slot] = {out.owned[slot]->view(), environment.sampler};
 }
 
-/// What is derived from a height field, under the wrap modes that it is sampled with. Throws
-/// InputError for a map that would take too long.
-std::shared_ptr<const Texture> baked_map(const Scene& scene, const TextureReference& reference,
-                                         const Texture& height, TextureSlot slot) {
-    const std::string name(slot_name(slot));
-    const BakeKind kind = bake_kind_from_name(name);
-    const TextureView& view = height.view();
-    const double seconds = bake_seconds_estimate(kind, view.width[0], view.height[0]);
-    if (seconds > longest_bake) {
-        throw InputError(
-            scene.file.string(), reference.key,
-            fmt::format("{} x {} texels, whose {} map takes up to {:.0f} s", view.width[0],
-                        view.height[0], name, seconds),
-            fmt::format("a map that takes at most {:.0f} s, or one made beforehand by `quadrel "
-                        "bake {} --kind {}`",
-                        longest_bake, reference.file.string(), name));
-    }
-    return bake(height, kind, reference.sampler);
+/// The height map as arguments of `quadrel bake`.
+std::string bake_arguments(const TextureReference& reference) {
+    std::string arguments = reference.file.string();
+    if (!reference.swizzle.empty()) arguments += " --channel " + reference.swizzle;
+    if (reference.flip_v) arguments += " --flip-v";
+    return arguments;
 }
 
-/// Binds slot's map of a material that has a height map.
+/// Binds what is derived from a material's height map, under the wrap modes that this is sampled
+/// with; nothing where it has none. Throws InputError for a map that would take too long.
 void load_baked(const Scene& scene, const Material& material, TextureSlot slot, TextureCache& cache,
                 MaterialTextures& out) {
     const auto found = material.textures.find(std::string(slot_name(TextureSlot::height)));
     if (found == material.textures.end()) return;
-    const TextureReference& reference = found->second;
+    // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
+    TextureReference reference = found->second;
+    reference.mip_rule = MipRule::none;
     const auto height = load(cache, reference, TextureSlot::height);
+    BakedTextureOptions options;
+    options.input = bake_arguments(reference);
+    options.key = reference.key;
     const auto i = static_cast<std::size_t>(slot);
-    out.owned[i] = baked_map(scene, reference, *height, slot);
+    try {
+        out.owned[i] = baked_texture(*height, bake_kind_from_name(slot_name(slot)),
+                                     reference.sampler, options);
+    } catch (const InputError& error) {
+        throw InputError(scene.file.string(), error.key, error.found, error.expected);
+    }
     out.sampled[i] = {out.owned[i]->view(), reference.sampler};
 }
 
