@@ -157,6 +157,34 @@ TEST(NormalsFromHeights, AreThoseOfPlanesAndQuadrics) {
             << id;
 }
 
+/// In double the normals of an exact ramp are off by double's rounding alone.
+testing::AssertionResult exact_in_double(const std::string& id, double gain) {
+    const Quadric ramp{0.5, 0.5, -0.25, 0, 0, 0};
+    const Map map = ramp.map(32, 32);
+    for (int i = 0; i < 20; ++i) {
+        Random random(static_cast<std::uint64_t>(i));
+        const Plane plane = random_plane(random);
+        Batch<float> single = facet_batch(plane, leaning(plane, random, 0.3), 0.25f, random);
+        single.bind(TextureSlot::height, map.sampled);
+        Batch<double> wide = in_double(single);
+        wide.run(id);
+        for (int lane = 0; lane < wide.lanes; ++lane) {
+            single.real(Value::relief_depth, lane) = single.material.depth;
+            const dvec3 n = truth(single, lane, ramp.slope({0.5, 0.5}) * gain);
+            const double error = length(wide.vector3(Value::N, lane) - n);
+            if (!(error < 1e-12)) return testing::AssertionFailure() << "off by " << error;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(NormalsFromHeights, AreExactInDouble) {
+    for (const auto& [id, where] : height_rows) {
+        EXPECT_TRUE(exact_in_double(id, 1)) << id;
+        EXPECT_FALSE(exact_in_double(id, 1 + 1e-9)) << id;
+    }
+}
+
 /// A gather does not know the slope at the hit, nor does a patch: only central differences do.
 TEST(NormalsFromHeights, CellsAreConstantOrChords) {
     EXPECT_FALSE(normals_of_quadrics({"h2n-gather"}, at_the_hit, false));
