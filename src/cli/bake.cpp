@@ -13,13 +13,15 @@
 #include "quadrel/baked_file.hpp"
 #include "quadrel/baked_texture.hpp"
 #include "quadrel/packed_map.hpp"
+#include "texture/swizzle.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
 namespace {
 
 struct Arguments {
     std::string image, kind, output, channel = "r", wrap_u = "repeat", wrap_v = "repeat", wrap;
-    std::string packed, packing = "dummer", rounding = "conservative";
+    std::string format, packed, packing = "dummer", rounding = "conservative";
     std::vector<std::string> parameters;
     float border = 0;
     int threads = 0;
@@ -29,6 +31,8 @@ struct Arguments {
 std::shared_ptr<const Texture> load_heights(const Arguments& arguments) {
     TextureOptions options;
     options.swizzle = arguments.channel;
+    for (const auto& [name, format] : named_formats)
+        if (name == arguments.format) options.format = format;
     options.flip_v = arguments.flip_v;
     options.mip_rule = MipRule::none;
     return make_texture(load_image(arguments.image), options);
@@ -120,8 +124,9 @@ void add_field(CLI::App& verb, Arguments& a) {
     const CLI::IsMember modes(wrap_modes());
     verb.add_option("heights", a.image, "image of any format that textures may have")->required();
     verb.add_option("--channel", a.channel,
-                    "where the heights are: r, g, b, a, or 1-r ... for depth")
-        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a"}))
+                    "where the heights are: r, g, b, a, or 1-r ... for depth; height: a where the "
+                    "image has it, else its first, as in scenes")
+        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a", height_swizzle}))
         ->capture_default_str();
     verb.add_option("--wrap-u", a.wrap_u, "how the field goes on")
         ->check(modes)
@@ -132,6 +137,10 @@ void add_field(CLI::App& verb, Arguments& a) {
     verb.add_option("--wrap", a.wrap, "both of them")->check(modes);
     verb.add_option("--border", a.border, "height outside with clamp-to-border")
         ->capture_default_str();
+    std::vector<std::string> formats;
+    for (const auto& [name, format] : named_formats) formats.emplace_back(name);
+    verb.add_option("--format", a.format, "what texels are rounded to; the file's own if absent")
+        ->check(CLI::IsMember(formats));
     verb.add_flag("--flip-v", a.flip_v, "last row first");
 }
 

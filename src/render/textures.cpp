@@ -1,10 +1,13 @@
 #include "render/textures.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "quadrel/baked_texture.hpp"
 #include "quadrel/error.hpp"
 #include "texture/swizzle.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel {
 namespace {
@@ -42,8 +45,9 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
 
 /// The height map as arguments of `quadrel bake`.
 std::string bake_arguments(const TextureReference& reference) {
-    std::string arguments = reference.file.string();
-    if (!reference.swizzle.empty()) arguments += " --channel " + reference.swizzle;
+    std::string arguments = reference.file.string() + " --channel ";
+    arguments += reference.swizzle.empty() ? height_swizzle : reference.swizzle;
+    if (reference.format) arguments += fmt::format(" --format {}", format_name(*reference.format));
     if (reference.flip_v) arguments += " --flip-v";
     return arguments;
 }
