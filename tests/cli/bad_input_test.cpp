@@ -1,13 +1,14 @@
 // What users get wrong, as the command line sees it: one line that says what is where, the right
 // exit code, and nothing left behind.
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "cli/process.hpp"
+#include "cli/bad_input.hpp"
 #include "film/films.hpp"
 #include "quadrel/film/exr.hpp"
 #include "texture/files.hpp"
@@ -21,31 +22,6 @@ using testing::AssertionSuccess;
 using testing_films::file_bytes;
 using testing_films::TemporaryFolder;
 using testing_films::write_bytes;
-
-/// A command line, the exit code that it ends with, and parts of the line that it prints.
-struct BadInput {
-    std::string what;
-    std::vector<std::string> arguments;
-    int code;
-    std::vector<std::string> says;
-};
-
-AssertionResult complains(const Outcome& outcome, const BadInput& bad) {
-    const auto wrong = [&](const std::string& how) {
-        return AssertionFailure() << bad.what << ": " << how << ": code " << outcome.code << ", "
-                                  << outcome.err << outcome.out;
-    };
-    if (outcome.code != bad.code) return wrong("another exit code");
-    if (!outcome.out.empty()) return wrong("printed something");
-    if (outcome.err.compare(0, 9, "quadrel: ") != 0 || outcome.err.back() != '\n')
-        return wrong("no message");
-    const auto control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
-    if (std::count_if(outcome.err.begin(), outcome.err.end(), control) != 1)
-        return wrong("not one printable line");
-    for (const std::string& part : bad.says)
-        if (outcome.err.find(part) == std::string::npos) return wrong("does not say " + part);
-    return AssertionSuccess();
-}
 
 TEST(BadInputCheck, CanFail) {
     const BadInput bad{"", {}, 3, {"key", "found"}};
@@ -357,58 +333,6 @@ TEST_F(BadInputs, DegenerateTrianglesAreDrawnOrCounted) {
             draws(renders(R"("material": {"height": {"file": "h.exr"}}, )" + with_mesh("d.obj"))))
             << faces;
     }
-}
-
-// ---- Outputs
-
-TEST_F(BadInputs, OutputsThatCannotBe) {
-    scene("");
-    write_bytes(folder / "file", "x");
-    for (const char* output :
-         {"/dev/full", "missing/a.exr", ".", "/proc/a.exr", "file/a.exr", "a/"})
-        EXPECT_TRUE(refuses({output, {"render", "s.json", "-o", output}, 5, {}})) << output;
-    EXPECT_TRUE(
-        refuses({"stats", {"render", "s.json", "-o", "/dev/null", "--stats", "no/a"}, 5, {}}));
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
-}
-
-TEST_F(BadInputs, AReadOnlyFileStays) {
-    scene("");
-    write_bytes(folder / "old.exr", "old");
-    chmod((folder / "old.exr").c_str(), 0400);
-    const Outcome outcome = run({"render", "s.json", "-o", "old.exr"}, folder.path());
-    if (geteuid() == 0) GTEST_SKIP() << "nothing is read-only to root";
-    EXPECT_EQ(outcome.code, 5);
-    EXPECT_EQ(file_bytes(folder / "old.exr"), "old");
-}
-
-TEST_F(BadInputs, OutputsThroughLinksAndDevices) {
-    scene("");
-    std::filesystem::create_symlink("target.exr", folder / "link.exr");
-    EXPECT_EQ(run({"render", "s.json", "-o", "link.exr"}, folder.path()).code, 0);
-    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.exr"));
-    EXPECT_EQ(read_exr(folder / "target.exr").film.window, (Window{0, 0, 16, 16}));
-    EXPECT_EQ(run({"render", "s.json", "-o", "/dev/null"}, folder.path()).code, 0);
-}
-
-/// A limit on the size of files stands for a full disk.
-TEST_F(BadInputs, AFullDiskLeavesTheOldFile) {
-    scene("");
-    write_bytes(folder / "a.exr", "old");
-    const std::size_t before = folder.count();
-    const TemporaryFolder logs;
-    rlimit free{};
-    getrlimit(RLIMIT_FSIZE, &free);
-    const rlimit full{500, free.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &full);
-    const pid_t child = start({"render", "s.json", "-o", "a.exr"}, folder.path(), logs.path());
-    setrlimit(RLIMIT_FSIZE, &free);
-    const int code = wait_for(child);
-    EXPECT_TRUE(
-        complains({code, "", file_bytes(logs / "err")}, {"full", {}, 5, {"a.exr: cannot"}}));
-    EXPECT_EQ(file_bytes(folder / "a.exr"), "old");
-    EXPECT_EQ(folder.count(), before);
 }
 
 }  // namespace

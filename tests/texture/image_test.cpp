@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "quadrel/error.hpp"
@@ -295,6 +296,10 @@ TEST_F(Images, NotFiniteTexelsAreRefusedOrCounted) {
         out.writePixels(2);
     }
     EXPECT_EQ(load_image(file, NotFinite::count).not_finite, 2u);
+    TextureCache cache;
+    const auto kept = cache.load(file, {}, NotFinite::count);
+    EXPECT_TRUE(std::isnan(kept->level_texels(0, 0)[4]));
+    EXPECT_THROW(cache.load(file), InputError) << "the texture is alive, but not for everyone";
     try {
         load_any(file);
         ADD_FAILURE();

@@ -1,0 +1,77 @@
+// Outputs that cannot be written, and those that are no files.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "cli/bad_input.hpp"
+#include "film/films.hpp"
+#include "quadrel/film/exr.hpp"
+
+namespace quadrel::cli_tests {
+namespace {
+
+using testing_films::file_bytes;
+using testing_films::TemporaryFolder;
+using testing_films::write_bytes;
+
+class BadOutputs : public testing::Test {
+  protected:
+    BadOutputs() { write_bytes(folder / "s.json", R"({"quadrel": 1, "size": [16, 16]})"); }
+
+    testing::AssertionResult refuses(const BadInput& bad) const {
+        const std::size_t before = folder.count();
+        const testing::AssertionResult result = complains(run(bad.arguments, folder.path()), bad);
+        if (result && folder.count() != before)
+            return testing::AssertionFailure() << bad.what << ": something is left behind";
+        return result;
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(BadOutputs, OutputsThatCannotBe) {
+    write_bytes(folder / "file", "x");
+    for (const char* output :
+         {"/dev/full", "missing/a.exr", ".", "/proc/a.exr", "file/a.exr", "a/"})
+        EXPECT_TRUE(refuses({output, {"render", "s.json", "-o", output}, 5, {}})) << output;
+    EXPECT_TRUE(
+        refuses({"stats", {"render", "s.json", "-o", "/dev/null", "--stats", "no/a"}, 5, {}}));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(BadOutputs, AReadOnlyFileStays) {
+    write_bytes(folder / "old.exr", "old");
+    chmod((folder / "old.exr").c_str(), 0400);
+    const Outcome outcome = run({"render", "s.json", "-o", "old.exr"}, folder.path());
+    if (geteuid() == 0) GTEST_SKIP() << "nothing is read-only to root";
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_EQ(file_bytes(folder / "old.exr"), "old");
+}
+
+TEST_F(BadOutputs, OutputsThroughLinksAndDevices) {
+    std::filesystem::create_symlink("target.exr", folder / "link.exr");
+    EXPECT_EQ(run({"render", "s.json", "-o", "link.exr"}, folder.path()).code, 0);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.exr"));
+    EXPECT_EQ(read_exr(folder / "target.exr").film.window, (Window{0, 0, 16, 16}));
+    EXPECT_EQ(run({"render", "s.json", "-o", "/dev/null"}, folder.path()).code, 0);
+}
+
+/// A limit on the size of files stands for a full disk.
+TEST_F(BadOutputs, AFullDiskLeavesTheOldFile) {
+    write_bytes(folder / "a.exr", "old");
+    const std::size_t before = folder.count();
+    const TemporaryFolder logs;
+    rlimit free{};
+    getrlimit(RLIMIT_FSIZE, &free);
+    const rlimit full{500, free.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &full);
+    const pid_t child = start({"render", "s.json", "-o", "a.exr"}, folder.path(), logs.path());
+    setrlimit(RLIMIT_FSIZE, &free);
+    const int code = wait_for(child);
+    EXPECT_TRUE(
+        complains({code, "", file_bytes(logs / "err")}, {"full", {}, 5, {"a.exr: cannot"}}));
+    EXPECT_EQ(file_bytes(folder / "a.exr"), "old");
+    EXPECT_EQ(folder.count(), before);
+}
+
+}  // namespace
+}  // namespace quadrel::cli_tests
