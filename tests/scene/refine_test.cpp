@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "quadrel/num/math.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/scene/shapes.hpp"
 #include "scene/mesh_properties.hpp"
