@@ -1,5 +1,7 @@
 // What shifts without a search share: one height, and what they report. A shift has no hit, so
-// hit.s = 1 - h says at which depth the height would lie that caused it.
+// hit.s = 1 - h says at which depth the height would lie that caused it. At the shifted UV the
+// surface is elsewhere: a shadow march from there finds itself in the ground or in the air, so that
+// scenes with shifts leave self-shadows out, as the sources do.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
