@@ -9,7 +9,7 @@ namespace quadrel {
 /// Stores T, B, N, K and r as a program has them. `grad_u`, `grad_v` are its unit axes, a unit of
 /// UV long; the number of the material's depth, thickness over tile size, is its height scale, and
 /// the world's depth of the relief stays relief_depth. The programs know neither degenerate maps
-/// nor back faces: the status is HIT, whatever K.
+/// nor back faces: the status is HIT, whatever K; nor fading, which changes relief_depth alone.
 template <class Io, class F = typename Io::Number>
 void store_published_frame(const Io& io, const UvDirections<F>& axes, const vec3<F>& N,
                            const SurfaceJacobian<F>& unit_j, F r, const vec2<F>& K) {
