@@ -99,8 +99,10 @@ PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray) {
     found.hit = (below_at_entry | crossed | at_bottom) & !found.not_finite;
     found.tau = select(below_at_entry, F(0), select(crossed, root, ray.length));
     found.height = height_at(found.tau);
-    // A part that is highest where the ray ends is no graze.
-    found.ambiguous = (abs(peak) <= patch_error(h, ray.slack)) & !(ray.last & (peak == end));
+    // A part that comes down to where the ray ends, and is highest there, is no graze.
+    const F error = patch_error(h, ray.slack);
+    const Mask<F> comes_down = ray.last & (peak == end) & (q.C < -error);
+    found.ambiguous = (abs(peak) <= error) & !comes_down;
     return found;
 }
 
