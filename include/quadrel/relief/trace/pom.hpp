@@ -2,9 +2,10 @@
 //
 // Source: N. Tatarchuk, "Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows", I3D
 // 2006. Corrects pom-dxsdk: the top plane is tested too, with the height that is there; samples are
-// indexed; the test is >=; levels do not fade it out. Steps: trunc(lerp(steps_grazing, steps_normal,
-// r)). Exact where the height is linear between the two samples; otherwise the chord may be late or
-// early by up to a step. Misses what `linear` misses. No crossing: the bottom plane, FLOOR.
+// indexed; the test is >=; levels do not fade it out. Steps: trunc(lerp(steps_grazing,
+// steps_normal, r)). Exact where the height is linear between the two samples; otherwise the chord
+// may be late or early by up to a step. Misses what `linear` misses. No crossing: the bottom plane,
+// FLOOR.
 #pragma once
 
 #include "quadrel/relief/trace/bracket.hpp"

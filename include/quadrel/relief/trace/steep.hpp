@@ -1,7 +1,7 @@
 // steep: steep parallax mapping, more steps at grazing angles.
 //
-// Corrects steep@published (McGuire and McGuire 2005): a whole number of steps, ceil of lerp(2 n, n,
-// r), so that the last sample is the bottom plane and none is below it; samples at k / n are
+// Corrects steep@published (McGuire and McGuire 2005): a whole number of steps, ceil of lerp(2 n,
+// n, r), so that the last sample is the bottom plane and none is below it; samples at k / n are
 // indexed, not accumulated; the shift is along the frame's K; heights are fetched with the
 // gradients of the undisplaced UV. Tests k = 0, misses what is thinner than |K| / n, is at most one
 // step late and never early. No crossing: the bottom plane, FLOOR.
