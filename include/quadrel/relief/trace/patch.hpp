@@ -32,7 +32,7 @@ template <Number F>
 struct PatchHit {
     F tau, height;       ///< where `hit`; height is the field's there
     Mask<F> hit;         ///< q(tau) >= 0 somewhere in the part
-    Mask<F> ambiguous;   ///< the greatest q of the part is 0 but for rounding: a graze
+    Mask<F> ambiguous;   ///< a graze: q is highest, at entry or in the part, at 0 but for rounding
     Mask<F> not_finite;  ///< a corner's height is NaN or infinite; no hit then
 };
 
@@ -99,10 +99,12 @@ PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray) {
     found.hit = (below_at_entry | crossed | at_bottom) & !found.not_finite;
     found.tau = select(below_at_entry, F(0), select(crossed, root, ray.length));
     found.height = height_at(found.tau);
-    // A part that comes down to where the ray ends, and is highest there, is no graze.
     const F error = patch_error(h, ray.slack);
+    // A part that comes down to where the ray ends, and is highest there, is no graze.
     const Mask<F> comes_down = ray.last & (peak == end) & (q.C < -error);
-    found.ambiguous = (abs(peak) <= error) & !comes_down;
+    // A ray that touches at entry and rises from there may come back further on.
+    const Mask<F> touches_entry = (abs(q.C) <= error) & (q.B < F(0));
+    found.ambiguous = ((abs(peak) <= error) & !comes_down) | touches_entry;
     return found;
 }
 
