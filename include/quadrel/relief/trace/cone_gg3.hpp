@@ -4,7 +4,8 @@
 // v = (V.xy * depth, |V.z|) of the unit view vector, here (K r, r); 15 steps of
 // v * (c g / (|v.xy| + c)) with the gap g saturated. Kept: v is not divided by its z as in the
 // relaxed variant, so that steps are shorter than the cone allows; a fixed number of steps; the end
-// is never tested. A straight ray over a cone of ratio 0 divides 0 by 0.
+// is never tested (CAP where it is more than 1/256 above the surface). A straight ray over a cone
+// of ratio 0 divides 0 by 0.
 #pragma once
 
 #include "quadrel/relief/trace/cone_map.hpp"
@@ -40,9 +41,11 @@ struct ConeGg3 : StageDefaults {
         SearchResult<F> result;
         result.s = depth;
         result.h = height;
-        result.status = select(is_nan(height), status_packet<F>(Status::nan),
-                               select(depth >= F(1) - height, status_packet<F>(Status::hit),
-                                      status_packet<F>(Status::cap)));
+        // Fifteen steps come near to the surface, and not on it: what counts as a hit is ours.
+        const Mask<F> near = (F(1) - height) - depth <= F(1.0f / 256);
+        result.status =
+            select(is_nan(height), status_packet<F>(Status::nan),
+                   select(near, status_packet<F>(Status::hit), status_packet<F>(Status::cap)));
         result.steps = result.fetches = select(ray.active, Int<F>(15), Int<F>(0));
         store_search(io, ray, result, p);
     }
