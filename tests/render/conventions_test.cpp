@@ -19,7 +19,7 @@ namespace {
 using MakeScene = std::function<Scene(Conventions)>;
 
 const std::vector<std::string> turned = {"dUVdy", "dPdy"};
-const std::vector<std::string> window_bound = {"quad", "depth", "B.X", "B.Y", "B.Z"};
+const std::vector<std::string> window_bound = {"quad", "depth", "frag.depth", "B.X", "B.Y", "B.Z"};
 
 std::vector<std::string> plus(std::vector<std::string> a, const std::vector<std::string>& b) {
     a.insert(a.end(), b.begin(), b.end());
