@@ -86,7 +86,7 @@ TEST_F(MeshFile, ObjMistakesNameTheLine) {
     EXPECT_TRUE(obj_refused("v 0 nan 0\n", {"", "nan", "finite", 1}));
     EXPECT_TRUE(obj_refused("v 0 1e39 0\n", {"", "1e39", "finite", 1}));
     EXPECT_TRUE(obj_refused("v 0 0x 0\n", {"", "0x", "finite", 1}));
-    EXPECT_TRUE(obj_refused(square_obj + "f 1 2\n", {"", "face of 2", "3 corners", 13}));
+    EXPECT_TRUE(obj_refused(square_obj + "f 1 2\n", {"", "face of 2", "3 to 1024", 13}));
     EXPECT_TRUE(obj_refused(square_obj + "f 1 2 5\n", {"", "index 5", "4 so far", 13}));
     EXPECT_TRUE(obj_refused(square_obj + "f 0 1 2\n", {"", "index 0", "4 so far", 13}));
     EXPECT_TRUE(obj_refused(square_obj + "f -5 1 2\n", {"", "index -5", "4 so far", 13}));
