@@ -18,6 +18,7 @@ struct ShadowMarchMcguirePublished : StageDefaults {
     static constexpr auto inputs = light_ray_inputs;
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
