@@ -21,6 +21,7 @@ constexpr std::array data_flow = {
     std::string_view{"dPdy"},
     std::string_view{"dUVdx"},
     std::string_view{"dUVdy"},
+    std::string_view{"relief.depth"},
     std::string_view{"T"},
     std::string_view{"B."},  // the bitangent; "B" is blue
     std::string_view{"J"},
@@ -35,6 +36,7 @@ constexpr std::array data_flow = {
     std::string_view{"hit.s"},
     std::string_view{"hit.h"},
     std::string_view{"hit.P"},
+    std::string_view{"frag.depth"},
     std::string_view{"Z"},
     std::string_view{"hit.status"},
     std::string_view{"hit.flags"},
@@ -42,6 +44,7 @@ constexpr std::array data_flow = {
     std::string_view{"hit.fetches"},
     std::string_view{"N"},
     std::string_view{"shadow"},
+    std::string_view{"occlusion"},
     std::string_view{"light.ambient"},
     std::string_view{"light.diffuse"},
     std::string_view{"light.specular"},

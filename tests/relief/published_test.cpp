@@ -10,10 +10,10 @@ using thesis::Float;
 
 /// The chain under test: stages by id, with a chance to tamper after each.
 struct Chain {
-    std::vector<std::string> stages = {"differentiate",         "frame-thesis",
-                                       "linear-thesis",         "displace",
-                                       "h2n-thesis@published",  "shadow-march-thesis@published",
-                                       "occlusion-none",        "shade-thesis@published"};
+    std::vector<std::string> stages = {"differentiate",        "frame-thesis",
+                                       "linear-thesis",        "displace",
+                                       "h2n-thesis@published", "shadow-march-thesis@published",
+                                       "occlusion-none",       "shade-thesis@published"};
     DerivativeMode derivatives = DerivativeMode::fine;
     std::function<void(const std::string&, Batch<float>&)> after{};
 

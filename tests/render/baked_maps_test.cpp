@@ -12,7 +12,7 @@ namespace {
 /// The scene of rows, traced by `trace` with the height map's wrap modes changed.
 Scene row_scene(const std::string& trace, Wrap wrap) {
     setenv("QUADREL_CACHE_MIB", "0", 1);
-    Scene scene = load_scene(std::string(QUADREL_DATA_DIR) + "/scenes/rows/linear.json");
+    Scene scene = load_scene("rows/linear");
     Material& material = scene.materials.at(0);
     material.trace.id = trace;
     material.trace.parameters.clear();
@@ -50,7 +50,7 @@ TEST(BakedMaps, ThatTakeTooLongAreRefused) {
     const auto render_cones_of = [](const char* file) {
         Scene scene = row_scene("cone-step", Wrap::repeat);
         TextureReference& height = scene.materials.at(0).textures.at("height");
-        height.file = std::string(QUADREL_DATA_DIR) + "/textures/" + file;
+        height.file = std::filesystem::path(QUADREL_DATA_DIR) / "textures" / file;
         height.key = "textures.height";
         hits(scene);
     };

@@ -15,7 +15,7 @@ struct BrokenTrace : quadrel::TraceNone {
         quadrel::TraceNone::operator()(io, params);
         const auto uv = io.template load<quadrel::Value::uv>();
         io.template store<quadrel::Value::hit_status>(
-            quadrel::select(uv.x > F(0.5f), quadrel::Int<F>(9), quadrel::Int<F>(1)));
+            select(uv.x > F(0.5f), quadrel::Int<F>(9), quadrel::Int<F>(1)));
     }
 };
 
