@@ -5,8 +5,9 @@
 // one's length. The publication bends normals with them; parallax shaders built on it take the view
 // vector along the frame's axes, V_t = (V.T, V.B, V.N), and shift by
 //     K = -Du V_t.xy / V_t.z,  Du the material's depth, a length in UV (published.hpp).
-// Directions and ratios are right for every map; the unit of depth is not the world's but the tile's
-// length along the longest gradient. Where window y points down, det < 0 and the shift turns round.
+// Directions and ratios are right for every map; the unit of depth is not the world's but the
+// tile's length along the longest gradient. Where window y points down, det < 0 and the shift turns
+// round.
 #pragma once
 
 #include "quadrel/relief/frame/cot.hpp"
