@@ -37,7 +37,8 @@ std::string component_name(Value v, int component, int light) {
     if (v == Value::color) return std::string(1, "RGB"[component]);
     if (v == Value::hit_uv) return std::string("hit.") + "UV"[component];
     if (v == Value::bary) return name + "." + std::to_string(component);
-    if (v == Value::J) return name + (component < 3 ? ".U." : ".V.") + "XYZ"[component % 3];
+    if (info(v).components == 6)  // the rows of a Jacobian
+        return name + (component < 3 ? ".U." : ".V.") + "XYZ"[component % 3];
     const bool color = name.compare(0, 6, "light.") == 0;
     const char* letters = info(v).components == 2 ? "UV" : color ? "RGB" : "XYZ";
     return name + "." + letters[component];
