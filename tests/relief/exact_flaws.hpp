@@ -98,7 +98,8 @@ template <PlainFloat T>
 StageUnderTest<T> exact(const std::string& row, Planted planted = Planted::none) {
     const auto stage = [&](StageFunction function) {
         return StageUnderTest<T>{row, {}, {}, [function](Batch<T>& batch, const Parameters&) {
-                                     batch.run(function, nullptr);
+                                     static const NoParams none;
+                                     batch.run(function, &none);
                                  }};
     };
     const auto after = [&](std::function<void(Batch<T>&)> change) {

@@ -23,7 +23,7 @@ class QdmMaps {
     // texture2DLod(QDMTex, uv, level).a
     float depth(vec2<float> uv, int level) const {
         const int n = pyramid_.width[level];
-        const auto at = [n](float u) { return int((u - std::floor(u)) * float(n)) % n; };
+        const auto at = [n](float u) { return to_int((u - std::floor(u)) * float(n)) % n; };
         return 1 - pyramid_.texels[pyramid_.offset[level] + at(uv.y) * n + at(uv.x)];
     }
     // texture2DLod(NormalTex, uv, 0.0).a
