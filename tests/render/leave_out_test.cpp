@@ -177,8 +177,8 @@ testing::AssertionResult is_first_step(int (*first)(T, int)) {
 TEST(LeaveOut, FirstStepIsThatOfTheMarch) {
     EXPECT_TRUE(is_first_step<float>(first_step_below<float>));
     EXPECT_TRUE(is_first_step<double>(first_step_below<double>));
-    EXPECT_FALSE(is_first_step<float>(
-        [](float h, int n) { return static_cast<int>(std::ceil(float(n) * (1 - h))); }));
+    EXPECT_FALSE(
+        is_first_step<float>([](float h, int n) { return to_int(std::ceil(float(n) * (1 - h))); }));
 }
 
 TEST(LeaveOut, BoundsHoldAllThatSamplersGive) {
