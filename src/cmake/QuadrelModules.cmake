@@ -32,6 +32,7 @@ set(QUADREL_KERNEL_GROUPS
   "march|relief/trace/march_stages.hpp|MarchStages"
   "cone|relief/trace/cone_stages.hpp|ConeStages"
   "exact|relief/trace/exact_stages.hpp|ExactStages"
+  "engine|relief/trace/engine_stages.hpp|EngineStages"
   "hit|relief/hit/stages.hpp|HitStages"
   "surface|relief/surface/stages.hpp|SurfaceStages"
   "shadow|relief/shadow/stages.hpp|ShadowStages"

@@ -1,5 +1,7 @@
 #include "render/names.hpp"
 
+#include <fmt/format.h>
+
 namespace quadrel {
 
 const char* name_of(Conventions conventions) {
@@ -32,7 +34,7 @@ const char* name_of(Hardware hardware) {
 
 std::string component_name(Value v, int component, int light) {
     std::string name(info(v).name);
-    if (info(v).per_light) name.insert(name.find('.'), "." + std::to_string(light));
+    if (info(v).per_light) name.insert(name.find('.'), fmt::format(".{}", light));
     if (info(v).components == 1) return name;
     if (v == Value::color) return std::string(1, "RGB"[component]);
     if (v == Value::hit_uv) return std::string("hit.") + "UV"[component];

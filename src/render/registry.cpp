@@ -50,7 +50,8 @@ std::vector<StageInfo> describe_lists() {
 std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
-                       HitStages, SurfaceStages, ShadowStages, OcclusionStages, ShadeStages>();
+                       EngineStages, HitStages, SurfaceStages, ShadowStages, OcclusionStages,
+                       ShadeStages>();
     return stages;
 }
 

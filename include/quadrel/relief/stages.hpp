@@ -9,6 +9,7 @@
 #include "quadrel/relief/shadow/stages.hpp"
 #include "quadrel/relief/surface/stages.hpp"
 #include "quadrel/relief/trace/cone_stages.hpp"
+#include "quadrel/relief/trace/engine_stages.hpp"
 #include "quadrel/relief/trace/exact_stages.hpp"
 #include "quadrel/relief/trace/march_stages.hpp"
 #include "quadrel/relief/trace/offset_stages.hpp"

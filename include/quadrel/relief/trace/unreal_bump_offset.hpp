@@ -1,0 +1,45 @@
+// unreal-bump-offset: Unreal Engine's BumpOffset material expression.
+//
+// Source: Epic Games, documentation of UMaterialExpressionBumpOffset: its output is
+//     Coordinate + Eye.xy * (Height - ReferencePlane) * HeightRatio,
+// Eye the unit vector to the camera in tangent space, not divided by its z: offset limiting. Typical
+// ratios are 0.02 to 0.1, a UV length; the reference plane, the height that stays where it is, is
+// 0.5 unless set. The height is whatever the material's graph supplies, here the height map with
+// the gradients of the undisplaced UV. The relief's depth and seat move hit.depth alone. (Products
+// are taken from left to right; the engine's compiler may order them otherwise.)
+#pragma once
+
+#include "quadrel/relief/trace/offset.hpp"
+#include "quadrel/relief/trace/tangent_eye.hpp"
+
+namespace quadrel {
+
+struct UnrealBumpOffset : StageDefaults {
+    static constexpr StageText text{"unreal-bump-offset", "trace", "Unreal Engine's BumpOffset",
+                                    "Epic Games, UMaterialExpressionBumpOffset"};
+    static constexpr auto inputs =
+        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr auto outputs = trace_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    struct Params {
+        float height_ratio = 0.05f, reference_plane = 0.5f;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::height_ratio>("height_ratio", "UV", "UV length of the height range", -16,
+                                         16, 0.05),
+        parameter<&Params::reference_plane>("reference_plane", "1", "height that does not move",
+                                            -16, 16, 0.5)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const SearchRay<F> ray = search_ray(io);
+        const F height = height_at_start(io, ray);
+        const vec3<F> eye = normalize(tangent_eye(io));
+        const vec2<F> offset =
+            vec2<F>(eye) * (height - F(params.reference_plane)) * F(params.height_ratio);
+        store_search(io, ray, offset_result(ray, height), ray.uv + offset);
+    }
+};
+
+}  // namespace quadrel

@@ -1,0 +1,39 @@
+// The searches named after an engine give the bits of its shader.
+#include "relief/engine_listings.hpp"
+
+#include "relief/listing_runs.hpp"
+
+namespace quadrel::test {
+namespace {
+
+Listing unreal(float ratio, float plane) {
+    const auto run = [=](Batch<float>& b, int quad) {
+        return each_fragment(quad, [&](int lane) {
+            return listings::unreal(b.vector2(Value::uv, lane), tangent_eye(b, lane), ratio, plane,
+                                    own_level(b, lane, false));
+        });
+    };
+    return {"unreal-bump-offset",
+            run,
+            {{"height_ratio", ratio}, {"reference_plane", plane}},
+            "offset-limit"};
+}
+
+std::vector<Listing> engine_listings() { return {unreal(0.05f, 0.5f), unreal(-0.1f, 0.2f)}; }
+
+TEST(EngineListings, AreReproducedBitForBit) {
+    for (const Listing& listing : engine_listings())
+        EXPECT_TRUE(equals_listing(listing, {listing.id}, 40));
+}
+
+TEST(EngineListings, ErrorsAreCaught) {
+    for (const Listing& listing : engine_listings()) {
+        EXPECT_FALSE(equals_listing(listing, {listing.corrected}, 5)) << listing.id;
+        for (const Planted planted : {Planted::one_sample_early, Planted::steps_counted_once})
+            EXPECT_FALSE(equals_listing(listing, flawed(listing.id, planted), 1)) << listing.id;
+        EXPECT_TRUE(notices_the_ray(listing));
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::test

@@ -1,0 +1,193 @@
+// Published listings over batches: what a fragment of a listing reads, and the check that a stage
+// gives its bits.
+#pragma once
+
+#include <set>
+
+#include "relief/surface_rays.hpp"
+#include "relief/trace_listings.hpp"
+
+namespace quadrel::test {
+
+using listings::End;
+using listings::Sampler;
+using Vec2 = listings::Vec2;
+using Vec3 = listings::Vec3;
+
+// ---- What a listing's fragment reads ------------------------------------------------------------
+
+/// One fragment's look-ups at a level that its neighbours have no say in.
+inline Sampler own_level(Batch<float>& batch, int lane, bool level_0) {
+    const SampledTexture& map = *batch.bound(TextureSlot::height);
+    const auto spread = [](const Vec2& v) { return vec2<Fetch>(Fetch(v.x), Fetch(v.y)); };
+    const LodRecord<Fetch> lod = level_0
+                                     ? lod_from_level(map, Fetch(0))
+                                     : compute_lod(map, spread(batch.vector2(Value::dUVdx, lane)),
+                                                   spread(batch.vector2(Value::dUVdy, lane)));
+    const GeneralHeight<Fetch> height(map, lod);
+    return [=](const Vec2& uv) { return height({}, spread(uv)).lane[0]; };
+}
+
+/// Four fragments in lockstep, as a quad of a GPU runs them: the n-th look-up of each takes its
+/// gradients from the n-th of all four, and a fragment that makes no more keeps its last
+/// coordinate. Fragments are plain functions; they are started anew for every look-up of the quad,
+/// with the results so far, and stopped at the next.
+class Lockstep {
+  public:
+    using Fragment = std::function<End(int lane, const Sampler&)>;
+
+    Lockstep(const SampledTexture& map, Fragment fragment) : map_(map), fragment_(fragment) {}
+
+    std::array<End, 4> run() {
+        while (!advance()) {
+        }
+        return ends_;
+    }
+
+  private:
+    struct NextLookUp {};
+
+    /// Runs all four up to the first look-up without a result, and makes it; true if none is left.
+    bool advance() {
+        bool finished = true;
+        for (int lane = 0; lane < 4; ++lane) finished = finishes(lane) && finished;
+        if (finished) return true;
+        vec2<Fetch> at;
+        for (int c = 0; c < 2; ++c)
+            for (int lane = 0; lane < 4; ++lane) at[c].lane[lane] = at_[lane][c];
+        results_.push_back(texture(map_, SampleContext<Fetch>(), at).x);
+        return false;
+    }
+    bool finishes(int lane) {
+        std::size_t made = 0;
+        try {
+            ends_[lane] = fragment_(lane, [&](const Vec2& uv) {
+                at_[lane] = uv;
+                if (made == results_.size()) throw NextLookUp();
+                return results_[made++].lane[lane];
+            });
+            return true;
+        } catch (const NextLookUp&) {
+            return false;
+        }
+    }
+
+    const SampledTexture& map_;
+    Fragment fragment_;
+    std::vector<Fetch> results_;
+    std::array<Vec2, 4> at_;
+    std::array<End, 4> ends_;
+};
+
+inline Vec3 tangent_eye(Batch<float>& batch, int lane) {
+    const Vec3 eye = Vec3(0.0f) - batch.vector3(Value::P, lane);
+    return {dot(eye, batch.vector3(Value::T, lane)), dot(eye, batch.vector3(Value::B, lane)),
+            dot(eye, batch.vector3(Value::frame_normal, lane))};
+}
+
+// ---- The listings over a batch ------------------------------------------------------------------
+
+/// A listing: its stage, and its four ends for a quad of the batch.
+struct Listing {
+    std::string id;
+    std::function<std::array<End, 4>(Batch<float>&, int quad)> run;
+    Parameters parameters{};
+    std::string corrected{};  ///< a stage that this one must not be taken for
+};
+
+inline std::array<End, 4> each_fragment(int quad, const std::function<End(int lane)>& fragment) {
+    std::array<End, 4> ends;
+    for (int i = 0; i < 4; ++i) ends[i] = fragment(4 * quad + i);
+    return ends;
+}
+
+// ---- The check ----------------------------------------------------------------------------------
+
+inline bool same(float a, float b) {
+    return a != a ? b != b : std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+inline testing::AssertionResult lane_equals(const Listing& listing, Batch<float>& b, int lane,
+                                            const End& end) {
+    const Vec2 uv = b.vector2(Value::hit_uv, lane);
+    const bool equal = same(uv.x, end.uv.x) && same(uv.y, end.uv.y) &&
+                       same(b.real(Value::hit_s, lane), end.s) &&
+                       b.integer(Value::hit_fetches, lane) == end.fetches &&
+                       b.integer(Value::hit_steps, lane) == end.fetches;
+    const float map = end.map, h = b.real(Value::hit_h, lane);
+    // The map of relief-gg3 holds 1 - h.
+    const bool same_map = listing.id == "relief-gg3" ? same(map, 1.0f - h) : same(map, h);
+    if (equal && (end.fetches == 0 || same_map)) {
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure()
+           << listing.id << ", lane " << lane << ": uv " << uv.x << " " << uv.y << " for "
+           << end.uv.x << " " << end.uv.y << ", s " << b.real(Value::hit_s, lane) << " for "
+           << end.s << ", fetches " << b.integer(Value::hit_fetches, lane) << " for " << end.fetches
+           << ", h " << h << " for " << map;
+}
+
+/// Any map and sampler, footprints from a part of a texel to many, angles up to 84 degrees.
+struct Inputs {
+    Random random;
+    Map map;
+    Batch<float> batch;
+
+    explicit Inputs(int seed)
+        : random(static_cast<std::uint64_t>(seed)), map(random_map(random, 1)), batch(64) {
+        fill_surface(batch, random, {0.1, random.uniform(0.01, 0.4), 1, 0.0005, 0.4, true});
+        batch.material.seat = random.chance(0.5) ? 1.0f : static_cast<float>(random.uniform(0, 1));
+        batch.bind(TextureSlot::height, map.sampled);
+    }
+};
+
+inline testing::AssertionResult equals_listing(const Listing& listing,
+                                               const StageUnderTest<float>& stage, int batches) {
+    for (int i = 0; i < batches; ++i) {
+        Inputs inputs(i);
+        Batch<float>& batch = inputs.batch;
+        stage.run(batch, stage.id == listing.id ? listing.parameters : Parameters());
+        for (int quad = 0; quad < batch.lanes / 4; ++quad) {
+            const std::array<End, 4> ends = listing.run(batch, quad);
+            for (int k = 0; k < 4; ++k) {
+                const auto result = lane_equals(listing, batch, 4 * quad + k, ends[k]);
+                if (!result) return testing::AssertionFailure() << result.message() << ", " << i;
+            }
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+/// The stage with an error: before it, the ray a ten-thousandth off in one quad; behind it, the
+/// result of one lane.
+inline StageUnderTest<float> flawed(const std::string& id, Planted planted) {
+    const auto before = [planted](Batch<float>& b) {
+        if (planted != Planted::ray_nudged) return;
+        for (int lane = 8; lane < 12; ++lane) {
+            for (const Value v : {Value::K, Value::T, Value::B}) {
+                for (int c = 0; c < 2; ++c) b.real(v, lane, c) *= 1.0001f;
+            }
+        }
+    };
+    const auto after = [planted](Batch<float>& b) {
+        if (planted == Planted::one_sample_early) b.real(Value::hit_s, 21) -= 1.0f / 128;
+        if (planted == Planted::steps_counted_once) b.integer(Value::hit_steps, 5) += 1;
+    };
+    return {id, before, after};
+}
+
+/// The same stage over inputs that the listing did not get.
+inline testing::AssertionResult notices_the_ray(const Listing& listing) {
+    for (int i = 0; i < 10; ++i) {
+        Inputs inputs(i);
+        Batch<float> moved = inputs.batch;
+        flawed(listing.id, Planted::ray_nudged).run(moved, listing.parameters);
+        for (int k = 0; k < 4; ++k) {
+            const End end = listing.run(inputs.batch, 2)[k];
+            if (!lane_equals(listing, moved, 8 + k, end)) return testing::AssertionSuccess();
+        }
+    }
+    return testing::AssertionFailure() << listing.id;
+}
+
+}  // namespace quadrel::test
