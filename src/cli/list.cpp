@@ -10,6 +10,7 @@
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
+#include "quadrel/scene/presets.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -87,6 +88,28 @@ void list_scenes(bool json) {
     for (const std::string& scene : installed_scenes()) print(scene + "\n");
 }
 
+Json preset_json(const Preset& preset) {
+    Json parameters = Json::object();
+    for (const auto& [name, value] : preset.parameters) parameters[name] = value;
+    return {{"name", preset.name},     {"summary", preset.summary}, {"map", preset.map},
+            {"source", preset.source}, {"frame", preset.frame},     {"trace", preset.trace},
+            {"parameters", parameters}};
+}
+
+void list_presets(bool json) {
+    Json all = Json::array();
+    for (const Preset& preset : all_presets()) all.push_back(preset_json(preset));
+    if (json) return print_json(all);
+    for (const Preset& preset : all_presets()) {
+        print(fmt::format("{:<22} {}\n", preset.name, preset.summary));
+        std::string trace = preset.trace;
+        for (const auto& [name, value] : preset.parameters)
+            trace += fmt::format(" {}={}", name, value);
+        print(fmt::format("{:<24}{}; {}\n", "", preset.frame, trace));
+        print(fmt::format("{:<24}{}; {}\n", "", preset.map, preset.source));
+    }
+}
+
 struct Arguments {
     bool json = false;
     std::vector<std::string> plugins;
@@ -110,12 +133,13 @@ std::shared_ptr<Arguments> add_kind(CLI::App& list, const char* name, const char
 }  // namespace
 
 void add_list(CLI::App& app, Action& action) {
-    CLI::App* list = app.add_subcommand("list", "list algorithms, channels or scenes");
+    CLI::App* list = app.add_subcommand("list", "list algorithms, channels, presets or scenes");
     list->require_subcommand(1);
     const auto algorithms =
         add_kind(*list, "algorithms", "every stage with its parameters", list_algorithms, action);
     add_plugin_option(*list->get_subcommand("algorithms"), algorithms->plugins);
     add_kind(*list, "channels", "everything that an image can hold", list_channels, action);
+    add_kind(*list, "presets", "what engines ship, as choices of stages", list_presets, action);
     add_kind(*list, "scenes", "the installed scenes", list_scenes, action);
 }
 

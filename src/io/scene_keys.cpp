@@ -69,6 +69,7 @@ constexpr SceneKey keys[] = {
     {"material", "cull"},
     {"material", "discard_below"},
 
+    {"relief", "preset"},
     {"relief", "frame", Below::object, "stage"},
     {"relief", "trace", Below::object, "stage"},
     {"relief", "clip", Below::object, "stage"},

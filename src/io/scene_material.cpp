@@ -1,4 +1,5 @@
 #include "io/scene_read.hpp"
+#include "quadrel/scene/presets.hpp"
 #include "quadrel/scene/transform.hpp"
 
 namespace quadrel {
@@ -13,11 +14,12 @@ void read_parameters(Fields& fields, StageChoice& stage) {
         stage.parameters[name] = fields.value().member(name).number();
 }
 
-// A stage's id, or an object of its id and parameters.
-StageChoice read_stage(Fields& fields, const std::string& key) {
-    StageChoice stage;
+// A stage's id, or an object of its id and parameters; where there is none, `stage` stays.
+void read_stage(Fields& fields, const std::string& key, StageChoice& stage) {
+    if (stage.id.empty()) stage.key = join_key(fields.value().path(), key);
+    if (!fields.has(key)) return;
+    stage = {};
     stage.key = join_key(fields.value().path(), key);
-    if (!fields.has(key)) return stage;
     const Value value = fields.get(key);
     if (value.json().is_string()) {
         stage.id = value.string();
@@ -28,7 +30,6 @@ StageChoice read_stage(Fields& fields, const std::string& key) {
     } else {
         value.reject("a stage's id, or an object {\"id\": ..., parameters}");
     }
-    return stage;
 }
 
 // A length in world units, or the thickness of the relief and the size of a tile, both in one unit.
@@ -52,15 +53,29 @@ void read_fade(Fields& relief, Material& material) {
     material.fade_to = angles[1];
 }
 
+// What the relief's own keys then replace.
+void read_preset(Fields& relief, Material& material) {
+    if (!relief.has("preset")) return;
+    const Value value = relief.get("preset");
+    const Preset* preset = find_preset(value.string());
+    if (!preset) {
+        std::vector<std::string> names;
+        for (const Preset& known : all_presets()) names.push_back(known.name);
+        value.reject("the name of a preset: " + one_of(value.string(), names));
+    }
+    apply_preset(*preset, value.path(), material);
+}
+
 void read_relief(const Value& value, Material& material) {
     Fields relief(value);
-    material.frame = read_stage(relief, "frame");
-    material.trace = read_stage(relief, "trace");
-    material.clip = read_stage(relief, "clip");
-    material.frag_depth = read_stage(relief, "frag_depth");
-    material.surface = read_stage(relief, "surface");
-    material.shadow = read_stage(relief, "shadow");
-    material.occlusion = read_stage(relief, "occlusion");
+    read_preset(relief, material);
+    read_stage(relief, "frame", material.frame);
+    read_stage(relief, "trace", material.trace);
+    read_stage(relief, "clip", material.clip);
+    read_stage(relief, "frag_depth", material.frag_depth);
+    read_stage(relief, "surface", material.surface);
+    read_stage(relief, "shadow", material.shadow);
+    read_stage(relief, "occlusion", material.occlusion);
     read_depth(relief, material);
     read_fade(relief, material);
     relief.read("seat", material.seat, unit_interval);
@@ -141,7 +156,7 @@ Material read_material(const Value& value, const std::string& name, const Textur
     material.key = value.path();
     read_maps(fields, textures, hardware, material);
     if (fields.has("relief")) read_relief(fields.get("relief"), material);
-    material.shade = read_stage(fields, "shade");
+    read_stage(fields, "shade", material.shade);
     read_colours(fields, material);
     if (fields.has("texture_matrix"))
         material.texture_matrix = read_texture_matrix(fields.get("texture_matrix"));

@@ -99,7 +99,7 @@ TEST(Input, MissingAndBadFiles) {
 }
 
 TEST(List, EveryListInBothForms) {
-    for (const char* kind : {"algorithms", "channels", "scenes"}) {
+    for (const char* kind : {"algorithms", "channels", "presets", "scenes"}) {
         const Outcome text = run({"list", kind});
         EXPECT_EQ(text.code, 0);
         EXPECT_EQ(text.err, "");

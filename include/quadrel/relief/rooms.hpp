@@ -5,6 +5,16 @@
 
 namespace quadrel {
 
+/// A list of values and more after it.
+template <std::size_t n, class... V>
+constexpr auto values_and(const std::array<Value, n>& list, V... more) {
+    std::array<Value, n + sizeof...(V)> all{};
+    std::copy(list.begin(), list.end(), all.begin());
+    std::size_t next = n;
+    ((all[next++] = more), ...);
+    return all;
+}
+
 /// frame: P, normals and derivatives to the UV shift along the view ray.
 inline constexpr auto frame_outputs =
     values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate, Value::K,

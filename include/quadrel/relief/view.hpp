@@ -19,6 +19,12 @@ vec3<F> to_light(const vec3<F>& P, const LightUniforms& light) {
     return normalize(light.directional ? position : position - P);
 }
 
+/// Adds 1 in the lanes of `mask`.
+template <Number F>
+void count_in(Int<F>& counter, Mask<F> mask) {
+    counter = counter + select(mask, Int<F>(1), Int<F>(0));
+}
+
 /// A status in every lane.
 template <Number F>
 Int<F> status_packet(Status status) {

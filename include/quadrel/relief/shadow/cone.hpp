@@ -42,7 +42,7 @@ struct ShadowCone : StageDefaults {
             active = active & (ray.z + t < F(1));
             if (!any(active)) break;
             const Cone<F> cone = look(active, F(1) - (ray.z + t), ray.uv + ray.K * t);
-            count_tested<F>(steps, active);
+            count_in<F>(steps, active);
             const F gap = (ray.z + t) - cone.height;
             occluded = occluded | (active & (gap < F(0)));
             active = active & (gap >= F(0)) & (cone.ratio < kappa);

@@ -14,11 +14,7 @@ inline constexpr auto light_ray_inputs =
 
 template <class... V>
 constexpr auto light_ray_inputs_and(V... more) {
-    std::array<Value, light_ray_inputs.size() + sizeof...(V)> all{};
-    std::copy(light_ray_inputs.begin(), light_ray_inputs.end(), all.begin());
-    std::size_t next = light_ray_inputs.size();
-    ((all[next++] = more), ...);
-    return all;
+    return values_and(light_ray_inputs, more...);
 }
 
 template <Number F>
@@ -53,12 +49,6 @@ template <class Io, class F = typename Io::Number>
 void store_shadow(const Io& io, const LightRay<F>& ray, F visibility, Int<F> steps) {
     io.template store<Value::shadow_visibility>(select(ray.lit_side, visibility, F(0)), io.light());
     io.template store<Value::shadow_steps>(steps, io.light());
-}
-
-/// Adds 1 in the lanes of `mask`.
-template <Number F>
-void count_tested(Int<F>& steps, Mask<F> mask) {
-    steps = steps + select(mask, Int<F>(1), Int<F>(0));
 }
 
 }  // namespace quadrel

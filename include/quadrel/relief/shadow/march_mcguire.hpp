@@ -43,7 +43,7 @@ struct ShadowMarchMcguire : StageDefaults {
             if (!any(active)) break;
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_tested<F>(steps, active);
+            count_in<F>(steps, active);
             occluded = occluded | (active & (h >= ray.z + t));
             active = active & !occluded;
         }

@@ -43,7 +43,7 @@ struct ShadowMarchMcguirePublished : StageDefaults {
                             .x;
             io.march_step(active, F(1) - height, at, height, h);
             sampled = select(active, h, sampled);
-            count_tested<F>(steps, active);
+            count_in<F>(steps, active);
         }
         const Mask<F> escaped = (sampled < height) | !ray.active;
         store_shadow(io, ray, select(escaped, F(1), F(0)), steps);

@@ -40,7 +40,7 @@ struct ShadowRelief : StageDefaults {
         const auto below = [&](Mask<F> active, F t) {
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_tested<F>(steps, active);
+            count_in<F>(steps, active);
             return active & (h >= ray.z + t);
         };
         F last_above = top, first_below(0);

@@ -44,7 +44,7 @@ struct ShadowSoftRiccardi : StageDefaults {
             const F part = index / n, t = rise * part;
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_tested<F>(steps, active);
+            count_in<F>(steps, active);
             const F depth = (h - (ray.z + t)) * (F(1) - part);
             most = select(active, max(most, depth), most);
         }

@@ -8,10 +8,6 @@
 
 namespace quadrel {
 
-/// What these searches load: they read level 0, whatever the footprint.
-inline constexpr auto cell_search_inputs =
-    values(Value::uv, Value::relief_depth, Value::K, Value::frame_status, Value::frame_flags);
-
 /// Cells [low_i, high_i) x [low_j, high_j).
 template <Number F>
 struct CellBlock {

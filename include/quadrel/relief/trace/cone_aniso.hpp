@@ -24,7 +24,7 @@ Int<F> azimuth_sector(const vec2<F>& d) {
 struct ConeAniso : StageDefaults {
     static constexpr StageText text{"cone-aniso", "trace", "cone steps by ratios of eight sectors",
                                     "after Chen and Chuang 2009; sectors of azimuth"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone, TextureSlot::aniso_cone);
     using Params = ConeParams;

@@ -31,7 +31,7 @@ struct ConeCell : StageDefaults {
     static constexpr StageText text{"cone-cell", "trace",
                                     "leaps by cones between whole cells, patches exact",
                                     "correction of cone-step; after Dummer 2006"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::cone_cell);
     static constexpr bool needs_height_map = true;

@@ -14,7 +14,7 @@ struct ConeDummerExact : StageDefaults {
     static constexpr StageText text{"cone-dummer-exact", "trace",
                                     "cone steps of a texel or more, one texel back",
                                     "Dummer 2006, Cone Step Mapping"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone);
     static constexpr int guard = 65536;

@@ -14,7 +14,7 @@ struct ConeHybrid : StageDefaults {
     static constexpr StageText text{"cone-hybrid", "trace",
                                     "cones between conservative and relaxed, then bisection",
                                     "inspired by \"hybrid cone approach\" (abstract)"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone, TextureSlot::relaxed_cone_exact);
     struct Params {

@@ -9,10 +9,6 @@
 
 namespace quadrel {
 
-/// What searches of baked maps load: they read level 0, whatever the footprint.
-inline constexpr auto cone_search_inputs =
-    values(Value::uv, Value::relief_depth, Value::K, Value::frame_status, Value::frame_flags);
-
 /// Fall in s that a cone allows; the whole gap straight down, 0 where the cone has no width.
 template <Number F>
 F cone_step_length(F gap, F ratio, F kappa) {

@@ -16,7 +16,7 @@ namespace quadrel {
 struct ConeRabbid : StageDefaults {
     static constexpr StageText text{"cone-rabbid", "trace", "cone steps of a texel or more, 30",
                                     "Rabbid76, graphics-snippets, Cone Step Mapping"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone);
 

@@ -16,7 +16,7 @@ struct ConeRobust : StageDefaults {
     static constexpr StageText text{"cone-robust", "trace",
                                     "cone steps, at least to the next patch of the surface",
                                     "Ban, Valasek, Balint, Vad 2024"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::cone_robust);
     struct Params {

@@ -15,7 +15,7 @@ struct ConeRobustExact : StageDefaults {
     static constexpr StageText text{"cone-robust-exact", "trace",
                                     "cone steps from patch to patch, patches exact",
                                     "correction of cone-robust; after Ban et al. 2024"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::cone_robust);
     static constexpr bool needs_height_map = true;

@@ -26,7 +26,7 @@ inline constexpr std::array cone_parameters{
 struct ConeStep : StageDefaults {
     static constexpr StageText text{"cone-step", "trace", "steps as long as cones allow",
                                     "Dummer 2006, Cone Step Mapping"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone);
     using Params = ConeParams;

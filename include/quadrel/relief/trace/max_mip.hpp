@@ -17,7 +17,7 @@ struct MaxMip : StageDefaults {
     static constexpr StageText text{"max-mip", "trace",
                                     "nodes of a maximum pyramid left in one step, patches exact",
                                     "Tevs, Ihrke, Seidel 2008"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
     static constexpr bool needs_height_map = true;

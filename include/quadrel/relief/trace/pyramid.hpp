@@ -15,7 +15,7 @@ struct Pyramid : StageDefaults {
     static constexpr StageText text{"pyramid", "trace",
                                     "down a pyramid of texel heights, exact for a field of blocks",
                                     "after Oh, Ki, Lee 2006"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::texel_max);
     static constexpr bool needs_height_map = true;

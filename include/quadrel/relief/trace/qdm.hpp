@@ -16,7 +16,7 @@ struct Qdm : StageDefaults {
     static constexpr StageText text{"qdm", "trace",
                                     "pyramid of texel heights, exact for a field of blocks",
                                     "correction of qdm@published; Drobot 2010"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::texel_max);
     static constexpr bool needs_height_map = true;

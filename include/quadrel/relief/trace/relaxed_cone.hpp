@@ -25,7 +25,7 @@ struct RelaxedCone : StageDefaults {
     static constexpr StageText text{"relaxed-cone", "trace",
                                     "steps along relaxed cones, then bisection",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::relaxed_cone);
     using Params = RelaxedConeParams;

@@ -13,7 +13,7 @@ struct RelaxedConeExact : StageDefaults {
     static constexpr StageText text{"relaxed-cone-exact", "trace",
                                     "relaxed cones of falling edges, steps between patches",
                                     "Ban, Valasek, Balint, Vad 2024"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::relaxed_cone_exact);
     struct Params {

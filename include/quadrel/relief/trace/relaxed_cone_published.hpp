@@ -15,7 +15,7 @@ struct RelaxedConePublished : StageDefaults {
     static constexpr StageText text{"relaxed-cone@published", "trace",
                                     "15 relaxed cone steps, 8 halvings",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, disc"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::relaxed_cone);
 

@@ -63,7 +63,7 @@ struct RmqLeap : StageDefaults {
     static constexpr StageText text{"rmq-leap", "trace",
                                     "leaps over swept rectangles by range maxima, patches exact",
                                     "after Thonat et al. 2023"};
-    static constexpr auto inputs = cell_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::rmq);
     static constexpr bool needs_height_map = true;

@@ -16,12 +16,12 @@ inline constexpr auto search_inputs =
 
 template <class... V>
 constexpr auto search_inputs_and(V... more) {
-    std::array<Value, search_inputs.size() + sizeof...(V)> all{};
-    std::copy(search_inputs.begin(), search_inputs.end(), all.begin());
-    std::size_t next = search_inputs.size();
-    ((all[next++] = more), ...);
-    return all;
+    return values_and(search_inputs, more...);
 }
+
+/// What searches load that read level 0, whatever the footprint.
+inline constexpr auto level_0_search_inputs =
+    values(Value::uv, Value::relief_depth, Value::K, Value::frame_status, Value::frame_flags);
 
 /// The view ray of every lane in texture space.
 template <Number F>
@@ -60,12 +60,6 @@ struct SearchResult {
     Int<F> steps = Int<F>(0);    ///< points of the ray that were tested
     Int<F> fetches = Int<F>(0);  ///< texture look-ups of any kind
 };
-
-/// Adds 1 in the lanes of `mask`.
-template <Number F>
-void count_in(Int<F>& counter, Mask<F> mask) {
-    counter = counter + select(mask, Int<F>(1), Int<F>(0));
-}
 
 /// HIT where found; NAN where a height that the search compared was NaN; else `otherwise`.
 template <Number F>

@@ -15,7 +15,7 @@ namespace quadrel {
 struct Sphere3d : StageDefaults {
     static constexpr StageText text{"sphere-3d", "trace", "sphere tracing of a distance volume",
                                     "Donnelly 2005, GPU Gems 2, chapter 8; Hart 1996"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::distance_exact);
     struct Params {

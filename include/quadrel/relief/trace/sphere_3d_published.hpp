@@ -16,7 +16,7 @@ struct Sphere3dPublished : StageDefaults {
     static constexpr StageText text{"sphere-3d@published", "trace",
                                     "16 steps through a distance volume as listed",
                                     "Donnelly 2005, GPU Gems 2, chapter 8, disc"};
-    static constexpr auto inputs = cone_search_inputs;
+    static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::distance);
 
