@@ -35,8 +35,14 @@ inline Sampler own_level(Batch<float>& batch, int lane, bool level_0) {
 class Lockstep {
   public:
     using Fragment = std::function<End(int lane, const Sampler&)>;
+    /// With a loop, and look-ups behind it: those wait until all four have left the loop.
+    using Loop = std::function<End(int lane, const Sampler& inside, const Sampler& behind)>;
 
-    Lockstep(const SampledTexture& map, Fragment fragment) : map_(map), fragment_(fragment) {}
+    Lockstep(const SampledTexture& map, Loop fragment) : map_(map), fragment_(fragment) {}
+    Lockstep(const SampledTexture& map, Fragment fragment)
+        : Lockstep(map, Loop([fragment](int lane, const Sampler& all, const Sampler&) {
+                       return fragment(lane, all);
+                   })) {}
 
     std::array<End, 4> run() {
         while (!advance()) {
@@ -45,37 +51,49 @@ class Lockstep {
     }
 
   private:
-    struct NextLookUp {};
+    struct NextLookUp {
+        int part;
+    };
+    /// The look-ups of the loop, and those behind it.
+    struct Part {
+        std::vector<Fetch> results;
+        std::array<Vec2, 4> at;
+    };
+    static constexpr int finished = 2;
 
     /// Runs all four up to the first look-up without a result, and makes it; true if none is left.
     bool advance() {
-        bool finished = true;
-        for (int lane = 0; lane < 4; ++lane) finished = finishes(lane) && finished;
-        if (finished) return true;
+        int part = finished;
+        for (int lane = 0; lane < 4; ++lane) part = std::min(run_on(lane), part);
+        if (part == finished) return true;
         vec2<Fetch> at;
         for (int c = 0; c < 2; ++c)
-            for (int lane = 0; lane < 4; ++lane) at[c].lane[lane] = at_[lane][c];
-        results_.push_back(texture(map_, SampleContext<Fetch>(), at).x);
+            for (int lane = 0; lane < 4; ++lane) at[c].lane[lane] = parts_[part].at[lane][c];
+        parts_[part].results.push_back(texture(map_, SampleContext<Fetch>(), at).x);
         return false;
     }
-    bool finishes(int lane) {
-        std::size_t made = 0;
+    /// The part of the fragment's next look-up, or `finished`.
+    int run_on(int lane) {
+        std::array<std::size_t, 2> made{};
+        const auto sampler = [&](int part) {
+            return [this, &made, lane, part](const Vec2& uv) {
+                Part& of = parts_[part];
+                of.at[lane] = uv;
+                if (made[part] == of.results.size()) throw NextLookUp{part};
+                return of.results[made[part]++].lane[lane];
+            };
+        };
         try {
-            ends_[lane] = fragment_(lane, [&](const Vec2& uv) {
-                at_[lane] = uv;
-                if (made == results_.size()) throw NextLookUp();
-                return results_[made++].lane[lane];
-            });
-            return true;
-        } catch (const NextLookUp&) {
-            return false;
+            ends_[lane] = fragment_(lane, sampler(0), sampler(1));
+            return finished;
+        } catch (const NextLookUp& next) {
+            return next.part;
         }
     }
 
     const SampledTexture& map_;
-    Fragment fragment_;
-    std::vector<Fetch> results_;
-    std::array<Vec2, 4> at_;
+    Loop fragment_;
+    std::array<Part, 2> parts_;
     std::array<End, 4> ends_;
 };
 
