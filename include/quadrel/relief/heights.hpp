@@ -50,6 +50,17 @@ bool heights_are_noise(const Io& io) {
 inline constexpr float no_texel = 0;
 inline constexpr SampledTexture no_height_map{{&no_texel, 1, 1, 1, {1}, {1}, {0}}, {}};
 
+/// Texels of level 0 along u and v, and the size of one in units of the texture.
+template <Number F>
+struct TexelSize {
+    vec2<F> texels, step;
+
+    explicit TexelSize(const SampledTexture& map)
+        : texels(F(static_cast<Scalar<F>>(map.view.width[0])),
+                 F(static_cast<Scalar<F>>(map.view.height[0]))),
+          step(vec2<F>(F(1)) / texels) {}
+};
+
 /// The material's height map.
 template <class Io>
 const SampledTexture& height_map(const Io& io) {

@@ -23,9 +23,7 @@ struct H2n4TapPublished : StageDefaults {
         using F = typename Io::Number;
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const vec2<F> size(F(static_cast<Scalar<F>>(map.view.width[0])),
-                           F(static_cast<Scalar<F>>(map.view.height[0])));
-        const vec2<F> texel_offset = vec2<F>(F(1)) / size;
+        const vec2<F> texel_offset = TexelSize<F>(map).step;
         const auto context = io.template context<TextureSlot::height>();
         const auto h = [&](float i, float j) {
             return texture(map, context, uv + texel_offset * vec2<F>(F(i), F(j)),
@@ -34,9 +32,7 @@ struct H2n4TapPublished : StageDefaults {
         };
         const F h_xa = h(-1, 0), h_xb = h(1, 0), h_ya = h(0, -1), h_yb = h(0, 1);
         const vec2<F> delta(h_xa - h_xb, h_ya - h_yb);
-        const F depth = io.template load<Value::relief_depth>();
-        io.template store<Value::N>(
-            rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
+        store_rabbid_normal(io, delta, texel_offset);
     }
 };
 

@@ -23,16 +23,12 @@ struct H2nGatherPublished : StageDefaults {
         using F = typename Io::Number;
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const vec2<F> size(F(static_cast<Scalar<F>>(map.view.width[0])),
-                           F(static_cast<Scalar<F>>(map.view.height[0])));
-        const vec2<F> texel_offset = vec2<F>(F(1)) / size;
+        const vec2<F> texel_offset = TexelSize<F>(map).step;
         const auto context = io.template context<TextureSlot::height>();
         const vec4<F> heights = texture_gather(map, context, uv);
         const vec2<F> delta(dot(heights, vec4<F>(F(1), F(-1), F(-1), F(1))),
                             dot(heights, vec4<F>(F(-1), F(-1), F(1), F(1))));
-        const F depth = io.template load<Value::relief_depth>();
-        io.template store<Value::N>(
-            rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
+        store_rabbid_normal(io, delta, texel_offset);
     }
 };
 

@@ -23,9 +23,7 @@ struct H2nSobelPublished : StageDefaults {
         using F = typename Io::Number;
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const vec2<F> size(F(static_cast<Scalar<F>>(map.view.width[0])),
-                           F(static_cast<Scalar<F>>(map.view.height[0])));
-        const vec2<F> texel_offset = vec2<F>(F(1)) / size;
+        const vec2<F> texel_offset = TexelSize<F>(map).step;
         const auto context = io.template context<TextureSlot::height>();
         F hx[9];
         for (int i = 0; i < 9; ++i) {
@@ -34,9 +32,7 @@ struct H2nSobelPublished : StageDefaults {
         }
         const vec2<F> delta(hx[0] - hx[2] + F(2) * (hx[3] - hx[5]) + hx[6] - hx[8],
                             hx[0] - hx[6] + F(2) * (hx[1] - hx[7]) + hx[2] - hx[8]);
-        const F depth = io.template load<Value::relief_depth>();
-        io.template store<Value::N>(
-            rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
+        store_rabbid_normal(io, delta, texel_offset);
     }
 };
 

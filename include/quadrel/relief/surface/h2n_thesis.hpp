@@ -50,14 +50,13 @@ struct H2nThesis : StageDefaults {
         const GeneralHeight<F> sampler(map, io.template load<Value::dUVdx>(),
                                        io.template load<Value::dUVdy>());
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const F width(static_cast<Scalar<F>>(map.view.width[0]));
-        const F height(static_cast<Scalar<F>>(map.view.height[0]));
-        const vec2<F> du(F(1) / width, F(0)), dv(F(0), F(1) / height);
+        const TexelSize<F> size(map);
+        const vec2<F> du(size.step.x, F(0)), dv(F(0), size.step.y);
         const auto h = [&](const vec2<F>& at) {
             return sampler(io.template context<TextureSlot::height>(), at);
         };
-        return {(h(uv + du) - h(uv - du)) * width * F(0.5f),
-                (h(uv + dv) - h(uv - dv)) * height * F(0.5f)};
+        return {(h(uv + du) - h(uv - du)) * size.texels.x * F(0.5f),
+                (h(uv + dv) - h(uv - dv)) * size.texels.y * F(0.5f)};
     }
 };
 

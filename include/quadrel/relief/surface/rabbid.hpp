@@ -7,7 +7,7 @@
 // with N's facing: right only along an axis.
 #pragma once
 
-#include "quadrel/relief/view.hpp"
+#include "quadrel/relief/heights.hpp"
 
 namespace quadrel {
 
@@ -37,6 +37,13 @@ vec3<F> rabbid_to_eye(const Io& io, const vec3<F>& n, F depth) {
 template <Number F>
 vec3<F> rabbid_tilt(const vec2<F>& delta, const vec2<F>& texel_offset, F depth) {
     return normalize(vec3<F>(delta * (vec2<F>(depth) / texel_offset), F(1)));
+}
+
+/// Stores the normal of the height differences `delta` over `texel_offset`.
+template <class Io, class F = typename Io::Number>
+void store_rabbid_normal(const Io& io, const vec2<F>& delta, const vec2<F>& texel_offset) {
+    const F depth = io.template load<Value::relief_depth>();
+    io.template store<Value::N>(rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
 }
 
 }  // namespace quadrel

@@ -42,15 +42,4 @@ void store_relief_normal(const Io& io, const Slope& slope) {
     store_normal(io, relief_normal<Io, F>(io, slope(), depth), deep);
 }
 
-/// Size of a texel of level 0 and its inverse, in units of the texture.
-template <Number F>
-struct TexelSize {
-    vec2<F> texels, step;
-
-    explicit TexelSize(const SampledTexture& map)
-        : texels(F(static_cast<Scalar<F>>(map.view.width[0])),
-                 F(static_cast<Scalar<F>>(map.view.height[0]))),
-          step(vec2<F>(F(1)) / texels) {}
-};
-
 }  // namespace quadrel

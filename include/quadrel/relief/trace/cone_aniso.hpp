@@ -34,28 +34,20 @@ struct ConeAniso : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
         const Int<F> sector = azimuth_sector(ray.K);
         const Int<F> layer = select(sector >= Int<F>(4), Int<F>(1), Int<F>(0));
         const Int<F> channel = sector - layer * Int<F>(4);
         const auto heights = cone_look_up<TextureSlot::cone>(io);
         const BakedLookUp<TextureSlot::aniso_cone, 4, Io> ratios(io);
-        auto walk = walk_cones<F>(
-            ray,
-            [&](Mask<F> active, F s, const vec2<F>& uv) {
-                const F height = heights(active, s, uv).height;
-                const Texel<4, F> of_sector = ratios(active, uv, layer);
-                F ratio = of_sector.channel[0];
-                for (int k = 1; k < 4; ++k)
-                    ratio = select(channel == Int<F>(k), of_sector.channel[k], ratio);
-                return Cone<F>{height, ratio};
-            },
-            [&](const Cone<F>& cone, F gap, const vec2<F>&) {
-                return cone_step_length(gap, cone.ratio, kappa);
-            },
-            params.steps, F(params.tolerance));
-        walk.result.fetches = walk.result.fetches + walk.result.fetches;
-        store_search(io, ray, walk.result);
+        const auto look = [&](Mask<F> active, F s, const vec2<F>& uv) {
+            const F height = heights(active, s, uv).height;
+            const Texel<4, F> of_sector = ratios(active, uv, layer);
+            F ratio = of_sector.channel[0];
+            for (int k = 1; k < 4; ++k)
+                ratio = select(channel == Int<F>(k), of_sector.channel[k], ratio);
+            return Cone<F>{height, ratio};
+        };
+        store_cone_steps(io, ray, look, params, 2);
     }
 };
 

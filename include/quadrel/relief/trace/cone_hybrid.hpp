@@ -31,7 +31,6 @@ struct ConeHybrid : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
         const auto conservative = cone_look_up<TextureSlot::cone>(io);
         const BakedLookUp<TextureSlot::relaxed_cone_exact, 2, Io> relaxed(io);
         const auto look = [&](Mask<F> active, F s, const vec2<F>& uv) {
@@ -39,14 +38,9 @@ struct ConeHybrid : StageDefaults {
             const F wide = relaxed(active, uv).channel[1];
             return Cone<F>{narrow.height, lerp(narrow.ratio, wide, F(params.weight))};
         };
-        auto walk = walk_cones<F>(
-            ray, look,
-            [&](const Cone<F>& cone, F gap, const vec2<F>&) {
-                return cone_step_length(gap, cone.ratio, kappa);
-            },
-            params.steps, F(1.0f / 4096));
+        auto walk = walk_cones<F>(ray, look, fall_by_cone(ray), params.steps, F(1.0f / 4096));
         bisect_last_step<F>(ray, look, params.binary_steps, walk);
-        walk.result.fetches = walk.result.fetches + walk.result.fetches;
+        walk.result.fetches = walk.result.fetches * Int<F>(2);
         store_search(io, ray, walk.result);
     }
 };

@@ -24,25 +24,17 @@ struct ConeQuad : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
         const Mask<F> along_u = abs(ray.K.x) > abs(ray.K.y);
         const auto heights = cone_look_up<TextureSlot::cone>(io);
         const BakedLookUp<TextureSlot::quad_cone, 4, Io> ratios(io);
-        auto walk = walk_cones<F>(
-            ray,
-            [&](Mask<F> active, F s, const vec2<F>& uv) {
-                const F height = heights(active, s, uv).height;
-                const Texel<4, F> side = ratios(active, uv);
-                const F u = select(ray.K.x < F(0), side.channel[0], side.channel[1]);
-                const F v = select(ray.K.y < F(0), side.channel[2], side.channel[3]);
-                return Cone<F>{height, select(along_u, u, v)};
-            },
-            [&](const Cone<F>& cone, F gap, const vec2<F>&) {
-                return cone_step_length(gap, cone.ratio, kappa);
-            },
-            params.steps, F(params.tolerance));
-        walk.result.fetches = walk.result.fetches + walk.result.fetches;
-        store_search(io, ray, walk.result);
+        const auto look = [&](Mask<F> active, F s, const vec2<F>& uv) {
+            const F height = heights(active, s, uv).height;
+            const Texel<4, F> side = ratios(active, uv);
+            const F u = select(ray.K.x < F(0), side.channel[0], side.channel[1]);
+            const F v = select(ray.K.y < F(0), side.channel[2], side.channel[3]);
+            return Cone<F>{height, select(along_u, u, v)};
+        };
+        store_cone_steps(io, ray, look, params, 2);
     }
 };
 

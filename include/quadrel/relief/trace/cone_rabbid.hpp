@@ -29,7 +29,9 @@ struct ConeRabbid : StageDefaults {
         const vec2<F> direction(texDir3D);
         const vec2<F> R = normalize(vec2<F>(length(direction), texDir3D.z));
         const vec2<F> P = R / texDir3D.z;
-        const F min_step = length(normalize(direction) / map_size<F>(io)) * F(1) / R.x;
+        const F min_step = length(normalize(direction) /
+                                  TexelSize<F>(*io.template texture<TextureSlot::cone>()).texels) *
+                           F(1) / R.x;
         Mask<F> active = ray.active, found(false), met_nan(false);
         F t(0);
         SearchResult<F> result;
@@ -55,14 +57,6 @@ struct ConeRabbid : StageDefaults {
         result.status = search_status<F>(found, met_nan, Status::cap);
         result.fetches = result.steps;
         store_search(io, ray, result, ray.uv + direction * t);
-    }
-
-  private:
-    template <class F, class Io>
-    static vec2<F> map_size(const Io& io) {
-        const TextureView& view = io.template texture<TextureSlot::cone>()->view;
-        return {F(static_cast<Scalar<F>>(view.width[0])),
-                F(static_cast<Scalar<F>>(view.height[0]))};
     }
 };
 

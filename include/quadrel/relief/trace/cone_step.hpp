@@ -23,6 +23,15 @@ inline constexpr std::array cone_parameters{
     parameter<&ConeParams::tolerance>("tolerance", "depth",
                                       "gap to the surface that counts as a hit", 0, 1, 1.0 / 1024)};
 
+/// Walks along the cones of `look`, which takes `look_ups` a point, and stores the outcome.
+template <class Io, class Look, class F = typename Io::Number>
+void store_cone_steps(const Io& io, const SearchRay<F>& ray, const Look& look,
+                      const ConeParams& params, std::int32_t look_ups) {
+    auto walk = walk_cones<F>(ray, look, fall_by_cone(ray), params.steps, F(params.tolerance));
+    walk.result.fetches = walk.result.fetches * Int<F>(look_ups);
+    store_search(io, ray, walk.result);
+}
+
 struct ConeStep : StageDefaults {
     static constexpr StageText text{"cone-step", "trace", "steps as long as cones allow",
                                     "Dummer 2006, Cone Step Mapping"};
@@ -34,16 +43,8 @@ struct ConeStep : StageDefaults {
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
-        using F = typename Io::Number;
-        const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
-        const auto walk = walk_cones<F>(
-            ray, cone_look_up<TextureSlot::cone>(io),
-            [&](const Cone<F>& cone, F gap, const vec2<F>&) {
-                return cone_step_length(gap, cone.ratio, kappa);
-            },
-            params.steps, F(params.tolerance));
-        store_search(io, ray, walk.result);
+        const auto ray = search_ray(io);
+        store_cone_steps(io, ray, cone_look_up<TextureSlot::cone>(io), params, 1);
     }
 };
 

@@ -14,8 +14,7 @@ struct ConeWalk {
 
     explicit ConeWalk(Mask<F> lanes) : active(lanes) {}
 
-    /// Takes in the height at s. Lanes within `tolerance` of the surface or below it have found it;
-    /// those whose step would end below the bottom plane are set on it.
+    /// Takes in the height at s. Lanes within `tolerance` of the surface or below it have found it.
     void test(F height, F tolerance) {
         result.h = select(active, height, result.h);
         count_in<F>(result.steps, active);
@@ -24,6 +23,7 @@ struct ConeWalk {
         found = found | ends;
         active = active & !ends & !is_nan(height);
     }
+    /// Lanes whose step would end below the bottom plane are set on it.
     void fall(F by) {
         previous = select(active, s, previous);
         s = select(active, min(s + by, F(1)), s);
@@ -47,6 +47,26 @@ ConeWalk<F> walk_cones(const SearchRay<F>& ray, const Look& cone, const Fall& fa
     walk.result.status = search_status<F>(walk.found, walk.met_nan, Status::cap);
     walk.result.fetches = walk.result.steps;
     return walk;
+}
+
+/// How far a ray may fall by the cone under it.
+template <Number F>
+auto fall_by_cone(const SearchRay<F>& ray) {
+    return [kappa = length(ray.K)](const Cone<F>& cone, F gap, const vec2<F>&) {
+        return cone_step_length(gap, cone.ratio, kappa);
+    };
+}
+
+/// The same, but to the next border between texel centres of a map of `size` texels at least, times
+/// `relax`.
+template <Number F>
+auto fall_from_patch_to_patch(const SearchRay<F>& ray, const vec2<F>& size, F relax = F(1)) {
+    return [K = ray.K, kappa = length(ray.K), size, relax](const Cone<F>& cone, F gap,
+                                                           const vec2<F>& uv) {
+        const F along = cone_step_length(gap, cone.ratio, kappa);
+        const F step = max(along, fall_to_cell_border(uv, K, size));
+        return select(kappa > F(0), step * relax, along);
+    };
 }
 
 /// Halves the last step `times` times where it ended below the surface.

@@ -42,11 +42,10 @@ F central_slope(const Heights& heights, Mask<F> active, const vec2<F>& uv, const
 /// normalize(N - D (h_u grad u + h_v grad v)).
 template <class Io, class Heights, class F = typename Io::Number>
 vec3<F> height_normal(const Io& io, const Heights& heights, Mask<F> active, const vec2<F>& uv) {
-    const TextureView& view = io.template texture<TextureSlot::height>()->view;
-    const F columns(static_cast<Scalar<F>>(view.width[0]));
-    const F rows(static_cast<Scalar<F>>(view.height[0]));
-    const F h_u = central_slope(heights, active, uv, vec2<F>(F(1) / columns, F(0)), columns);
-    const F h_v = central_slope(heights, active, uv, vec2<F>(F(0), F(1) / rows), rows);
+    const TexelSize<F> size(height_map(io));
+    const vec2<F> du(size.step.x, F(0)), dv(F(0), size.step.y);
+    const F h_u = central_slope(heights, active, uv, du, size.texels.x);
+    const F h_v = central_slope(heights, active, uv, dv, size.texels.y);
     const auto J = io.template load<Value::J>();
     const vec3<F> tilt = (J[0] * h_u + J[1] * h_v) * io.template load<Value::relief_depth>();
     return normalize(io.template load<Value::frame_normal>() - tilt);

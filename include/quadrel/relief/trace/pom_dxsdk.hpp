@@ -76,9 +76,7 @@ struct PomDxsdk : StageDefaults {
     /// max(0.5 log2 of the larger squared gradient, 0), texels of level 0 as the unit.
     template <class Io, class F>
     static F mip_level(const Io& io, const vec2<F>& uv) {
-        const TextureView& view = io.template texture<TextureSlot::height>()->view;
-        const vec2<F> texels = uv * vec2<F>(F(static_cast<Scalar<F>>(view.width[0])),
-                                            F(static_cast<Scalar<F>>(view.height[0])));
+        const vec2<F> texels = uv * TexelSize<F>(height_map(io)).texels;
         const vec2<F> dx = dFdx(texels, io.frame().derivatives);
         const vec2<F> dy = dFdy(texels, io.frame().derivatives);
         const vec2<F> squares = dx * dx + dy * dy;

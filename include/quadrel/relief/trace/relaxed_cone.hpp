@@ -35,14 +35,8 @@ struct RelaxedCone : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
         const auto look = cone_look_up<TextureSlot::relaxed_cone>(io);
-        auto walk = walk_cones<F>(
-            ray, look,
-            [&](const Cone<F>& cone, F gap, const vec2<F>&) {
-                return cone_step_length(gap, cone.ratio, kappa);
-            },
-            params.steps, F(1.0f / 4096));
+        auto walk = walk_cones<F>(ray, look, fall_by_cone(ray), params.steps, F(1.0f / 4096));
         bisect_last_step<F>(ray, look, params.binary_steps, walk);
         store_search(io, ray, walk.result);
     }

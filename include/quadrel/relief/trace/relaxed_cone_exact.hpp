@@ -29,19 +29,10 @@ struct RelaxedConeExact : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F kappa = length(ray.K);
-        const TextureView& view = io.template texture<TextureSlot::height>()->view;
-        const vec2<F> size(F(static_cast<Scalar<F>>(view.width[0])),
-                           F(static_cast<Scalar<F>>(view.height[0])));
+        const vec2<F> size = TexelSize<F>(height_map(io)).texels;
         const auto look = cone_look_up<TextureSlot::relaxed_cone_exact>(io);
-        auto walk = walk_cones<F>(
-            ray, look,
-            [&](const Cone<F>& cone, F gap, const vec2<F>& uv) {
-                const F along = cone_step_length(gap, cone.ratio, kappa);
-                return select(kappa > F(0), max(along, fall_to_cell_border(uv, ray.K, size)),
-                              along);
-            },
-            params.steps, F(0));
+        auto walk =
+            walk_cones<F>(ray, look, fall_from_patch_to_patch(ray, size), params.steps, F(0));
         bisect_last_step<F>(ray, look, params.binary_steps, walk);
         store_search(io, ray, walk.result);
     }

@@ -50,9 +50,8 @@ F rabbid_steps(F quality) {
 /// Texels of level 0 that the ray crosses along the axis where it crosses most.
 template <Number F>
 F texels_crossed(const SampledTexture& map, const vec2<F>& K) {
-    const F columns(static_cast<Scalar<F>>(map.view.width[0]));
-    const F rows(static_cast<Scalar<F>>(map.view.height[0]));
-    return max(abs(K.x) * columns, abs(K.y) * rows);
+    const vec2<F> texels = TexelSize<F>(map).texels;
+    return max(abs(K.x) * texels.x, abs(K.y) * texels.y);
 }
 
 }  // namespace quadrel
