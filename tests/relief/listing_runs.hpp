@@ -2,7 +2,6 @@
 // gives its bits.
 #pragma once
 
-#include <algorithm>
 #include <set>
 
 #include "relief/surface_rays.hpp"
@@ -31,21 +30,19 @@ inline Sampler own_level(Batch<float>& batch, int lane, bool level_0) {
 
 /// Four fragments in lockstep, as a quad of a GPU runs them: the n-th look-up of each takes its
 /// gradients from the n-th of all four, and a fragment that makes no more keeps its last
-/// coordinate. Look-ups behind a listing's loop wait until all four have left the loop. Fragments
-/// are plain functions; they are started anew for every look-up of the quad, with the results so
-/// far, and stopped at the next.
+/// coordinate. Fragments are plain functions; they are started anew for every look-up of the quad,
+/// with the results so far, and stopped at the next.
 class Lockstep {
   public:
     using Fragment = std::function<End(int lane, const Sampler&)>;
-    using FragmentInParts =
-        std::function<End(int lane, const Sampler& in_loop, const Sampler& behind_loop)>;
+    /// With a loop, and look-ups behind it: those wait until all four have left the loop.
+    using Loop = std::function<End(int lane, const Sampler& inside, const Sampler& behind)>;
 
-    Lockstep(const SampledTexture& map, FragmentInParts fragment)
-        : map_(map), fragment_(std::move(fragment)) {}
-    Lockstep(const SampledTexture& map, const Fragment& fragment)
-        : map_(map), fragment_([fragment](int lane, const Sampler& in_loop, const Sampler&) {
-              return fragment(lane, in_loop);
-          }) {}
+    Lockstep(const SampledTexture& map, Loop fragment) : map_(map), fragment_(fragment) {}
+    Lockstep(const SampledTexture& map, Fragment fragment)
+        : Lockstep(map, Loop([fragment](int lane, const Sampler& all, const Sampler&) {
+                       return fragment(lane, all);
+                   })) {}
 
     std::array<End, 4> run() {
         while (!advance()) {
@@ -54,50 +51,49 @@ class Lockstep {
     }
 
   private:
-    enum class Part { loop, behind, finished };
-    struct LookUp {
-        Part part = Part::finished;
-        Vec2 at{};
+    struct NextLookUp {
+        int part;
     };
+    /// The look-ups of the loop, and those behind it.
+    struct Part {
+        std::vector<Fetch> results;
+        std::array<Vec2, 4> at;
+    };
+    static constexpr int finished = 2;
 
-    /// Runs all four up to the first look-up without a result, and makes those of the earlier part;
-    /// true if none is left.
+    /// Runs all four up to the first look-up without a result, and makes it; true if none is left.
     bool advance() {
-        std::array<LookUp, 4> next;
-        for (int lane = 0; lane < 4; ++lane) next[lane] = next_look_up(lane);
-        const auto earlier = [](const LookUp& a, const LookUp& b) { return a.part < b.part; };
-        const Part part = std::min_element(next.begin(), next.end(), earlier)->part;
-        if (part == Part::finished) return true;
+        int part = finished;
+        for (int lane = 0; lane < 4; ++lane) part = std::min(run_on(lane), part);
+        if (part == finished) return true;
         vec2<Fetch> at;
-        for (int lane = 0; lane < 4; ++lane) {
-            if (next[lane].part == part) at_[lane] = next[lane].at;
-            for (int c = 0; c < 2; ++c) at[c].lane[lane] = at_[lane][c];
-        }
-        const Fetch result = texture(map_, SampleContext<Fetch>(), at).x;
-        for (int lane = 0; lane < 4; ++lane)
-            if (next[lane].part == part) results_[lane].push_back(result.lane[lane]);
+        for (int c = 0; c < 2; ++c)
+            for (int lane = 0; lane < 4; ++lane) at[c].lane[lane] = parts_[part].at[lane][c];
+        parts_[part].results.push_back(texture(map_, SampleContext<Fetch>(), at).x);
         return false;
     }
-    LookUp next_look_up(int lane) {
-        std::size_t made = 0;
-        const auto sampler = [&](Part part) {
-            return [&made, &results = results_[lane], part](const Vec2& uv) {
-                if (made == results.size()) throw LookUp{part, uv};
-                return results[made++];
+    /// The part of the fragment's next look-up, or `finished`.
+    int run_on(int lane) {
+        std::array<std::size_t, 2> made{};
+        const auto sampler = [&](int part) {
+            return [this, &made, lane, part](const Vec2& uv) {
+                Part& of = parts_[part];
+                of.at[lane] = uv;
+                if (made[part] == of.results.size()) throw NextLookUp{part};
+                return of.results[made[part]++].lane[lane];
             };
         };
         try {
-            ends_[lane] = fragment_(lane, sampler(Part::loop), sampler(Part::behind));
-        } catch (const LookUp& next) {
-            return next;
+            ends_[lane] = fragment_(lane, sampler(0), sampler(1));
+            return finished;
+        } catch (const NextLookUp& next) {
+            return next.part;
         }
-        return {};
     }
 
     const SampledTexture& map_;
-    FragmentInParts fragment_;
-    std::array<std::vector<float>, 4> results_;
-    std::array<Vec2, 4> at_{};
+    Loop fragment_;
+    std::array<Part, 2> parts_;
     std::array<End, 4> ends_;
 };
 
