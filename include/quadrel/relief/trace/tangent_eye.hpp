@@ -20,13 +20,4 @@ vec3<F> tangent_eye(const Io& io) {
             dot(e, io.template load<Value::frame_normal>())};
 }
 
-/// The unit vector to the viewer along the frame's tangent, bitangent and normal; of length 1 where
-/// they are perpendicular, not normalised again.
-template <class Io, class F = typename Io::Number>
-vec3<F> tangent_view(const Io& io) {
-    const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
-    return {dot(V, io.template load<Value::T>()), dot(V, io.template load<Value::B>()),
-            dot(V, io.template load<Value::frame_normal>())};
-}
-
 }  // namespace quadrel
