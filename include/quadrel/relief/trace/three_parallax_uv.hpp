@@ -1,0 +1,40 @@
+// three-parallax-uv: parallaxUV of the shading language of three.js.
+//
+// Source: three.js, src/nodes/accessors/AccessorsUtils.js at 085048b0, parallaxUV(uv, scale) =
+// uv - parallaxDirection * scale: the unit view vector along tangent, bitangent and normal, left
+// unnormalised, and not divided by its z. What the scale is is the user's business; here, as in the
+// example webgpu_parallax_uv.html with its factor of 0.3, a length times a map of depths, read as
+// 1 - height with the gradients of the undisplaced UV. (The example takes its u from red and its v
+// from green; here both are channel 0.) The relief's depth and seat move hit.depth alone.
+#pragma once
+
+#include "quadrel/relief/trace/offset.hpp"
+#include "quadrel/relief/trace/tangent_viewer.hpp"
+
+namespace quadrel {
+
+struct ThreeParallaxUv : StageDefaults {
+    static constexpr StageText text{"three-parallax-uv", "trace", "parallaxUV of three.js' TSL",
+                                    "three.js, src/nodes/accessors/AccessorsUtils.js"};
+    static constexpr auto inputs =
+        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr auto outputs = trace_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    struct Params {
+        float scale = 0.3f;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::scale>("scale", "UV", "UV length of the depth range", -16, 16, 0.3)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const SearchRay<F> ray = search_ray(io);
+        const F height = height_at_start(io, ray);
+        const vec2<F> direction(tangent_viewer(io));
+        const F scale = F(params.scale) * (F(1) - height);
+        store_search(io, ray, offset_result(ray, height), ray.uv - direction * scale);
+    }
+};
+
+}  // namespace quadrel
