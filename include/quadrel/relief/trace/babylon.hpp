@@ -1,0 +1,118 @@
+// babylon: Babylon.js' parallax mapping (occlusion = 0) and parallax occlusion (1).
+//
+// Source: Babylon.js, bumpFragmentFunctions.fx (769119f), parallaxOffset and parallaxOcclusion,
+// called from bumpFragment.fx. The height is the alpha of the normal map ("swizzle": "a"), `scale`
+// the material's parallaxScaleBias, a UV length; the relief's depth and seat move hit.depth alone.
+//
+// The engine's cotangent frame is not divided by its determinant: in the default left-handed system
+// it points to decreasing u and v, in a right-handed one to growing u and v, and the shader's signs
+// (PARALLAX_RHS) make up for that, so that bumps are bumps in both. T and B grow with u and v here,
+// so left-handed they are turned round before the shader's lines. With own_tangents = 1 they are
+// not: tangents that a mesh brings along point to growing u and v in either system, and
+// left-handed the relief comes out inverted.
+//
+// Kept:
+//   * parallax is limited to the unit vector's (x, y) times the height: no division by its z;
+//   * parallax occlusion counts N.V backwards: 15 + 11 N.V steps, a real number, but 15 look-ups,
+//     so that seen from above 4 tenths of the range are never searched: FLOOR at the last sample;
+//   * it is seen along the normal: normalize(0) makes the coordinate NaN: NAN;
+//   * implicit derivatives in the loop, which runs on at the final coordinate behind a hit: steps
+//     and fetches are 15; the test is strict; the secant's second weight takes the height before
+//     the first sample to be 1.
+// hit.s is the depth of the last sample of the march, the secant moves hit.uv alone; hit.h is the
+// height compared last. For the engine's own frame, its axes not of unit length, take
+// frame-cot@published.
+#pragma once
+
+#include "quadrel/relief/trace/babylon_march.hpp"
+#include "quadrel/relief/trace/offset.hpp"
+#include "quadrel/relief/trace/tangent_viewer.hpp"
+
+namespace quadrel {
+
+struct BabylonParams {
+    std::int32_t occlusion = 0;
+    float scale = 0.05f;
+    std::int32_t right_handed = 0, own_tangents = 0;
+};
+
+struct Babylon : StageDefaults {
+    static constexpr StageText text{"babylon", "trace", "Babylon.js' parallax, plain and occlusion",
+                                    "Babylon.js, bumpFragmentFunctions.fx"};
+    static constexpr auto inputs =
+        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr auto outputs = trace_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
+    using Params = BabylonParams;
+    static constexpr std::array parameters{
+        parameter<&Params::occlusion>("occlusion", "0 or 1", "1: useParallaxOcclusion", 0, 1, 0),
+        parameter<&Params::scale>("scale", "UV", "UV length of the height range", -16, 16, 0.05),
+        parameter<&Params::right_handed>("right_handed", "0 or 1", "1: useRightHandedSystem", 0, 1,
+                                         0),
+        parameter<&Params::own_tangents>(
+            "own_tangents", "0 or 1", "1: tangents of the mesh, inverted if left-handed", 0, 1, 0)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const SearchRay<F> ray = search_ray(io);
+        const vec3<F> normal = io.template load<Value::frame_normal>();
+        const vec3<F> view = turned(params, tangent_viewer(io));
+        if (params.occlusion == 0) return limited(io, ray, view, params);
+        const vec3<F> vNormalCoT =
+            turned(params, vec3<F>(dot(normal, io.template load<Value::T>()),
+                                   dot(normal, io.template load<Value::B>()), dot(normal, normal)));
+        search(io, ray, BabylonMarch<F>(-view, vNormalCoT, params.scale, ray.active), params);
+    }
+
+  private:
+    /// In the engine's own frame.
+    template <Number F>
+    static vec3<F> turned(const Params& params, const vec3<F>& v) {
+        const bool grows = params.right_handed != 0 || params.own_tangents != 0;
+        return grows ? v : vec3<F>(-v.x, -v.y, v.z);
+    }
+
+    template <class Io, class F>
+    static F sample(const Io& io, Mask<F> active, const vec2<F>& uv) {
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+        return texture(map, io.template context<TextureSlot::height>(active), uv,
+                       io.frame().derivatives)
+            .x;
+    }
+
+    /// parallaxOffset.
+    template <class Io, class F>
+    static void limited(const Io& io, const SearchRay<F>& ray, const vec3<F>& viewDir,
+                        const Params& params) {
+        const F height = sample(io, ray.active, ray.uv);
+        io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), height);
+        const vec2<F> offset = vec2<F>(viewDir) * F(params.scale) * height;
+        store_search(io, ray, offset_result(ray, height),
+                     ray.uv + (params.right_handed != 0 ? offset : -offset));
+    }
+
+    /// parallaxOcclusion.
+    template <class Io, class F>
+    static void search(const Io& io, const SearchRay<F>& ray, BabylonMarch<F> march,
+                       const Params& params) {
+        const F side(static_cast<Scalar<F>>(params.right_handed != 0 ? -1 : 1));
+        SearchResult<F> result;
+        for (int i = 0; i < march.iMaxSamples; ++i) {
+            const vec2<F> at = ray.uv + march.vCurrOffset;
+            const F height = sample(io, ray.active, at);
+            count_in<F>(result.steps, ray.active);
+            io.march_step(march.keepWorking, F(1) - march.currRayHeight, at, march.currRayHeight,
+                          height);
+            march.test(height, side);
+        }
+        result.s = F(1) - march.currRayHeight;
+        result.h = march.compared;
+        result.status = search_status<F>(march.hit, march.met_nan | march.lost());
+        result.fetches = result.steps;
+        store_search(io, ray, result, ray.uv + march.vCurrOffset);
+    }
+};
+
+}  // namespace quadrel
