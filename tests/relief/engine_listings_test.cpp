@@ -1,6 +1,13 @@
 // The searches named after an engine give the bits of its shader.
 #include "relief/engine_listings.hpp"
 
+#include "relief/engine_listings_babylon.hpp"
+#include "relief/engine_listings_bevy.hpp"
+#include "relief/engine_listings_godot.hpp"
+#include "relief/engine_listings_o3de.hpp"
+#include "relief/engine_listings_playcanvas.hpp"
+#include "relief/engine_listings_three.hpp"
+#include "relief/engine_listings_unity.hpp"
 #include "relief/listing_runs.hpp"
 
 namespace quadrel::test {
@@ -19,7 +26,14 @@ Listing unreal(float ratio, float plane) {
             "offset-limit"};
 }
 
-std::vector<Listing> engine_listings() { return {unreal(0.05f, 0.5f), unreal(-0.1f, 0.2f)}; }
+std::vector<Listing> engine_listings() {
+    std::vector<Listing> all = {unreal(0.05f, 0.5f), unreal(-0.1f, 0.2f)};
+    for (const auto& engine :
+         {godot_listings(), bevy_listings(), babylon_listings(), o3de_listings(),
+          playcanvas_listings(), three_listings(), unity_listings()})
+        all.insert(all.end(), engine.begin(), engine.end());
+    return all;
+}
 
 TEST(EngineListings, AreReproducedBitForBit) {
     for (const Listing& listing : engine_listings())

@@ -107,7 +107,7 @@ Listing gpu_gems_3() {
             return listings::gpu_gems_3(uv, Vec3(K.x, K.y, 1.0f), 15, 6, depth);
         });
     };
-    return {"relief-gg3", run, {}, "relief-binary"};
+    return {"relief-gg3", run, {}, "relief-binary", true};
 }
 
 /// Level 0 by one filter.

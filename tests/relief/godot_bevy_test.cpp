@@ -1,0 +1,180 @@
+// The searches of Godot and Bevy where a listing over ordinary maps does not lead: maps deeper than
+// the relief, heights that are no numbers, flat maps, and how a search says that it ended.
+#include "relief/engine_listings_bevy.hpp"
+#include "relief/engine_listings_godot.hpp"
+#include "relief/planted.hpp"
+
+namespace quadrel::test {
+namespace {
+
+using Stage = StageUnderTest<float>;
+
+std::vector<Listing> both_engines() {
+    std::vector<Listing> all = godot_listings();
+    for (const Listing& listing : bevy_listings()) all.push_back(listing);
+    return all;
+}
+
+/// The stage with an error behind it.
+Stage with(const std::string& id, Planted planted) {
+    const auto after = [planted](Batch<float>& b) {
+        for (int lane = 0; lane < b.lanes; ++lane) {
+            std::int32_t& status = b.integer(Value::hit_status, lane);
+            if (planted == Planted::nan_is_floor && status == static_cast<int>(Status::nan))
+                status = static_cast<int>(Status::floor);
+            if (planted == Planted::surface_not_reached) status = static_cast<int>(Status::hit);
+            if (planted == Planted::off_the_ray) b.real(Value::hit_uv, lane) += 0.002f;
+            if (planted == Planted::fetch_not_counted) b.integer(Value::hit_fetches, lane) -= 1;
+        }
+    };
+    return {id, {}, after};
+}
+
+// ---- Any heights --------------------------------------------------------------------------------
+
+/// Heights from far below the relief to above it, one texel in fifty NaN.
+Map wild_map(Random& random) {
+    return height_map(32, 32, [&](int, int) {
+        return random.chance(0.02) ? std::numeric_limits<float>::quiet_NaN()
+                                   : static_cast<float>(random.uniform(-2, 1.5));
+    });
+}
+
+testing::AssertionResult follows_on_wild_maps(const Listing& listing, const Stage& stage) {
+    for (int i = 0; i < 10; ++i) {
+        Inputs inputs(i);
+        const Map map = wild_map(inputs.random);
+        Batch<float>& b = inputs.batch;
+        b.bind(TextureSlot::height, map.sampled);
+        stage.run(b, listing.parameters);
+        for (int quad = 0; quad < b.lanes / 4; ++quad) {
+            const std::array<End, 4> ends = listing.run(b, quad);
+            for (int k = 0; k < 4; ++k) {
+                const auto equal = lane_equals(listing, b, 4 * quad + k, ends[k]);
+                if (!equal) return equal;
+            }
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(GodotBevy, FollowTheirListingsOnWildMaps) {
+    for (const Listing& listing : both_engines()) {
+        EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
+        EXPECT_FALSE(follows_on_wild_maps(listing, with(listing.id, Planted::fetch_not_counted)));
+    }
+}
+
+// ---- How a search ends --------------------------------------------------------------------------
+
+/// One quad alone: some searches make all the steps that there are.
+testing::AssertionResult ends_with(const Stage& stage, const Parameters& parameters, float height,
+                                   Status expected) {
+    Inputs inputs(1);
+    Batch<float>& b = inputs.batch;
+    std::fill(b.active.begin() + 4, b.active.end(), 0);
+    const Map map = flat_map(height);
+    b.bind(TextureSlot::height, map.sampled);
+    stage.run(b, parameters);
+    for (int lane = 0; lane < 4; ++lane) {
+        const int status = b.integer(Value::hit_status, lane);
+        if (status != static_cast<int>(expected))
+            return testing::AssertionFailure() << stage.id << ": status " << status;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(GodotBevy, SayHowTheyEnded) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    for (const Listing& listing : both_engines()) {
+        const auto ends = [&](const Stage& stage, float height, Status expected) {
+            return ends_with(stage, listing.parameters, height, expected);
+        };
+        EXPECT_TRUE(ends({listing.id}, 0.4f, Status::hit));
+        EXPECT_TRUE(ends({listing.id}, nan, Status::nan));
+        EXPECT_FALSE(ends(with(listing.id, Planted::nan_is_floor), nan, Status::nan));
+        if (listing.id != "bevy") continue;
+        // Bevy's loop is left behind the bottom plane, Godot's marches on.
+        EXPECT_TRUE(ends({listing.id}, -3, Status::floor));
+        EXPECT_FALSE(ends(with(listing.id, Planted::surface_not_reached), -3, Status::floor));
+    }
+}
+
+TEST(GodotBevy, GodotsLoopIsCutOffWhereItHasNoEnd) {
+    const Parameters deep = {{"deep", 1}};
+    const float bottomless = -1e30f;
+    EXPECT_TRUE(ends_with({"godot"}, deep, bottomless, Status::cap));
+    EXPECT_TRUE(ends_with({"godot"}, deep, -3, Status::hit));
+    EXPECT_FALSE(
+        ends_with(with("godot", Planted::surface_not_reached), deep, bottomless, Status::cap));
+}
+
+// ---- Flat maps ----------------------------------------------------------------------------------
+
+/// On a flat map the ray ends where its line meets the height: the offset is `scale` times the
+/// depth times V.xy, which Bevy divides by V.z and Godot does not. `within`: in shares of scale.
+testing::AssertionResult meets_a_flat_map(const Listing& listing, const Stage& stage,
+                                          double within) {
+    const double unit = listing.id == "godot" ? 0.01 : 1;
+    const double scale = listing.parameters.at("scale") * unit;
+    for (const float height : {0.03f, 0.5f, 0.93f}) {
+        Inputs inputs(7);
+        Batch<float>& b = inputs.batch;
+        const Map map = flat_map(height);
+        b.bind(TextureSlot::height, map.sampled);
+        stage.run(b, listing.parameters);
+        for (int lane = 0; lane < b.lanes; ++lane) {
+            const dvec3 V(tangent_view(b, lane));
+            const double slope = (1.0 - height) / (listing.id == "bevy" ? std::abs(V.z) : 1);
+            const dvec2 expected = dvec2(b.vector2(Value::uv, lane)) - dvec2(V) * (scale * slope);
+            const dvec2 error = dvec2(b.vector2(Value::hit_uv, lane)) - expected;
+            // Rounding apart, errors along the ray grow as its slope does.
+            if (length(error) > 1e-5 + within * std::abs(scale / V.z))
+                return testing::AssertionFailure() << listing.id << ", lane " << lane;
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(GodotBevy, MeetFlatMaps) {
+    for (const Listing& listing : godot_listings()) {
+        EXPECT_TRUE(meets_a_flat_map(listing, {listing.id}, 0));
+        EXPECT_FALSE(meets_a_flat_map(listing, with(listing.id, Planted::off_the_ray), 0));
+    }
+    // A half step of a whole range at most, then halved again and again.
+    for (const int steps : {4, 8, 16}) {
+        const Listing half_steps = bevy(true, steps, 16, 0.1f);
+        EXPECT_TRUE(meets_a_flat_map(half_steps, {"bevy"}, std::ldexp(1.0, -steps - 1)));
+    }
+    for (const float layers : {1.0f, 16.0f, 100.5f}) {
+        EXPECT_TRUE(meets_a_flat_map(bevy(false, 5, layers, 0.1f), {"bevy"}, 0));
+        EXPECT_FALSE(
+            meets_a_flat_map(bevy(false, 5, layers, 0.1f), with("bevy", Planted::off_the_ray), 0));
+    }
+}
+
+// ---- No layers ----------------------------------------------------------------------------------
+
+testing::AssertionResult leaves_the_polygon_alone(const Stage& stage, double max_layers) {
+    Inputs inputs(3);
+    Batch<float>& b = inputs.batch;
+    stage.run(b, {{"max_layers", max_layers}});
+    for (int lane = 0; lane < b.lanes; ++lane) {
+        const Vec2 uv = b.vector2(Value::uv, lane), hit_uv = b.vector2(Value::hit_uv, lane);
+        const bool unmoved = same(uv.x, hit_uv.x) && same(uv.y, hit_uv.y) &&
+                             b.real(Value::hit_depth, lane) == 0 &&
+                             b.integer(Value::hit_fetches, lane) == 0 &&
+                             b.integer(Value::hit_status, lane) == static_cast<int>(Status::hit);
+        if (!unmoved) return testing::AssertionFailure() << "lane " << lane;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(GodotBevy, BevyWithoutALayerHasNoParallax) {
+    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0.99));
+    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0));
+    EXPECT_FALSE(leaves_the_polygon_alone({"bevy"}, 1));
+}
+
+}  // namespace
+}  // namespace quadrel::test
