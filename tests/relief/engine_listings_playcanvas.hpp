@@ -122,7 +122,7 @@ inline Listing playcanvas_offset(float factor, float base) {
     };
     return {"playcanvas",
             run,
-            {{"occlusion", 0}, {"height_map_factor", factor}, {"base", base}},
+            {{"mode", 0}, {"height_map_factor", factor}, {"base", base}},
             "offset-limit"};
 }
 
@@ -149,7 +149,7 @@ inline Listing playcanvas_occlusion(float factor, float base, int samples) {
     };
     return {"playcanvas",
             run,
-            {{"occlusion", 1}, {"height_map_factor", factor}, {"base", base}, {"samples", samples}},
+            {{"mode", 1}, {"height_map_factor", factor}, {"base", base}, {"samples", samples}},
             "relief-binary"};
 }
 

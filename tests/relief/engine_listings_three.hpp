@@ -141,10 +141,10 @@ inline std::vector<Listing> three_listings() {
     std::vector<Listing> all = {three_parallax_uv(0.3f), three_parallax_uv(-0.05f)};
     using enum listings::ThreeMode;
     for (const auto mode : {basic, steep, occlusion, relief}) {
-        all.push_back(three_parallax(mode, 0.005f, 20, 25));
         all.push_back(three_parallax(mode, 0.3f, 8, 60));
         all.push_back(three_parallax(mode, -0.1f, 5, 1));
     }
+    all.push_back(three_parallax(relief, 0.005f, 20, 25));
     return all;
 }
 

@@ -90,12 +90,12 @@ inline Listing unity_pom(int steps, float scale, float lod, float lod_threshold)
     return {"unity-pom",
             run,
             {{"steps", steps}, {"scale", scale}, {"lod", lod}, {"lod_threshold", lod_threshold}},
-            "regula-falsi"};
+            "interval"};
 }
 
 inline std::vector<Listing> unity_listings() {
     return {unity_pom(5, 0.01f, 0, 0), unity_pom(5, 0.2f, 0, 0), unity_pom(1, -0.1f, 0.5f, 2),
-            unity_pom(40, 0.3f, 1.25f, 1), unity_pom(256, 0.1f, 3, 2)};
+            unity_pom(40, 0.3f, 1.25f, 1), unity_pom(100, 0.1f, 3, 2)};
 }
 
 }  // namespace quadrel::test

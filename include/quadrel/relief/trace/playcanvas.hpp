@@ -1,10 +1,10 @@
 // playcanvas: the height map of PlayCanvas' standard material, as its shader has it.
 //
 // Source: PlayCanvas, engine repository, src/scene/shader-lib/glsl/chunks/standard/frag/parallax.js
-// in the form of engine 2.22 that has parallaxMode and heightMapBase. `occlusion` 0: an offset by
-// the height, not divided by the view vector's z. `occlusion` 1: a march and 5 half steps. (Forms
-// before it: 2.22 betas have the base fixed at 0.5; 1.57 to 1.63 divide by z + 0.42 and have v the
-// wrong way round.) The range is 0.1 times the factor, a UV length. Kept:
+// in the form of engine 2.22 that has parallaxMode and heightMapBase. `mode` 0: an offset by
+// the height, not divided by the view vector's z. `mode` 1, occlusion: a march and 5 half steps.
+// (Forms before it: 2.22 betas have the base fixed at 0.5; 1.57 to 1.63 divide by z + 0.42 and have
+// v the wrong way round.) The range is 0.1 times the factor, a UV length. Kept:
 //   * the ray enters the top of the volume behind the fragment, which lies at height `base`; its
 //     slope is limited to 5, so that the ray then is not the view ray;
 //   * the shader computes the level of detail itself, from the undisplaced UV, whatever the form
@@ -37,12 +37,12 @@ struct PlayCanvas : StageDefaults {
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
-        std::int32_t occlusion = 0, samples = 16;
+        std::int32_t mode = 0, samples = 16;
         float height_map_factor = 1, base = 0.5f;
     };
     static constexpr std::array parameters{
-        parameter<&Params::occlusion>("occlusion", "0 or 1", "0: an offset, 1: a search", 0, 1, 0),
-        parameter<&Params::samples>("samples", "1", "most steps, if occlusion", 1, most_steps, 16),
+        parameter<&Params::mode>("mode", "1", "0: offset, 1: occlusion, a search", 0, 1, 0),
+        parameter<&Params::samples>("samples", "1", "most steps of occlusion", 1, most_steps, 16),
         parameter<&Params::height_map_factor>(
             "height_map_factor", "0.1 UV", "UV length of the height range, times 10", -160, 160, 1),
         parameter<&Params::base>("base", "1", "height that does not move", 0, 1, 0.5)};
@@ -53,7 +53,7 @@ struct PlayCanvas : StageDefaults {
         const SearchRay<F> ray = search_ray(io);
         const vec3<F> view = normalize(tangent_viewer(io));
         const F scale(static_cast<Scalar<F>>(0.1 * double(params.height_map_factor)));
-        if (params.occlusion) {
+        if (params.mode) {
             search(io, ray, Volume<F>(io, ray, view, scale, params), params);
             return;
         }
