@@ -47,7 +47,7 @@ struct ThreeParallax : StageDefaults {
                                        most_steps, 20),
         parameter<&Params::max_layers>("max_layers", "1", "layers along the surface, unless basic",
                                        1, most_steps, 25),
-        parameter<&Params::scale>("scale", "world", "depth of the relief", -16, 16, 0.005)};
+        parameter<&Params::scale>("scale", "world unit", "depth of the relief", -16, 16, 0.005)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
