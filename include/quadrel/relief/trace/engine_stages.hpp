@@ -6,6 +6,7 @@
 #include "quadrel/relief/trace/babylon.hpp"
 #include "quadrel/relief/trace/bevy.hpp"
 #include "quadrel/relief/trace/godot.hpp"
+#include "quadrel/relief/trace/learnopengl.hpp"
 #include "quadrel/relief/trace/o3de.hpp"
 #include "quadrel/relief/trace/playcanvas.hpp"
 #include "quadrel/relief/trace/three_parallax.hpp"
@@ -15,7 +16,7 @@
 
 namespace quadrel {
 
-using EngineStages = StageList<Babylon, Bevy, Godot, O3de, PlayCanvas, ThreeParallax,
+using EngineStages = StageList<Babylon, Bevy, Godot, LearnOpenGl, O3de, PlayCanvas, ThreeParallax,
                                ThreeParallaxUv, UnityPom, UnrealBumpOffset>;
 
 }  // namespace quadrel

@@ -1,7 +1,9 @@
-// The searches of Godot and Bevy where a listing over ordinary maps does not lead: maps deeper than
-// the relief, heights that are no numbers, flat maps, and how a search says that it ended.
+// The marches in layers of Godot, Bevy and Learn OpenGL where a listing over ordinary maps does not
+// lead: maps deeper than the relief, heights that are no numbers, flat maps, and how a search says
+// that it ended.
 #include "relief/engine_listings_bevy.hpp"
 #include "relief/engine_listings_godot.hpp"
+#include "relief/engine_listings_learnopengl.hpp"
 #include "relief/planted.hpp"
 
 namespace quadrel::test {
@@ -9,9 +11,10 @@ namespace {
 
 using Stage = StageUnderTest<float>;
 
-std::vector<Listing> both_engines() {
+std::vector<Listing> all_engines() {
     std::vector<Listing> all = godot_listings();
-    for (const Listing& listing : bevy_listings()) all.push_back(listing);
+    for (const auto& engine : {bevy_listings(), learnopengl_listings()})
+        all.insert(all.end(), engine.begin(), engine.end());
     return all;
 }
 
@@ -58,8 +61,8 @@ testing::AssertionResult follows_on_wild_maps(const Listing& listing, const Stag
     return testing::AssertionSuccess();
 }
 
-TEST(GodotBevy, FollowTheirListingsOnWildMaps) {
-    for (const Listing& listing : both_engines()) {
+TEST(LayeredEngines, FollowTheirListingsOnWildMaps) {
+    for (const Listing& listing : all_engines()) {
         EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
         EXPECT_FALSE(follows_on_wild_maps(listing, with(listing.id, Planted::fetch_not_counted)));
     }
@@ -84,9 +87,9 @@ testing::AssertionResult ends_with(const Stage& stage, const Parameters& paramet
     return testing::AssertionSuccess();
 }
 
-TEST(GodotBevy, SayHowTheyEnded) {
+TEST(LayeredEngines, SayHowTheyEnded) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const Listing& listing : both_engines()) {
+    for (const Listing& listing : all_engines()) {
         const auto ends = [&](const Stage& stage, float height, Status expected) {
             return ends_with(stage, listing.parameters, height, expected);
         };
@@ -94,25 +97,29 @@ TEST(GodotBevy, SayHowTheyEnded) {
         EXPECT_TRUE(ends({listing.id}, nan, Status::nan));
         EXPECT_FALSE(ends(with(listing.id, Planted::nan_is_floor), nan, Status::nan));
         if (listing.id != "bevy") continue;
-        // Bevy's loop is left behind the bottom plane, Godot's marches on.
+        // Bevy's loop is left behind the bottom plane, the others march on.
         EXPECT_TRUE(ends({listing.id}, -3, Status::floor));
         EXPECT_FALSE(ends(with(listing.id, Planted::surface_not_reached), -3, Status::floor));
     }
 }
 
-TEST(GodotBevy, GodotsLoopIsCutOffWhereItHasNoEnd) {
-    const Parameters deep = {{"deep", 1}};
+TEST(LayeredEngines, LoopsWithoutAnEndAreCutOff) {
     const float bottomless = -1e30f;
-    EXPECT_TRUE(ends_with({"godot"}, deep, bottomless, Status::cap));
-    EXPECT_TRUE(ends_with({"godot"}, deep, -3, Status::hit));
-    EXPECT_FALSE(
-        ends_with(with("godot", Planted::surface_not_reached), deep, bottomless, Status::cap));
+    for (const Listing& listing : {godot(true, 5, 8, 32), learnopengl(0.1f, 8, 32)}) {
+        const auto ends = [&](const Stage& stage, float height, Status expected) {
+            return ends_with(stage, listing.parameters, height, expected);
+        };
+        EXPECT_TRUE(ends({listing.id}, bottomless, Status::cap));
+        EXPECT_TRUE(ends({listing.id}, -3, Status::hit));
+        EXPECT_FALSE(ends(with(listing.id, Planted::surface_not_reached), bottomless, Status::cap));
+    }
 }
 
 // ---- Flat maps ----------------------------------------------------------------------------------
 
 /// On a flat map the ray ends where its line meets the height: the offset is `scale` times the
-/// depth times V.xy, which Bevy divides by V.z and Godot does not. `within`: in shares of scale.
+/// depth times V.xy, which Godot does not divide by V.z, as the others do. `within`: in shares of
+/// scale.
 testing::AssertionResult meets_a_flat_map(const Listing& listing, const Stage& stage,
                                           double within) {
     const double unit = listing.id == "godot" ? 0.01 : 1;
@@ -125,7 +132,7 @@ testing::AssertionResult meets_a_flat_map(const Listing& listing, const Stage& s
         stage.run(b, listing.parameters);
         for (int lane = 0; lane < b.lanes; ++lane) {
             const dvec3 V(tangent_view(b, lane));
-            const double slope = (1.0 - height) / (listing.id == "bevy" ? std::abs(V.z) : 1);
+            const double slope = (1.0 - height) / (listing.id == "godot" ? 1 : V.z);
             const dvec2 expected = dvec2(b.vector2(Value::uv, lane)) - dvec2(V) * (scale * slope);
             const dvec2 error = dvec2(b.vector2(Value::hit_uv, lane)) - expected;
             // Rounding apart, errors along the ray grow as its slope does.
@@ -136,21 +143,19 @@ testing::AssertionResult meets_a_flat_map(const Listing& listing, const Stage& s
     return testing::AssertionSuccess();
 }
 
-TEST(GodotBevy, MeetFlatMaps) {
-    for (const Listing& listing : godot_listings()) {
-        EXPECT_TRUE(meets_a_flat_map(listing, {listing.id}, 0));
-        EXPECT_FALSE(meets_a_flat_map(listing, with(listing.id, Planted::off_the_ray), 0));
+TEST(LayeredEngines, MeetFlatMaps) {
+    for (const Listing& listing : all_engines()) {
+        const bool half_steps = listing.id == "bevy" && listing.parameters.at("relief") == 1;
+        // Half a layer at most, and at most the whole range is one, then halved again and again.
+        const int steps = half_steps ? static_cast<int>(listing.parameters.at("relief_steps")) : 0;
+        const double within = half_steps ? std::ldexp(1.0, -steps - 1) : 0;
+        EXPECT_TRUE(meets_a_flat_map(listing, {listing.id}, within));
+        if (half_steps) continue;
+        EXPECT_FALSE(meets_a_flat_map(listing, with(listing.id, Planted::off_the_ray), within));
     }
-    // A half step of a whole range at most, then halved again and again.
-    for (const int steps : {4, 8, 16}) {
-        const Listing half_steps = bevy(true, steps, 16, 0.1f);
-        EXPECT_TRUE(meets_a_flat_map(half_steps, {"bevy"}, std::ldexp(1.0, -steps - 1)));
-    }
-    for (const float layers : {1.0f, 16.0f, 100.5f}) {
-        EXPECT_TRUE(meets_a_flat_map(bevy(false, 5, layers, 0.1f), {"bevy"}, 0));
-        EXPECT_FALSE(
-            meets_a_flat_map(bevy(false, 5, layers, 0.1f), with("bevy", Planted::off_the_ray), 0));
-    }
+    const Listing many = bevy(true, 20, 16, 0.1f);
+    EXPECT_TRUE(meets_a_flat_map(many, {"bevy"}, 0));
+    EXPECT_FALSE(meets_a_flat_map(bevy(true, 4, 16, 0.1f), {"bevy"}, 0));
 }
 
 // ---- No layers ----------------------------------------------------------------------------------
@@ -170,7 +175,7 @@ testing::AssertionResult leaves_the_polygon_alone(const Stage& stage, double max
     return testing::AssertionSuccess();
 }
 
-TEST(GodotBevy, BevyWithoutALayerHasNoParallax) {
+TEST(LayeredEngines, BevyWithoutALayerHasNoParallax) {
     EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0.99));
     EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0));
     EXPECT_FALSE(leaves_the_polygon_alone({"bevy"}, 1));
