@@ -105,7 +105,7 @@ inline Listing babylon(bool occlusion, float scale, bool right_handed, bool own_
         };
         return Lockstep(*b.bound(TextureSlot::height), fragment).run();
     };
-    const Parameters parameters = {{"occlusion", occlusion},
+    const Parameters parameters = {{"parallax_occlusion", occlusion},
                                    {"scale", scale},
                                    {"right_handed", right_handed},
                                    {"own_tangents", own_tangents}};

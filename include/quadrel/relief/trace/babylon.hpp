@@ -1,4 +1,4 @@
-// babylon: Babylon.js' parallax mapping (occlusion = 0) and parallax occlusion (1).
+// babylon: Babylon.js' parallax mapping (parallax_occlusion = 0) and parallax occlusion (1).
 //
 // Source: Babylon.js, bumpFragmentFunctions.fx (769119f), parallaxOffset and parallaxOcclusion,
 // called from bumpFragment.fx. The height is the alpha of the normal map ("swizzle": "a"), `scale`
@@ -31,7 +31,7 @@
 namespace quadrel {
 
 struct BabylonParams {
-    std::int32_t occlusion = 0;
+    std::int32_t parallax_occlusion = 0;
     float scale = 0.05f;
     std::int32_t right_handed = 0, own_tangents = 0;
 };
@@ -46,7 +46,8 @@ struct Babylon : StageDefaults {
     static constexpr bool needs_height_map = true;
     using Params = BabylonParams;
     static constexpr std::array parameters{
-        parameter<&Params::occlusion>("occlusion", "0 or 1", "1: useParallaxOcclusion", 0, 1, 0),
+        parameter<&Params::parallax_occlusion>("parallax_occlusion", "0 or 1",
+                                               "1: useParallaxOcclusion", 0, 1, 0),
         parameter<&Params::scale>("scale", "UV", "UV length of the height range", -16, 16, 0.05),
         parameter<&Params::right_handed>("right_handed", "0 or 1", "1: useRightHandedSystem", 0, 1,
                                          0),
@@ -59,7 +60,7 @@ struct Babylon : StageDefaults {
         const SearchRay<F> ray = search_ray(io);
         const vec3<F> normal = io.template load<Value::frame_normal>();
         const vec3<F> view = turned(params, tangent_viewer(io));
-        if (params.occlusion == 0) return limited(io, ray, view, params);
+        if (params.parallax_occlusion == 0) return limited(io, ray, view, params);
         const vec3<F> vNormalCoT =
             turned(params, vec3<F>(dot(normal, io.template load<Value::T>()),
                                    dot(normal, io.template load<Value::B>()), dot(normal, normal)));
