@@ -92,8 +92,9 @@ TEST(Presets, KeysOfTheSceneReplaceThem) {
     EXPECT_EQ(scale.trace.id, find_preset("unity-standard")->trace);
     EXPECT_EQ(scale.trace.parameters.at("scale"), 0.07);
     const Material mapped =
-        preset_scene("unity-standard", {R"(material={"normal": {"file": "none.png"},)"
-                                        R"( "relief": {"preset": "unity-standard"}})"})
+        preset_scene("unity-standard",
+                     {R"(material={"normal": {"file": "../textures/obstacles_color.exr"},)"
+                      R"( "relief": {"preset": "unity-standard"}})"})
             .materials.front();
     EXPECT_EQ(mapped.surface.id, "normal-map");
 }

@@ -3,6 +3,7 @@
 
 #include "quadrel/quad/stage_list.hpp"
 #include "quadrel/relief/shadow/cone.hpp"
+#include "quadrel/relief/shadow/exact.hpp"
 #include "quadrel/relief/shadow/horizon.hpp"
 #include "quadrel/relief/shadow/march_mcguire.hpp"
 #include "quadrel/relief/shadow/march_mcguire_published.hpp"
@@ -19,6 +20,6 @@ namespace quadrel {
 using ShadowStages =
     StageList<ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished, ShadowMarchMcguire,
               ShadowMarchMcguirePublished, ShadowRelief, ShadowSoftPom, ShadowSoftPomPublished,
-              ShadowSoftRiccardi, ShadowCone, Horizon>;
+              ShadowSoftRiccardi, ShadowCone, ShadowExact, Horizon>;
 
 }  // namespace quadrel

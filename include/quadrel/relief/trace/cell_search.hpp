@@ -71,6 +71,25 @@ struct CellSearch {
     /// Where the ray enters its cell, at least 0.
     F entry() const { return max(F(0), max(ray.x.entry(i), ray.y.entry(j))); }
 
+    /// From where the ray enters its cell, on a border exactly, to where it leaves or ends.
+    PatchRay<F> part_in_cell(const CellExit<F>& exit) const {
+        const CellRayAxis<F>&x = ray.x, &y = ray.y;
+        const F enters_x = x.entry(i), enters_y = y.entry(j);
+        PatchRay<F> part;
+        part.s = max(F(0), max(enters_x, enters_y));
+        const auto position = [&](const CellRayAxis<F>& axis, Int<F> cell, F enters) {
+            const F on_border = select(axis.forward(), F(0), F(1));
+            const F inside = clamp(axis.at(part.s) - to_float<F>(cell), F(0), F(1));
+            return select(enters == part.s, on_border, inside);
+        };
+        part.entry = {position(x, i, enters_x), position(y, j, enters_y)};
+        part.rate = {x.rate, y.rate};
+        part.slack = ray.slack;
+        part.length = min(exit.s, F(1)) - part.s;
+        part.last = exit.s >= F(1);
+        return part;
+    }
+
     void hit(Mask<F> mask, F s, F height) {
         result.s = select(mask, s, result.s);
         result.h = select(mask, height, result.h);

@@ -48,16 +48,33 @@ struct PatchQuadratic {
     F A, B, C, discriminant;
 };
 
+/// The field less the height of a ray that is at `height` where its part begins and climbs by
+/// `rise` a unit of s.
 template <Number F>
-PatchQuadratic<F> patch_quadratic(const CellHeights<F>& h, const PatchRay<F>& ray) {
+PatchQuadratic<F> patch_quadratic(const CellHeights<F>& h, const PatchRay<F>& ray, F height,
+                                  F rise) {
     const F b = h.h10 - h.h00, c = h.h01 - h.h00, d = (h.h11 - h.h01) - b;
     PatchQuadratic<F> q;
     q.A = d * ray.rate.x * ray.rate.y;
     q.B = b * ray.rate.x + c * ray.rate.y +
-          d * (ray.entry.x * ray.rate.y + ray.entry.y * ray.rate.x) + F(1);
-    q.C = patch_height(h, ray.entry) - (F(1) - ray.s);
+          d * (ray.entry.x * ray.rate.y + ray.entry.y * ray.rate.x) - rise;
+    q.C = patch_height(h, ray.entry) - height;
     q.discriminant = q.B * q.B - F(4) * q.A * q.C;
     return q;
+}
+/// Of a view ray.
+template <Number F>
+PatchQuadratic<F> patch_quadratic(const CellHeights<F>& h, const PatchRay<F>& ray) {
+    return patch_quadratic(h, ray, F(1) - ray.s, F(-1));
+}
+
+/// The greatest value of q from where the part begins to where it ends.
+template <Number F>
+F greatest(const PatchQuadratic<F>& q, F length) {
+    const F vertex = F(-0.5f) * q.B / q.A;
+    const Mask<F> peaks = (q.A < F(0)) & (vertex > F(0)) & (vertex < length);
+    const F end = (q.A * length + q.B) * length + q.C;
+    return max(max(q.C, end), select(peaks, q.C + F(0.5f) * q.B * vertex, q.C));
 }
 
 /// First root of q where C < 0; infinite, negative or NaN where there is none ahead.

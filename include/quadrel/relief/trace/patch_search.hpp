@@ -26,7 +26,7 @@ class PatchSearch : public CellSearch<typename Io::Number> {
     /// Tests the patches of the cells where the rays are. Out of line: a search has one copy.
     [[gnu::noinline]] void test(Mask<F> mask, const CellExit<F>& exit) {
         const CellHeights<F> heights = cell_heights<F>(map_, grid_, stored_i(), stored_j());
-        const PatchRay<F> part = part_in_cell(exit);
+        const PatchRay<F> part = this->part_in_cell(exit);
         const PatchHit<F> meeting = intersect_patch(heights, part);
         record(mask, part, heights);
         this->met_nan = this->met_nan | (mask & meeting.not_finite);
@@ -62,25 +62,6 @@ class PatchSearch : public CellSearch<typename Io::Number> {
           fragment_(fragment),
           map_(map),
           grid_(grid) {}
-
-    /// From where the ray enters its cell, on a border exactly, to where it leaves or ends.
-    PatchRay<F> part_in_cell(const CellExit<F>& exit) const {
-        const CellRayAxis<F>&x = this->ray.x, &y = this->ray.y;
-        const F enters_x = x.entry(this->i), enters_y = y.entry(this->j);
-        PatchRay<F> part;
-        part.s = max(F(0), max(enters_x, enters_y));
-        const auto position = [&](const CellRayAxis<F>& axis, Int<F> cell, F enters) {
-            const F on_border = select(axis.forward(), F(0), F(1));
-            const F inside = clamp(axis.at(part.s) - to_float<F>(cell), F(0), F(1));
-            return select(enters == part.s, on_border, inside);
-        };
-        part.entry = {position(x, this->i, enters_x), position(y, this->j, enters_y)};
-        part.rate = {x.rate, y.rate};
-        part.slack = this->ray.slack;
-        part.length = min(exit.s, F(1)) - part.s;
-        part.last = exit.s >= F(1);
-        return part;
-    }
 
     void record(Mask<F> mask, const PatchRay<F>& part, const CellHeights<F>& heights) {
         const SampleContext<F> context = io_.template context<TextureSlot::height>(mask);

@@ -1,0 +1,77 @@
+// shadow-exact: every dual cell that the light ray crosses, its bilinear patch compared exactly.
+//
+// No source's search does this; it is texel-exact upwards. The ray starts on the bilinear surface
+// itself at the UV of the hit, wherever the search for the hit stopped. In the patch where it
+// starts q(t) = field - ray is 0 at t = 0, so that root is divided out, q / t = A t + B, and no
+// bias is needed: dark where that is above 0 anywhere. In later patches dark where q is above its
+// rounding error: a ray that only touches is lit. The field is that of level 0, whatever filters
+// the sampler has; its wrap modes hold. Lit where a ray crosses more than 2^20 borders, or meets
+// only NaN.
+#pragma once
+
+#include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/trace/cell_search.hpp"
+
+namespace quadrel {
+
+struct ShadowExact : StageDefaults {
+    static constexpr StageText text{"shadow-exact", "shadow",
+                                    "every cell towards the light, its patch exactly",
+                                    "after Amanatides and Woo 1987; Ramsey et al. 2004"};
+    static constexpr auto inputs = light_ray_inputs;
+    static constexpr auto outputs = shadow_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool needs_height_map = true;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const LightRay<F> light = light_ray(io);
+        const SampledTexture& map = *io.template texture<TextureSlot::height>();
+        const Grid grid = cell_grid(map.view.width[0], map.view.height[0], map.sampler);
+        SearchRay<F> upwards{light.uv, light.K, F(1), 0, light.active, Int<F>(0), Int<F>(0)};
+        CellSearch<F> search(make_cell_ray(upwards, map, grid, 0.5f), light.active);
+        const auto heights = [&] {
+            return cell_heights<F>(map, grid, stored_index<F>(search.i, grid.u),
+                                   stored_index<F>(search.j, grid.v));
+        };
+        const vec2<F> start{clamp(search.ray.x.start - to_float<F>(search.i), F(0), F(1)),
+                            clamp(search.ray.y.start - to_float<F>(search.j), F(0), F(1))};
+        const F z = patch_height(heights(), start), rise = F(1) - z;
+        // s = 1 is where the ray leaves the relief at its top.
+        search.active = search.active & (rise > F(0));
+        search.ray.x.rate = search.ray.x.rate * rise;
+        search.ray.y.rate = search.ray.y.rate * rise;
+        for (bool first = true;; first = false) {
+            search.count_step(1, 2);
+            if (!any(search.active)) break;
+            const CellExit<F> exit = search.exit(search.cell());
+            const PatchRay<F> part = search.part_in_cell(exit);
+            const CellHeights<F> h = heights();
+            record(io, search.active, light.uv + light.K * (part.s * rise), z + part.s * rise, h);
+            const auto q = patch_quadratic(h, part, z + part.s * rise, rise);
+            const Mask<F> dark = first ? rises_at_once(q, part.length)
+                                       : greatest(q, part.length) > patch_error(h, part.slack);
+            search.hit(search.active & dark, part.s, F(0));
+            search.step(search.active, exit);
+        }
+        store_shadow(io, light, select(search.found, F(0), F(1)), search.result.steps);
+    }
+
+  private:
+    /// q has the root 0: whether q / t is above 0 in (0, length].
+    template <class F>
+    static Mask<F> rises_at_once(const PatchQuadratic<F>& q, F length) {
+        return (length > F(0)) & ((q.B > F(0)) | (q.A * length + q.B > F(0)));
+    }
+
+    template <class Io, class F>
+    static void record(Io& io, Mask<F> active, const vec2<F>& uv, F ray_height,
+                       const CellHeights<F>& heights) {
+        const SampleContext<F> context = io.template context<TextureSlot::height>(active);
+        count_fetch(context);
+        io.march_step(active, F(1) - ray_height, uv, ray_height, heights.h00);
+    }
+};
+
+}  // namespace quadrel
