@@ -126,16 +126,9 @@ inline Listing playcanvas_offset(float factor, float base) {
             "offset-limit"};
 }
 
-/// Fragment i of the quad: derivatives are differences to its neighbours.
-inline listings::PlayCanvasMap playcanvas_map(Batch<float>& b, int quad, int i) {
-    const TextureView& view = b.bound(TextureSlot::height)->view;
-    const Vec2 size(static_cast<float>(view.width[0]), static_cast<float>(view.height[0]));
-    const auto texels = [&](int k) {
-        const Vec2 uv = b.vector2(Value::uv, 4 * quad + k);
-        return Vec2(uv.x * size.x, uv.y * size.y);
-    };
-    return {size, texels(i | 1) - texels(i & 2), texels(i | 2) - texels(i & 1),
-            [&b](float lod) { return of_level(b, lod); }};
+inline listings::PlayCanvasMap playcanvas_map(Batch<float>& b, int lane) {
+    const TexelDerivatives texels(b, lane);
+    return {texels.size, texels.dx, texels.dy, [&b](float lod) { return of_level(b, lod); }};
 }
 
 inline Listing playcanvas_occlusion(float factor, float base, int samples) {
@@ -143,8 +136,7 @@ inline Listing playcanvas_occlusion(float factor, float base, int samples) {
         return each_fragment(quad, [&](int lane) {
             return listings::playcanvas_occlusion(b.vector2(Value::uv, lane), tangent_view(b, lane),
                                                   factor, base, static_cast<float>(samples),
-                                                  playcanvas_map(b, quad, lane - 4 * quad),
-                                                  1 - b.material.seat);
+                                                  playcanvas_map(b, lane), 1 - b.material.seat);
         });
     };
     return {"playcanvas",

@@ -5,14 +5,34 @@
 
 namespace quadrel::listings {
 
-/// Unity Technologies, PerPixelDisplacement.hlsl, ParallaxOcclusionMapping, and what the shader
-/// graph's node hands it: `view` is the unit view vector in tangent space, `range` the length of
-/// the height range in UV; `height` reads level `lod`.
-inline End unity_pom(const Vec2& uv, const Vec3& view, float range, float lod, float lodThreshold,
+/// What the shader graph's node and LitDataDisplacement.hlsl hand to the function below: x and y of
+/// the unit view vector in tangent space times the range in UV, then normalised.
+inline Vec3 unity_view(const Vec3& view, float range) {
+    return normalize(Vec3(view.x * range, view.y * range, view.z));
+}
+
+/// LitDataDisplacement.hlsl, ApplyPerPixelDisplacement: the number of steps.
+inline int hdrp_steps(const Vec3& viewDirUV, float _PPDMinSamples, float _PPDMaxSamples) {
+    // Common.hlsl, FastACosPos: a polynomial in |x| times the root of 1 - |x|.
+    const float x = std::fabs(viewDirUV.z);
+    float res = (0.0468878f * x + -0.203471f) * x + 1.570796f;
+    res *= std::sqrt(1.0f - x);
+    // Times 2 / pi, saturated; lerp (a + t (b - a)) and cast to int.
+    const float unitAngle = clamp(res * 0.636619772367f, 0.0f, 1.0f);
+    return static_cast<int>(_PPDMinSamples + unitAngle * (_PPDMaxSamples - _PPDMinSamples));
+}
+
+/// Common.hlsl, ComputeTextureLOD: derivatives of the coordinate in texels.
+inline float hdrp_lod(const Vec2& ddx_, const Vec2& ddy_) {
+    const float d = max(dot(ddx_, ddx_), dot(ddy_, ddy_));
+    return max(0.5f * log2(d), 0.0f);
+}
+
+/// Unity Technologies, PerPixelDisplacement.hlsl, ParallaxOcclusionMapping. `height` reads level
+/// `lod`.
+inline End unity_pom(const Vec2& uv, const Vec3& viewDirTS, float lod, float lodThreshold,
                      int numSteps, const Sampler& height) {
     End end;
-    // The node: x and y times the range over the size of the primitive (1), then normalised.
-    const Vec3 viewDirTS = normalize(Vec3(view.x * range, view.y * range, view.z));
     // The height displacement: the height at the coordinate plus an offset.
     const auto ComputeHeight = [&](const Vec2& offset) {
         ++end.fetches;
@@ -83,8 +103,9 @@ namespace quadrel::test {
 inline Listing unity_pom(int steps, float scale, float lod, float lod_threshold) {
     const auto run = [=](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
-            return listings::unity_pom(b.vector2(Value::uv, lane), tangent_view(b, lane), scale,
-                                       lod, lod_threshold, steps, of_level(b, lod));
+            const Vec3 view = listings::unity_view(tangent_view(b, lane), scale);
+            return listings::unity_pom(b.vector2(Value::uv, lane), view, lod, lod_threshold, steps,
+                                       of_level(b, lod));
         });
     };
     return {"unity-pom",
@@ -93,9 +114,32 @@ inline Listing unity_pom(int steps, float scale, float lod, float lod_threshold)
             "interval"};
 }
 
+inline Listing hdrp_pom(int steps, int max_steps, float scale, float lod_threshold) {
+    const auto run = [=](Batch<float>& b, int quad) {
+        return each_fragment(quad, [&](int lane) {
+            const Vec3 view = listings::unity_view(tangent_view(b, lane), scale);
+            const TexelDerivatives texels(b, lane);
+            const float lod = listings::hdrp_lod(texels.dx, texels.dy);
+            return listings::unity_pom(b.vector2(Value::uv, lane), view, lod, lod_threshold,
+                                       listings::hdrp_steps(view, static_cast<float>(steps),
+                                                            static_cast<float>(max_steps)),
+                                       of_level(b, lod));
+        });
+    };
+    return {"unity-pom",
+            run,
+            {{"mode", 1},
+             {"steps", steps},
+             {"max_steps", max_steps},
+             {"scale", scale},
+             {"lod_threshold", lod_threshold}},
+            "interval"};
+}
+
 inline std::vector<Listing> unity_listings() {
-    return {unity_pom(5, 0.01f, 0, 0), unity_pom(5, 0.2f, 0, 0), unity_pom(1, -0.1f, 0.5f, 2),
-            unity_pom(40, 0.3f, 1.25f, 1), unity_pom(100, 0.1f, 3, 2)};
+    return {unity_pom(5, 0.01f, 0, 0),     unity_pom(5, 0.2f, 0, 0),   unity_pom(1, -0.1f, 0.5f, 2),
+            unity_pom(40, 0.3f, 1.25f, 1), unity_pom(100, 0.1f, 3, 2), hdrp_pom(5, 15, 0.02f, 5),
+            hdrp_pom(40, 1, 0.3f, 1.5f)};
 }
 
 }  // namespace quadrel::test

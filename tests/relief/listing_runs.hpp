@@ -32,10 +32,23 @@ inline Sampler own_level(Batch<float>& batch, int lane, bool level_0) {
 inline Sampler of_level(Batch<float>& batch, float level) {
     const SampledTexture& map = *batch.bound(TextureSlot::height);
     const GeneralHeight<Fetch> height(map, lod_from_level(map, Fetch(level)));
-    return [=](const Vec2& uv) {
-        return height({}, vec2<Fetch>(Fetch(uv.x), Fetch(uv.y))).lane[0];
-    };
+    return
+        [=](const Vec2& uv) { return height({}, vec2<Fetch>(Fetch(uv.x), Fetch(uv.y))).lane[0]; };
 }
+
+/// Derivatives of the coordinate in texels of level 0: differences to the neighbours in the quad.
+struct TexelDerivatives {
+    Vec2 size, dx, dy;
+
+    TexelDerivatives(Batch<float>& b, int lane) {
+        const TextureView& view = b.bound(TextureSlot::height)->view;
+        size = {static_cast<float>(view.width[0]), static_cast<float>(view.height[0])};
+        const int first = lane / 4 * 4, i = lane % 4;
+        const auto texels = [&](int k) { return b.vector2(Value::uv, first + k) * size; };
+        dx = texels(i | 1) - texels(i & 2);
+        dy = texels(i | 2) - texels(i & 1);
+    }
+};
 
 /// Four fragments in lockstep, as a quad of a GPU runs them: the n-th look-up of each takes its
 /// gradients from the n-th of all four, and a fragment that makes no more keeps its last

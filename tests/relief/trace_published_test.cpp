@@ -54,13 +54,7 @@ Listing flightgear(float hresolution) {
 
 /// The mip level of the listing, from the four coordinates of the quad.
 float dx_sdk_level(Batch<float>& b, int quad, int i) {
-    const TextureView& view = b.bound(TextureSlot::height)->view;
-    const auto texels = [&](int k) {
-        const Vec2 uv = b.vector2(Value::uv, 4 * quad + k);
-        return Vec2(uv.x * static_cast<float>(view.width[0]),
-                    uv.y * static_cast<float>(view.height[0]));
-    };
-    const Vec2 dx = texels(i | 1) - texels(i & 2), dy = texels(i | 2) - texels(i & 1);
+    const auto [size, dx, dy] = TexelDerivatives(b, 4 * quad + i);
     const float larger = max(dx.x * dx.x + dy.x * dy.x, dx.y * dx.y + dy.y * dy.y);
     return max(0.5f * log2(larger), 0.0f);
 }

@@ -1,17 +1,20 @@
-// unity-pom: the parallax occlusion mapping of Unity's shader graphs, as its shader has it.
+// unity-pom: the parallax occlusion mapping of Unity's shader graphs and of HDRP, as it is there.
 //
 // Source: Unity Technologies, Graphics repository, ParallaxOcclusionMapping in
-// com.unity.render-pipelines.core/ShaderLibrary/PerPixelDisplacement.hlsl at c8df1d81; its view
-// vector and height range as ParallaxOcclusionMappingNode.cs at 23843fc3 hands them over, for a
-// tiling and an object scale of 1. (Its amplitude times 0.01 is `scale`. HDRP's Lit shader calls
-// the same function with 5 to 15 steps by the angle.) Kept:
+// com.unity.render-pipelines.core/ShaderLibrary/PerPixelDisplacement.hlsl at c8df1d81. `mode` 0: as
+// ParallaxOcclusionMappingNode.cs at 23843fc3 calls it, `scale` its amplitude times 0.01, tiling
+// and object scale 1. `mode` 1: as HDRP's Lit shader does, LitDataDisplacement.hlsl at d679af29,
+// `scale` its amplitude over the primitive's size: `steps` to `max_steps` by an approximate arc
+// cosine, and the level of detail that it computes from the undisplaced UV. (Its lod_threshold
+// is 5.) Kept:
 //   * the ray's height and the offset are accumulated, and the first point that is tested lies one
 //     step in; a strict comparison; without a hit the last look-up is one step below the bottom;
 //   * at most 3 times regula falsi, until ray and height are within 0.01 of the range; the interval
 //     keeps the end whose side did not change, however far away, and the coordinate is that of the
 //     last look-up, not of the crossing that would follow from it;
-//   * all look-ups at level `lod`, to which the sampler's bias is added; beyond lod_threshold the
+//   * all look-ups at one level, to which the sampler's bias is added; beyond lod_threshold the
 //     offset, not the depth, shrinks to nothing within one level;
+//   * the angle of HDRP is that of the view vector after scaling, hardly one for a shallow relief;
 //   * nothing holds the offset back along the surface, and seen from behind it runs the other way.
 // hit.s is that of the last crossing, hit.h its outHeight. The relief's depth and seat move
 // hit.depth alone. (The shader flips no axis: its bitangent is taken to run along growing v.)
@@ -31,13 +34,16 @@ struct UnityPom : StageDefaults {
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
-        std::int32_t steps = 5;
+        std::int32_t mode = 0, steps = 5, max_steps = 15;
         float scale = 0.01f, lod = 0, lod_threshold = 0;
     };
     static constexpr std::array parameters{
-        parameter<&Params::steps>("steps", "1", "steps over the height range", 1, 256, 5),
+        parameter<&Params::mode>("mode", "1", "0: Shader Graph, 1: HDRP", 0, 1, 0),
+        parameter<&Params::steps>("steps", "1", "steps; of HDRP those seen from above", 1, 256, 5),
+        parameter<&Params::max_steps>("max_steps", "1", "steps along the surface, HDRP", 1, 256,
+                                      15),
         parameter<&Params::scale>("scale", "UV", "UV length of the height range", -16, 16, 0.01),
-        parameter<&Params::lod>("lod", "levels", "level of detail of all look-ups", 0, 17, 0),
+        parameter<&Params::lod>("lod", "levels", "level of detail of Shader Graph", 0, 17, 0),
         parameter<&Params::lod_threshold>("lod_threshold", "levels",
                                           "level beyond which the offset shrinks", 0, 17, 0)};
 
@@ -45,17 +51,41 @@ struct UnityPom : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto heights = march_heights_of_level(io, F(params.lod));
+        const F range(params.scale);
+        const vec3<F> V = tangent_viewer(io);
+        const vec3<F> view = normalize(vec3<F>(V.x * range, V.y * range, V.z));
+        F level(params.lod), steps(static_cast<Scalar<F>>(params.steps));
+        if (params.mode) {
+            level = own_level(io, ray.uv);
+            steps = steps_by_view(view.z, steps, F(static_cast<Scalar<F>>(params.max_steps)));
+        }
+        const auto heights = march_heights_of_level(io, level);
         CountedHeights look_up(io, heights);
-        Interval<F> interval(tangent_viewer(io), params);
-        interval.march(look_up, ray, params.steps);
+        Interval<F> interval(view, steps);
+        interval.march(look_up, ray);
         interval.refine(look_up, ray);
-        const F kept = F(1) - saturate(F(params.lod) - F(params.lod_threshold));
+        const F kept = F(1) - saturate(level - F(params.lod_threshold));
         const vec2<F> uv = ray.uv + interval.offset * kept;
         store_search(io, ray, look_up.result(interval.depth, uv, interval.found), uv);
     }
 
   private:
+    /// ComputeTextureLOD.
+    template <class Io, class F>
+    static F own_level(const Io& io, const vec2<F>& uv) {
+        const vec2<F> texels = uv * TexelSize<F>(height_map(io)).texels;
+        const vec2<F> dx = dFdx(texels, io.frame().derivatives);
+        const vec2<F> dy = dFdy(texels, io.frame().derivatives);
+        return max(F(0.5f) * log2(max(dot(dx, dx), dot(dy, dy))), F(0));
+    }
+    /// By FastACosPos over half of pi.
+    template <Number F>
+    static F steps_by_view(F z, F fewest, F most) {
+        const F x = abs(z);
+        const F p = (F(0.0468878f) * x + F(-0.203471f)) * x + F(1.570796f);
+        return trunc(lerp(fewest, most, saturate(p * sqrt(F(1) - x) * F(0.636619772367f))));
+    }
+
     /// The variables of the shader.
     template <Number F>
     struct Interval {
@@ -64,21 +94,19 @@ struct UnityPom : StageDefaults {
         F ray_height, height = F(0), previous = F(0), depth = F(0);
         Mask<F> found = Mask<F>(false);
 
-        Interval(const vec3<F>& V, const Params& params)
-            : steps(static_cast<Scalar<F>>(params.steps)), step(F(1) / steps) {
-            const F range(params.scale);
-            const vec3<F> view = normalize(vec3<F>(V.x * range, V.y * range, V.z));
+        Interval(const vec3<F>& view, F n) : steps(n), step(F(1) / n) {
             offset_a_step = vec2<F>(view) / -view.z * step;
             ray_height = F(1) - step;
         }
 
         template <class LookUp>
-        void march(LookUp& look_up, const SearchRay<F>& ray, int n) {
+        void march(LookUp& look_up, const SearchRay<F>& ray) {
             Mask<F> active = ray.active;
             previous = look_up(active, F(0), ray.uv + offset);
             offset = offset + offset_a_step;
             height = look_up(active, F(1) - ray_height, ray.uv + offset);
-            for (int i = 0; i < n; ++i) {
+            for (int i = 0; i < 256; ++i) {
+                active = active & (F(static_cast<Scalar<F>>(i)) < steps);
                 const Mask<F> hit = active & (height > ray_height);
                 found = found | hit;
                 active = active & !hit;
