@@ -12,14 +12,15 @@
 // left-handed the relief comes out inverted.
 //
 // Kept:
-//   * parallax is limited to the unit vector's (x, y) times the height: no division by its z;
-//   * parallax occlusion counts N.V backwards: 15 + 11 N.V steps, a real number, but 15 look-ups,
-//     so that seen from above 4 tenths of the range are never searched: FLOOR at the last sample;
-//   * it is seen along the normal: normalize(0) makes the coordinate NaN: NAN;
+//   * parallax moves by the unit vector's (x, y) times the height: no division by its z;
+//   * parallax occlusion has 15 + 11 N.V steps, a real number: most where fewest are needed. It
+//     makes 15 look-ups, so that seen from above 4 tenths of the range are never searched: FLOOR a
+//     step below the last sample;
+//   * seen exactly along the normal, normalize(0) makes its coordinate NaN: NAN;
 //   * implicit derivatives in the loop, which runs on at the final coordinate behind a hit: steps
 //     and fetches are 15; the test is strict; the secant's second weight takes the height before
 //     the first sample to be 1.
-// hit.s is the depth of the last sample of the march, the secant moves hit.uv alone; hit.h is the
+// hit.s is the depth of the sample that hit, the secant moves hit.uv alone; hit.h is the
 // height compared last. For the engine's own frame, its axes not of unit length, take
 // frame-cot@published.
 #pragma once
@@ -46,13 +47,12 @@ struct Babylon : StageDefaults {
     static constexpr bool needs_height_map = true;
     using Params = BabylonParams;
     static constexpr std::array parameters{
-        parameter<&Params::parallax_occlusion>("parallax_occlusion", "0 or 1",
-                                               "1: useParallaxOcclusion", 0, 1, 0),
+        parameter<&Params::parallax_occlusion>("parallax_occlusion", "1", "1: useParallaxOcclusion",
+                                               0, 1, 0),
         parameter<&Params::scale>("scale", "UV", "UV length of the height range", -16, 16, 0.05),
-        parameter<&Params::right_handed>("right_handed", "0 or 1", "1: useRightHandedSystem", 0, 1,
-                                         0),
+        parameter<&Params::right_handed>("right_handed", "1", "1: useRightHandedSystem", 0, 1, 0),
         parameter<&Params::own_tangents>(
-            "own_tangents", "0 or 1", "1: tangents of the mesh, inverted if left-handed", 0, 1, 0)};
+            "own_tangents", "1", "1: tangents of the mesh, inverted if left-handed", 0, 1, 0)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -16,8 +16,7 @@
 //     each, CAP);
 //   * a raised range is cut at the polygon, by a bound on the depths; a factor of 0.0001 or less
 //     leaves the surface flat;
-//   * relief halves as often as there are steps, by the sign of the last difference, which may be
-//   0;
+//   * relief halves as often as there are steps; the sign that it moves by may be 0, and stays so;
 //   * contact's second march adds up anew, and where it misses what the first one met it walks on.
 // hit.s is depth in the range from `offset` on, of the point that the shader ends with: occlusion
 // interpolates the depth of its displacement as it does UV. hit.h is the height read last.
@@ -39,9 +38,9 @@ struct O3de : StageDefaults {
     using Params = O3deParams;
     static constexpr std::array parameters{
         parameter<&Params::algorithm>(
-            "algorithm", "0 to 4",
+            "algorithm", "1",
             "0 basic, 1 steep, 2 parallax occlusion, 3 relief, 4 contact refinement", 0, 4, 2),
-        parameter<&Params::quality>("quality", "0 to 3", "16, 32, 64 or 128 steps", 0, 3, 0),
+        parameter<&Params::quality>("quality", "1", "16, 32, 64 or 128 steps", 0, 3, 0),
         parameter<&Params::scale>("scale", "UV", "factor: UV length of the height range", 0, 16,
                                   0.05),
         parameter<&Params::offset>("offset", "UV", "by how much the range is raised", -16, 16, 0)};
