@@ -1,52 +1,15 @@
 // The searches of Babylon.js and O3DE where a listing over ordinary maps does not lead: flat and
 // wild maps, which way the frame points, ranges above the polygon, and how a search ends.
+#include "relief/engine_checks.hpp"
 #include "relief/engine_listings_babylon.hpp"
 #include "relief/engine_listings_o3de.hpp"
-#include "relief/planted.hpp"
 
 namespace quadrel::test {
 namespace {
 
 using Stage = StageUnderTest<float>;
 
-/// The stage with an error behind it.
-Stage with(const std::string& id, Planted planted) {
-    const auto after = [planted](Batch<float>& b) {
-        for (int lane = 0; lane < b.lanes; ++lane) {
-            if (planted == Planted::surface_not_reached || planted == Planted::nan_is_floor)
-                b.integer(Value::hit_status, lane) = static_cast<int>(
-                    planted == Planted::nan_is_floor ? Status::floor : Status::hit);
-            if (planted == Planted::off_the_ray) b.real(Value::hit_uv, lane) += 0.002f;
-            if (planted == Planted::fetch_not_counted) b.integer(Value::hit_fetches, lane) -= 1;
-        }
-    };
-    return {id, {}, after};
-}
-
 // ---- Any heights --------------------------------------------------------------------------------
-
-/// Heights from below the range to above it, one texel in fifty not a number.
-Map any_heights(Random& random) {
-    return height_map(32, 32, [&](int, int) {
-        return random.chance(0.02) ? std::numeric_limits<float>::quiet_NaN()
-                                   : static_cast<float>(random.uniform(-1, 1.5));
-    });
-}
-
-testing::AssertionResult follows_anywhere(const Listing& listing, const Stage& stage) {
-    for (int i = 0; i < 5; ++i) {
-        Inputs inputs(i);
-        const Map map = any_heights(inputs.random);
-        Batch<float>& b = inputs.batch;
-        b.bind(TextureSlot::height, map.sampled);
-        stage.run(b, listing.parameters);
-        for (int lane = 0; lane < b.lanes; ++lane) {
-            const auto equal = lane_equals(listing, b, lane, listing.run(b, lane / 4)[lane % 4]);
-            if (!equal) return equal;
-        }
-    }
-    return testing::AssertionSuccess();
-}
 
 TEST(BabylonO3de, FollowTheirListingsOverAnyHeights) {
     std::vector<Listing> all = {babylon(false, 0.05f, false, false),
@@ -54,29 +17,13 @@ TEST(BabylonO3de, FollowTheirListingsOverAnyHeights) {
     for (int algorithm = 0; algorithm < 5; ++algorithm)
         all.push_back(o3de(algorithm, 0, 0.1f, 0.03f));
     for (const Listing& listing : all) {
-        EXPECT_TRUE(follows_anywhere(listing, {listing.id}));
-        EXPECT_FALSE(follows_anywhere(listing, with(listing.id, Planted::fetch_not_counted)));
+        EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
+        EXPECT_FALSE(
+            follows_on_wild_maps(listing, flawed_behind(listing.id, Planted::fetch_not_counted)));
     }
 }
 
 // ---- How a search ends --------------------------------------------------------------------------
-
-/// One quad alone: some searches make all the steps that there are.
-testing::AssertionResult ends_with(const Stage& stage, const Parameters& parameters, float height,
-                                   Status expected) {
-    Inputs inputs(1);
-    Batch<float>& b = inputs.batch;
-    std::fill(b.active.begin() + 4, b.active.end(), 0);
-    const Map map = flat_map(height);
-    b.bind(TextureSlot::height, map.sampled);
-    stage.run(b, parameters);
-    for (int lane = 0; lane < 4; ++lane) {
-        const int status = b.integer(Value::hit_status, lane);
-        if (status != static_cast<int>(expected))
-            return testing::AssertionFailure() << stage.id << ": status " << status;
-    }
-    return testing::AssertionSuccess();
-}
 
 TEST(BabylonO3de, HeightsThatAreNoNumbersAreSeen) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -84,7 +31,8 @@ TEST(BabylonO3de, HeightsThatAreNoNumbersAreSeen) {
         const Parameters parameters = {{mode, value}};
         EXPECT_TRUE(ends_with({id}, parameters, 0.9f, Status::hit));
         EXPECT_TRUE(ends_with({id}, parameters, nan, Status::nan));
-        EXPECT_FALSE(ends_with(with(id, Planted::nan_is_floor), parameters, nan, Status::nan));
+        EXPECT_FALSE(
+            ends_with(flawed_behind(id, Planted::nan_is_floor), parameters, nan, Status::nan));
     };
     for (const int occlusion : {0, 1}) seen("babylon", "parallax_occlusion", occlusion);
     for (int algorithm = 0; algorithm < 5; ++algorithm) seen("o3de", "algorithm", algorithm);
@@ -96,40 +44,12 @@ TEST(BabylonO3de, O3desLoopsAreCutOff) {
     for (const int algorithm : {1, 4}) {
         const Parameters endless = {{"algorithm", algorithm}, {"scale", 0.0002}, {"offset", 16}};
         EXPECT_TRUE(ends_with({"o3de"}, endless, 0.5f, Status::cap));
-        EXPECT_FALSE(
-            ends_with(with("o3de", Planted::surface_not_reached), endless, 0.5f, Status::cap));
+        EXPECT_FALSE(ends_with(flawed_behind("o3de", Planted::surface_not_reached), endless, 0.5f,
+                               Status::cap));
     }
 }
 
 // ---- Flat maps ----------------------------------------------------------------------------------
-
-/// What a search over a flat map of `height` should give a fragment: the coordinate's shift, and
-/// by how much it may be off.
-struct Shift {
-    dvec2 expected;
-    double error;
-};
-using ShiftOf = std::function<Shift(const dvec3& V, double height)>;
-
-testing::AssertionResult meets_flat_maps(const Stage& stage, const Parameters& parameters,
-                                         const ShiftOf& shift_of) {
-    for (const float height : {0.03f, 0.5f, 0.93f}) {
-        Inputs inputs(7);
-        Batch<float>& b = inputs.batch;
-        const Map map = flat_map(height);
-        b.bind(TextureSlot::height, map.sampled);
-        stage.run(b, parameters);
-        for (int lane = 0; lane < b.lanes; ++lane) {
-            const Shift shift = shift_of(dvec3(tangent_view(b, lane)), height);
-            const dvec2 uv(b.vector2(Value::uv, lane)), hit_uv(b.vector2(Value::hit_uv, lane));
-            const double error = length(hit_uv - (uv + shift.expected));
-            if (!(error <= shift.error + 1e-5))
-                return testing::AssertionFailure()
-                       << "height " << height << ", lane " << lane << ": off by " << error;
-        }
-    }
-    return testing::AssertionSuccess();
-}
 
 /// Basic: limited. The others: on the ray at the map's depth, or at the polygon if that is lower;
 /// late by a step at most, but relief by what halving leaves, contact by a step's square.
@@ -151,7 +71,8 @@ TEST(BabylonO3de, O3deMeetsFlatMaps) {
                 {"algorithm", algorithm}, {"quality", 2}, {"offset", offset}};
             const ShiftOf shift = o3de_shift(algorithm, 64, 0.05, offset);
             EXPECT_TRUE(meets_flat_maps({"o3de"}, parameters, shift)) << algorithm << offset;
-            EXPECT_FALSE(meets_flat_maps(with("o3de", Planted::off_the_ray), parameters, shift));
+            EXPECT_FALSE(
+                meets_flat_maps(flawed_behind("o3de", Planted::off_the_ray), parameters, shift));
         }
     }
 }
@@ -186,7 +107,7 @@ TEST(BabylonO3de, BumpsAreBumpsInBabylonsOwnFrame) {
 
 TEST(BabylonO3de, BabylonStopsShortOfTheBottom) {
     EXPECT_TRUE(ends_with({"babylon"}, {{"parallax_occlusion", 1}}, 0, Status::floor));
-    EXPECT_FALSE(ends_with(with("babylon", Planted::surface_not_reached),
+    EXPECT_FALSE(ends_with(flawed_behind("babylon", Planted::surface_not_reached),
                            {{"parallax_occlusion", 1}}, 0, Status::floor));
 }
 

@@ -1,10 +1,10 @@
 // The marches in layers of Godot, Bevy and Learn OpenGL where a listing over ordinary maps does not
 // lead: maps deeper than the relief, heights that are no numbers, flat maps, and how a search says
 // that it ended.
+#include "relief/engine_checks.hpp"
 #include "relief/engine_listings_bevy.hpp"
 #include "relief/engine_listings_godot.hpp"
 #include "relief/engine_listings_learnopengl.hpp"
-#include "relief/planted.hpp"
 
 namespace quadrel::test {
 namespace {
@@ -18,74 +18,17 @@ std::vector<Listing> all_engines() {
     return all;
 }
 
-/// The stage with an error behind it.
-Stage with(const std::string& id, Planted planted) {
-    const auto after = [planted](Batch<float>& b) {
-        for (int lane = 0; lane < b.lanes; ++lane) {
-            std::int32_t& status = b.integer(Value::hit_status, lane);
-            if (planted == Planted::nan_is_floor && status == static_cast<int>(Status::nan))
-                status = static_cast<int>(Status::floor);
-            if (planted == Planted::surface_not_reached) status = static_cast<int>(Status::hit);
-            if (planted == Planted::off_the_ray) b.real(Value::hit_uv, lane) += 0.002f;
-            if (planted == Planted::fetch_not_counted) b.integer(Value::hit_fetches, lane) -= 1;
-        }
-    };
-    return {id, {}, after};
-}
-
 // ---- Any heights --------------------------------------------------------------------------------
-
-/// Heights from far below the relief to above it, one texel in fifty NaN.
-Map wild_map(Random& random) {
-    return height_map(32, 32, [&](int, int) {
-        return random.chance(0.02) ? std::numeric_limits<float>::quiet_NaN()
-                                   : static_cast<float>(random.uniform(-2, 1.5));
-    });
-}
-
-testing::AssertionResult follows_on_wild_maps(const Listing& listing, const Stage& stage) {
-    for (int i = 0; i < 10; ++i) {
-        Inputs inputs(i);
-        const Map map = wild_map(inputs.random);
-        Batch<float>& b = inputs.batch;
-        b.bind(TextureSlot::height, map.sampled);
-        stage.run(b, listing.parameters);
-        for (int quad = 0; quad < b.lanes / 4; ++quad) {
-            const std::array<End, 4> ends = listing.run(b, quad);
-            for (int k = 0; k < 4; ++k) {
-                const auto equal = lane_equals(listing, b, 4 * quad + k, ends[k]);
-                if (!equal) return equal;
-            }
-        }
-    }
-    return testing::AssertionSuccess();
-}
 
 TEST(LayeredEngines, FollowTheirListingsOnWildMaps) {
     for (const Listing& listing : all_engines()) {
         EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
-        EXPECT_FALSE(follows_on_wild_maps(listing, with(listing.id, Planted::fetch_not_counted)));
+        EXPECT_FALSE(
+            follows_on_wild_maps(listing, flawed_behind(listing.id, Planted::fetch_not_counted)));
     }
 }
 
 // ---- How a search ends --------------------------------------------------------------------------
-
-/// One quad alone: some searches make all the steps that there are.
-testing::AssertionResult ends_with(const Stage& stage, const Parameters& parameters, float height,
-                                   Status expected) {
-    Inputs inputs(1);
-    Batch<float>& b = inputs.batch;
-    std::fill(b.active.begin() + 4, b.active.end(), 0);
-    const Map map = flat_map(height);
-    b.bind(TextureSlot::height, map.sampled);
-    stage.run(b, parameters);
-    for (int lane = 0; lane < 4; ++lane) {
-        const int status = b.integer(Value::hit_status, lane);
-        if (status != static_cast<int>(expected))
-            return testing::AssertionFailure() << stage.id << ": status " << status;
-    }
-    return testing::AssertionSuccess();
-}
 
 TEST(LayeredEngines, SayHowTheyEnded) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -95,11 +38,12 @@ TEST(LayeredEngines, SayHowTheyEnded) {
         };
         EXPECT_TRUE(ends({listing.id}, 0.4f, Status::hit));
         EXPECT_TRUE(ends({listing.id}, nan, Status::nan));
-        EXPECT_FALSE(ends(with(listing.id, Planted::nan_is_floor), nan, Status::nan));
+        EXPECT_FALSE(ends(flawed_behind(listing.id, Planted::nan_is_floor), nan, Status::nan));
         if (listing.id != "bevy") continue;
         // Bevy's loop is left behind the bottom plane, the others march on.
         EXPECT_TRUE(ends({listing.id}, -3, Status::floor));
-        EXPECT_FALSE(ends(with(listing.id, Planted::surface_not_reached), -3, Status::floor));
+        EXPECT_FALSE(
+            ends(flawed_behind(listing.id, Planted::surface_not_reached), -3, Status::floor));
     }
 }
 
@@ -111,7 +55,8 @@ TEST(LayeredEngines, LoopsWithoutAnEndAreCutOff) {
         };
         EXPECT_TRUE(ends({listing.id}, bottomless, Status::cap));
         EXPECT_TRUE(ends({listing.id}, -3, Status::hit));
-        EXPECT_FALSE(ends(with(listing.id, Planted::surface_not_reached), bottomless, Status::cap));
+        EXPECT_FALSE(
+            ends(flawed_behind(listing.id, Planted::surface_not_reached), bottomless, Status::cap));
     }
 }
 
@@ -151,7 +96,8 @@ TEST(LayeredEngines, MeetFlatMaps) {
         const double within = half_steps ? std::ldexp(1.0, -steps - 1) : 0;
         EXPECT_TRUE(meets_a_flat_map(listing, {listing.id}, within));
         if (half_steps) continue;
-        EXPECT_FALSE(meets_a_flat_map(listing, with(listing.id, Planted::off_the_ray), within));
+        EXPECT_FALSE(
+            meets_a_flat_map(listing, flawed_behind(listing.id, Planted::off_the_ray), within));
     }
     const Listing many = bevy(true, 20, 16, 0.1f);
     EXPECT_TRUE(meets_a_flat_map(many, {"bevy"}, 0));
@@ -160,25 +106,10 @@ TEST(LayeredEngines, MeetFlatMaps) {
 
 // ---- No layers ----------------------------------------------------------------------------------
 
-testing::AssertionResult leaves_the_polygon_alone(const Stage& stage, double max_layers) {
-    Inputs inputs(3);
-    Batch<float>& b = inputs.batch;
-    stage.run(b, {{"max_layers", max_layers}});
-    for (int lane = 0; lane < b.lanes; ++lane) {
-        const Vec2 uv = b.vector2(Value::uv, lane), hit_uv = b.vector2(Value::hit_uv, lane);
-        const bool unmoved = same(uv.x, hit_uv.x) && same(uv.y, hit_uv.y) &&
-                             b.real(Value::hit_depth, lane) == 0 &&
-                             b.integer(Value::hit_fetches, lane) == 0 &&
-                             b.integer(Value::hit_status, lane) == static_cast<int>(Status::hit);
-        if (!unmoved) return testing::AssertionFailure() << "lane " << lane;
-    }
-    return testing::AssertionSuccess();
-}
-
 TEST(LayeredEngines, BevyWithoutALayerHasNoParallax) {
-    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0.99));
-    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, 0));
-    EXPECT_FALSE(leaves_the_polygon_alone({"bevy"}, 1));
+    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, {{"max_layers", 0.99}}));
+    EXPECT_TRUE(leaves_the_polygon_alone({"bevy"}, {{"max_layers", 0}}));
+    EXPECT_FALSE(leaves_the_polygon_alone({"bevy"}, {{"max_layers", 1}}));
 }
 
 }  // namespace
