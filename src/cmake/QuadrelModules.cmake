@@ -39,9 +39,10 @@ set(QUADREL_KERNEL_GROUPS
   "occlusion|relief/occlusion/stages.hpp|OcclusionStages"
   "shade|shade/stages.hpp|ShadeStages")
 
-# quadrel_kernel_sources(<variable> <number> <header> <function>)
+# quadrel_kernel_sources(<variable> <number> <header> <function> [<group>...])
 # Writes the sources of the stages on a number type: a file a group, so that they compile beside
 # each other, and one with <function>(isa), which returns their table. Lists them in <variable>.
+# All groups unless some are named.
 function(quadrel_kernel_sources variable number number_header function)
   set(templates ${PROJECT_SOURCE_DIR}/src/kernels)
   set(folder ${PROJECT_BINARY_DIR}/kernels/${function})
@@ -53,6 +54,9 @@ function(quadrel_kernel_sources variable number number_header function)
     list(GET group 0 name)
     list(GET group 1 stages_header)
     list(GET group 2 list)
+    if(ARGN AND NOT name IN_LIST ARGN)
+      continue()
+    endif()
     string(APPEND declarations "KernelGroup ${name}_kernels(NumberTag<${number}>);\n")
     string(APPEND calls "${name}_kernels(NumberTag<${number}>()), ")
     configure_file(${templates}/group.cpp.in ${folder}/${name}.cpp @ONLY)

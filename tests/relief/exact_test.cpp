@@ -1,6 +1,7 @@
 // The exact searches: one another's equal bit for bit, and never wrong.
 #include <cstdlib>
 
+#include "effort.hpp"
 #include "relief/exact_flaws.hpp"
 #include "relief/oracle_exact.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 /// Batches of 256 rays a kind of map. Set QUADREL_EXACT_RAYS for more; a million take some minutes.
 int batches_a_map() {
     const char* const rays = std::getenv("QUADREL_EXACT_RAYS");
-    const long wanted = rays != nullptr ? std::atol(rays) : 17408;
+    const long wanted = rays != nullptr ? std::atol(rays) : rounds(17408);
     return static_cast<int>(1 + wanted / (256 * static_cast<long>(stress_maps().size())));
 }
 

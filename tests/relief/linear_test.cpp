@@ -1,5 +1,6 @@
 // The linear search against a loop over plain floats, and its behaviour on maps whose answer is
 // known.
+#include "effort.hpp"
 #include "relief/linear_search.hpp"
 
 namespace quadrel::test {
@@ -28,7 +29,7 @@ testing::AssertionResult equals_loop(const Search& implementation, int batches) 
 }
 
 TEST(Linear, IsTheFirstSampleBelow) {
-    EXPECT_TRUE(equals_loop(linear(), 150));
+    EXPECT_TRUE(equals_loop(linear(), rounds(150)));
     for (const Planted planted : {Planted::one_sample_late, Planted::one_sample_early,
                                   Planted::seat_forgotten, Planted::steps_counted_once}) {
         EXPECT_FALSE(equals_loop(linear(planted), 5)) << static_cast<int>(planted);

@@ -1,4 +1,5 @@
 // Self-shadowing against a loop over plain numbers, and on maps whose shadows are known.
+#include "effort.hpp"
 #include "relief/facet.hpp"
 #include "relief/planted.hpp"
 
@@ -94,7 +95,7 @@ testing::AssertionResult equals_loop(const Shadow& shadow, int batches) {
 }
 
 TEST(ShadowMarchThesis, EqualsTheLoop) {
-    EXPECT_TRUE(equals_loop(march(), 200));
+    EXPECT_TRUE(equals_loop(march(), rounds(200)));
     for (const Planted planted :
          {Planted::shadow_of_the_mirror, Planted::unlit_side_visible, Planted::shadow_acne}) {
         EXPECT_FALSE(equals_loop(march(planted), 20)) << static_cast<int>(planted);
@@ -106,7 +107,7 @@ TEST(ShadowMarchThesis, EqualsTheLoop) {
 /// Every lane that faces the light sees it; every lane that does not is dark, without a step.
 testing::AssertionResult nothing_shadows(const Shadow& shadow, const Map& map, float depth) {
     int lit = 0;
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < rounds(200); ++i) {
         Random random(static_cast<std::uint64_t>(i));
         Batch<float> batch = lit_facet(random, map, depth);
         shadow.run(batch);

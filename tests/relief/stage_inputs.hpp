@@ -9,12 +9,11 @@ namespace quadrel::test {
 
 /// A batch in which every value holds what a chain of corrected stages gives, and every slot a map.
 /// Filters are bilinear, so that no value jumps; the plan and the seed decide everything.
-struct StageInputs {
-    Random random;
+class MadeInputs {
+  public:
     Batch<float> batch;
-    std::array<Map, texture_slot_count> maps;
 
-    explicit StageInputs(int seed) : random(static_cast<std::uint64_t>(seed)) {
+    explicit MadeInputs(int seed) : random(static_cast<std::uint64_t>(seed)) {
         random_material(random, batch.material);
         batch.material.depth = static_cast<float>(random.uniform(0.01, 0.3));
         batch.frame.light_count = 2;
@@ -26,10 +25,13 @@ struct StageInputs {
         fill_quads(batch, random);
         run_chain();
     }
-    StageInputs(const StageInputs&) = delete;
-    StageInputs& operator=(const StageInputs&) = delete;
+    MadeInputs(const MadeInputs&) = delete;
+    MadeInputs& operator=(const MadeInputs&) = delete;
 
   private:
+    Random random;
+    std::array<Map, texture_slot_count> maps;
+
     void bind(TextureSlot slot) {
         Map& map = maps[static_cast<std::size_t>(slot)];
         if (slot >= first_baked_slot) {
@@ -43,14 +45,9 @@ struct StageInputs {
         map.sampled.sampler = plain_sampler();
         batch.bind(slot, map.sampled);
     }
-    /// From this object's height map; made once for each content.
     std::shared_ptr<const Texture> baked(TextureSlot slot) const {
-        static std::map<std::string, std::shared_ptr<const Texture>> made;
         const Map& height = maps[static_cast<std::size_t>(TextureSlot::height)];
-        const BakeKind kind = bake_kind_from_name(slot_name(slot));
-        auto& map = made[baked_id(*height.texture, kind, plain_sampler())];
-        if (!map) map = bake(*height.texture, kind, plain_sampler());
-        return map;
+        return bake(*height.texture, bake_kind_from_name(slot_name(slot)), plain_sampler());
     }
     void run_chain() {
         for (const char* id :
@@ -62,6 +59,19 @@ struct StageInputs {
         }
         batch.run("occlusion-none");
         batch.run("shade-thesis");
+    }
+};
+
+/// The batch of a seed to run stages over; made once, since that takes longer than most stages.
+struct StageInputs {
+    Batch<float> batch;
+
+    explicit StageInputs(int seed) : batch(made(seed).batch) {}
+
+  private:
+    static const MadeInputs& made(int seed) {
+        static std::map<int, MadeInputs> all;
+        return all.try_emplace(seed, seed).first->second;
     }
 };
 

@@ -1,5 +1,6 @@
 // The march against greatest heights: never late, whatever the map, and close where steps are
 // short.
+#include "effort.hpp"
 #include "quadrel/bake.hpp"
 #include "relief/surface_rays.hpp"
 
@@ -66,7 +67,7 @@ testing::AssertionResult never_late(const std::string& id, int maps) {
 }
 
 TEST(SteepMaxmip, IsNeverLate) {
-    EXPECT_TRUE(never_late("steep-maxmip", 10));
+    EXPECT_TRUE(never_late("steep-maxmip", rounds(10)));
     EXPECT_FALSE(never_late("linear", 3));
     EXPECT_FALSE(never_late("steep-mip-i", 3));
 }

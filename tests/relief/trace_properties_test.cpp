@@ -22,7 +22,7 @@ testing::AssertionResult without_depth_nothing_moves(const TraceRow& row, const 
     batch.material.seat = 0.75f;
     for (int lane = 0; lane < batch.lanes; ++lane) batch.set(Value::K, lane, dvec2(0));
     batch.bind(TextureSlot::height, map.sampled);
-    trace.run(batch, row.parameters);
+    run_baked(trace, batch, row.parameters);
     for (int lane = 0; lane < batch.lanes; ++lane) {
         if (batch.vector2(Value::hit_uv, lane) == batch.vector2(Value::uv, lane) &&
             batch.real(Value::hit_depth, lane) == 0) {
@@ -80,7 +80,7 @@ testing::AssertionResult straight_down(const TraceRow& row, const Trace<T>& trac
         fill_surface(batch, random);
         look_straight_down(batch);
         batch.bind(TextureSlot::height, map.sampled);
-        trace.run(batch, row.parameters);
+        run_baked(trace, batch, row.parameters);
         const FastHeight<Quad<T>> heights(map.sampled);
         const auto result = each_lane_hits<T>(row, batch, [&](int lane) {
             const auto uv = batch.vector2(Value::uv, lane);
@@ -113,7 +113,7 @@ testing::AssertionResult flat_maps(const TraceRow& row, const Trace<T>& trace) {
         }
         batch.material.seat = static_cast<float>(m % 3) / 2;
         batch.bind(TextureSlot::height, map.sampled);
-        trace.run(batch, row.parameters);
+        run_baked(trace, batch, row.parameters);
         const auto result =
             each_lane_hits<T>(row, batch, [&](int) { return static_cast<T>(m) / 64; });
         if (!result) return testing::AssertionFailure() << result.message();
@@ -134,7 +134,7 @@ template <class T>
 testing::AssertionResult finds_the_one_crossing(const TraceRow& row, const Trace<T>& trace) {
     static const GentleInputs<T> inputs;
     Batch<T> batch = inputs.batch;
-    trace.run(batch, row.parameters);
+    run_baked(trace, batch, row.parameters);
     for (int lane = 0; lane < batch.lanes; ++lane) {
         const double late =
             batch.real(Value::hit_s, lane) - inputs.hits[static_cast<std::size_t>(lane)];
@@ -167,7 +167,7 @@ testing::AssertionResult planes_are_exact(const TraceRow& row, const Trace<T>& t
         fill_surface(batch, random, {0.6, 0.15});
         batch.bind(TextureSlot::height, map.sampled);
         for (int lane = 0; lane < batch.lanes; ++lane) batch.set(Value::uv, lane, dvec2(0.5, 0.5));
-        trace.run(batch, row.parameters);
+        run_baked(trace, batch, row.parameters);
         for (int lane = 0; lane < batch.lanes; ++lane) {
             const auto K = batch.vector2(Value::K, lane);
             // Texel x has its centre at u = (x + 1/2) / 64.

@@ -2,12 +2,33 @@
 // checks over all rows of a kind, and rays whose one crossing is known.
 #pragma once
 
+#include "quadrel/bake.hpp"
 #include "relief/trace_rows.hpp"
 
 namespace quadrel::test {
 
 template <class T>
 using Trace = StageUnderTest<T>;
+
+/// Runs a trace with the maps that it reads besides the heights, baked of the batch's.
+template <class T>
+void run_baked(const Trace<T>& trace, Batch<T>& batch, const Parameters& parameters) {
+    const SampledTexture& heights = *batch.bound(TextureSlot::height);
+    const TextureView& view = heights.view;
+    const Map height = height_map(view.width[0], view.height[0], [&](int x, int y) {
+        return view.texels[view.offset[0] + (y * view.width[0] + x) * view.channels];
+    });
+    std::map<TextureSlot, Map> baked;
+    for (const TextureSlot slot : find_stage(trace.id)->textures) {
+        if (batch.bound(slot) || slot < TextureSlot::max_mip) continue;
+        Map& map = baked[slot];
+        map.texture = bake(*height.texture, bake_kind_from_name(slot_name(slot)), heights.sampler);
+        map.sampled = {map.texture->view(), heights.sampler};
+        batch.bind(slot, map.sampled);
+    }
+    trace.run(batch, parameters);
+    for (const auto& [slot, map] : baked) batch.unbind(slot);
+}
 
 template <class T>
 Status status_of(Batch<T>& batch, int lane) {

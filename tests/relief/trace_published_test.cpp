@@ -1,4 +1,5 @@
 // Traces that are named after a listing give its bits.
+#include "effort.hpp"
 #include "relief/listing_runs.hpp"
 
 namespace quadrel::test {
@@ -152,7 +153,7 @@ std::vector<Listing> all_listings() {
 
 TEST(TraceListings, AreReproducedBitForBit) {
     for (const Listing& listing : all_listings()) {
-        EXPECT_TRUE(equals_listing(listing, {listing.id}, 40));
+        EXPECT_TRUE(equals_listing(listing, {listing.id}, rounds(40)));
     }
 }
 

@@ -9,20 +9,24 @@ namespace quadrel::test {
 enum class TraceKind {
     offset,   ///< one or more shifts, no search
     march,    ///< the first sample of a lattice that is at or below the surface
-    refined,  ///< a march, and a closer look at its last step
+    refined,  ///< a march, and a closer look at its last step; or one in steps that are safe
 };
 
 /// A trace at parameters for which its lattice is known.
 struct TraceRow {
     std::string id;
     TraceKind kind;
-    Parameters parameters;
+    Parameters parameters{};
     /// Steps over the depth seen straight down; the least number at any angle.
     int lattice = 0, least_lattice = 0;
     /// March and refined: how far from the one crossing there is, in s, early and late.
     double early = 0, late = 0;
     bool ends_below = true;        ///< a hit is at or below the surface
     bool exact_on_planes = false;  ///< finds the crossing with a planar height field
+    double gap = 0;                ///< how far above the surface a hit may be
+    bool may_cap = false;          ///< may give up above the surface
+    bool takes_nan = true;         ///< its baked maps, if any, can be made of NaN
+    bool by_points = true;         ///< tests points of the ray, not cells
 };
 
 /// Corrected rows, 16 steps and more.
@@ -70,9 +74,41 @@ inline std::vector<TraceRow> trace_rows() {
          false,
          true},
         {"thesis-linear-binary", refined, {{"binary_steps", 16}}, 16, 1, 0, 1.0 / 65536},
-        {"thesis-sphere", refined, {{"steps", 4000}}, 0, 0, 1.0 / 512, 0},
+        {.id = "thesis-sphere",
+         .kind = refined,
+         .parameters = {{"steps", 4000}},
+         .early = 1.0 / 512,
+         .gap = 1.0 / 1024,
+         .may_cap = true},
     };
     rows.insert(rows.end(), closer.begin(), closer.end());
+    // By cones between texel centres: within a gap of the surface, or bisected.
+    for (const char* id : {"cone-step", "cone-quad", "cone-aniso"})
+        rows.push_back({.id = id,
+                        .kind = refined,
+                        .parameters = {{"steps", 400}},
+                        .early = 1.0 / 512,
+                        .late = 1.0 / 64,
+                        .gap = 1.0 / 1024,
+                        .may_cap = true,
+                        .takes_nan = false});
+    for (const char* id : {"cone-robust", "relaxed-cone", "relaxed-cone-exact", "cone-hybrid"})
+        rows.push_back({.id = id,
+                        .kind = refined,
+                        .parameters = {{"steps", 400}, {"binary_steps", 16}},
+                        .early = 1.0 / 2048,
+                        .late = 1.0 / 64,
+                        .gap = 1.0 / 2048,
+                        .may_cap = true,
+                        .takes_nan = false});
+    for (const char* id : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "cone-robust-exact"})
+        rows.push_back({.id = id,
+                        .kind = refined,
+                        .early = 1e-5,
+                        .late = 1e-5,
+                        .exact_on_planes = true,
+                        .takes_nan = std::string_view(id).substr(0, 4) != "cone",
+                        .by_points = false});
     return rows;
 }
 

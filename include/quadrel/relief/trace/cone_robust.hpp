@@ -38,7 +38,7 @@ struct ConeRobust : StageDefaults {
         const vec2<F> size = TexelSize<F>(height_map(io)).texels;
         const auto look = cone_look_up<TextureSlot::cone_robust>(io);
         auto walk = walk_cones<F>(ray, look, fall_from_patch_to_patch(ray, size, F(params.relax)),
-                                  params.steps, F(0));
+                                  params.steps, F(rounding_gap<F>));
         bisect_last_step<F>(ray, look, params.binary_steps, walk);
         store_search(io, ray, walk.result);
     }

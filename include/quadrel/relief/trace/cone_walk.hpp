@@ -49,6 +49,11 @@ ConeWalk<F> walk_cones(const SearchRay<F>& ray, const Look& cone, const Fall& fa
     return walk;
 }
 
+/// A gap that rounding leaves where a ray has fallen all the way down to a height: a search without
+/// tolerance would stay above it for ever.
+template <Number F>
+inline constexpr Scalar<F> rounding_gap = 2 * std::numeric_limits<Scalar<F>>::epsilon();
+
 /// How far a ray may fall by the cone under it.
 template <Number F>
 auto fall_by_cone(const SearchRay<F>& ray) {

@@ -31,8 +31,8 @@ struct RelaxedConeExact : StageDefaults {
         const SearchRay<F> ray = search_ray(io);
         const vec2<F> size = TexelSize<F>(height_map(io)).texels;
         const auto look = cone_look_up<TextureSlot::relaxed_cone_exact>(io);
-        auto walk =
-            walk_cones<F>(ray, look, fall_from_patch_to_patch(ray, size), params.steps, F(0));
+        auto walk = walk_cones<F>(ray, look, fall_from_patch_to_patch(ray, size), params.steps,
+                                  F(rounding_gap<F>));
         bisect_last_step<F>(ray, look, params.binary_steps, walk);
         store_search(io, ray, walk.result);
     }
