@@ -11,8 +11,8 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
-/// `all` rounds, or an eighth under the sanitizers, which make each many times as long and find what
-/// they look for in the first.
+/// `all` rounds, or an eighth under the sanitizers, which make each many times as long and find
+/// what they look for in the first.
 constexpr int rounds(int all) { return sanitized ? std::max(all / 8, 1) : all; }
 
 }  // namespace quadrel::test

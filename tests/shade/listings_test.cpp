@@ -197,7 +197,7 @@ TEST(PublishedShadings, EqualTheirListings) {
     EXPECT_TRUE(equals("shade-welsh@published", welsh));
     EXPECT_TRUE(equals("shade-mcguire@published", mcguire));
     EXPECT_TRUE(equals("shade-rabbid@published", rabbid));
-    EXPECT_TRUE(equals("shade-gg3@published", gems));
+    EXPECT_TRUE(equals("shade-gg3", gems));
 }
 
 TEST(PublishedShadings, SmallChangesShow) {
@@ -205,13 +205,13 @@ TEST(PublishedShadings, SmallChangesShow) {
     EXPECT_FALSE(equals("shade-welsh", welsh));
     EXPECT_FALSE(equals("shade-mcguire@published", mcguire_in_shadow));
     EXPECT_FALSE(equals("shade-rabbid@published", rabbid_gated));
-    EXPECT_FALSE(equals("shade-gg3@published", gems_unfaded));
+    EXPECT_FALSE(equals("shade-gg3", gems_unfaded));
 }
 
 /// Without lights nothing of them is read, and the ambient term alone remains.
 TEST(PublishedShadings, NoLightLeavesTheAmbientTerm) {
     for (const char* id : {"shade-welsh@published", "shade-mcguire@published",
-                           "shade-rabbid@published", "shade-gg3@published"}) {
+                           "shade-rabbid@published", "shade-gg3"}) {
         Random random(3);
         Batch<float> batch = random_points(random, 0);
         for (int lane = 0; lane < batch.lanes; ++lane)

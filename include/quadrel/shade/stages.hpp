@@ -5,7 +5,7 @@
 #include "quadrel/shade/blinn_phong.hpp"
 #include "quadrel/shade/cook_torrance.hpp"
 #include "quadrel/shade/debug.hpp"
-#include "quadrel/shade/gg3_published.hpp"
+#include "quadrel/shade/gg3.hpp"
 #include "quadrel/shade/lambert.hpp"
 #include "quadrel/shade/mcguire.hpp"
 #include "quadrel/shade/mcguire_published.hpp"
@@ -20,9 +20,9 @@
 
 namespace quadrel {
 
-using ShadeStages = StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh,
-                              ShadeWelshPublished, ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid,
-                              ShadeRabbidPublished, ShadeGg3Published, ShadeDebug, ShadeLambert,
-                              ShadePhong, ShadeBlinnPhong, ShadeCookTorrance>;
+using ShadeStages =
+    StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished,
+              ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3,
+              ShadeDebug, ShadeLambert, ShadePhong, ShadeBlinnPhong, ShadeCookTorrance>;
 
 }  // namespace quadrel

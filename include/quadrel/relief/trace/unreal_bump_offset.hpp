@@ -2,11 +2,11 @@
 //
 // Source: Epic Games, documentation of UMaterialExpressionBumpOffset: its output is
 //     Coordinate + Eye.xy * (Height - ReferencePlane) * HeightRatio,
-// Eye the unit vector to the camera in tangent space, not divided by its z: offset limiting. Typical
-// ratios are 0.02 to 0.1, a UV length; the reference plane, the height that stays where it is, is
-// 0.5 unless set. The height is whatever the material's graph supplies, here the height map with
-// the gradients of the undisplaced UV. The relief's depth and seat move hit.depth alone. (Products
-// are taken from left to right; the engine's compiler may order them otherwise.)
+// Eye the unit vector to the camera in tangent space, not divided by its z: offset limiting.
+// Typical ratios are 0.02 to 0.1, a UV length; the reference plane, the height that stays where it
+// is, is 0.5 unless set. The height is whatever the material's graph supplies, here the height map
+// with the gradients of the undisplaced UV. The relief's depth and seat move hit.depth alone.
+// (Products are taken from left to right; the engine's compiler may order them otherwise.)
 #pragma once
 
 #include "quadrel/relief/trace/offset.hpp"

@@ -1,4 +1,4 @@
-// shade-gg3@published: the lighting of relief_mapping.fx, as published.
+// shade-gg3: the lighting of relief_mapping.fx, as listed.
 //
 // Source: F. Policarpo and M. Oliveira, "Relaxed Cone Stepping for Relief Mapping", GPU Gems 3,
 // chapter 18 (2007), relief_mapping.fx on the book's disc. One white light; ambient, diffuse,
@@ -16,8 +16,8 @@
 
 namespace quadrel {
 
-struct ShadeGg3Published : StageDefaults {
-    static constexpr StageText text{"shade-gg3@published", "shade",
+struct ShadeGg3 : StageDefaults {
+    static constexpr StageText text{"shade-gg3", "shade",
                                     "Blinn-Phong, faded by the light's elevation",
                                     "GPU Gems 3, chapter 18, relief_mapping.fx"};
     static constexpr auto inputs =
