@@ -55,6 +55,7 @@ TEST(Presets, NameWhatExists) {
 
 Scene preset_scene(const std::string& name, std::vector<std::string> more = {}) {
     more.insert(more.begin(), "material.relief.preset=" + name);
+    more.insert(more.begin(), "size=[24, 20]");
     return load_scene("preset", more);
 }
 
