@@ -107,7 +107,7 @@ TEST(ShadowMarchThesis, EqualsTheLoop) {
 /// Every lane that faces the light sees it; every lane that does not is dark, without a step.
 testing::AssertionResult nothing_shadows(const Shadow& shadow, const Map& map, float depth) {
     int lit = 0;
-    for (int i = 0; i < rounds(200); ++i) {
+    for (int i = 0; i < 200; ++i) {
         Random random(static_cast<std::uint64_t>(i));
         Batch<float> batch = lit_facet(random, map, depth);
         shadow.run(batch);
