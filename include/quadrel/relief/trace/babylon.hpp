@@ -26,6 +26,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/babylon_march.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 #include "quadrel/relief/trace/offset.hpp"
 #include "quadrel/relief/trace/tangent_viewer.hpp"
 
@@ -75,19 +76,11 @@ struct Babylon : StageDefaults {
         return grows ? v : vec3<F>(-v.x, -v.y, v.z);
     }
 
-    template <class Io, class F>
-    static F sample(const Io& io, Mask<F> active, const vec2<F>& uv) {
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        return texture(map, io.template context<TextureSlot::height>(active), uv,
-                       io.frame().derivatives)
-            .x;
-    }
-
     /// parallaxOffset.
     template <class Io, class F>
     static void limited(const Io& io, const SearchRay<F>& ray, const vec3<F>& viewDir,
                         const Params& params) {
-        const F height = sample(io, ray.active, ray.uv);
+        const F height = implicit_height(io, ray.active, ray.uv);
         io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), height);
         const vec2<F> offset = vec2<F>(viewDir) * F(params.scale) * height;
         store_search(io, ray, offset_result(ray, height),
@@ -102,7 +95,7 @@ struct Babylon : StageDefaults {
         SearchResult<F> result;
         for (int i = 0; i < march.iMaxSamples; ++i) {
             const vec2<F> at = ray.uv + march.vCurrOffset;
-            const F height = sample(io, ray.active, at);
+            const F height = implicit_height(io, ray.active, at);
             count_in<F>(result.steps, ray.active);
             io.march_step(march.keepWorking, F(1) - march.currRayHeight, at, march.currRayHeight,
                           height);

@@ -13,18 +13,10 @@
 // depth.
 #pragma once
 
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 
 namespace quadrel {
-
-/// A look-up of the height map with implicit derivatives; all lanes need a coordinate.
-template <class Io, class F = typename Io::Number>
-F implicit_height(const Io& io, Mask<F> active, const vec2<F>& uv) {
-    const SampledTexture& map = *io.template texture<TextureSlot::height>();
-    const auto context = io.template context<TextureSlot::height>(active);
-    return texture(map, context, uv, io.frame().derivatives).x;
-}
 
 /// From `most` layers along the surface to `least` seen from above: a real number. `z`: of the unit
 /// view vector.

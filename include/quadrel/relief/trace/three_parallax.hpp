@@ -20,6 +20,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/counted_heights.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 #include "quadrel/relief/trace/offset.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 
@@ -53,10 +54,8 @@ struct ThreeParallax : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const auto heights = [&](Mask<F> active, const vec2<F>& uv) {
-            const auto context = io.template context<TextureSlot::height>(active);
-            return texture(map, context, uv, io.frame().derivatives).x;
+            return implicit_height(io, active, uv);
         };
         CountedHeights look_up(io, heights);
         const vec3<F> V = view(io);
