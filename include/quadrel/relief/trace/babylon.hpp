@@ -62,9 +62,7 @@ struct Babylon : StageDefaults {
         const vec3<F> normal = io.template load<Value::frame_normal>();
         const vec3<F> view = turned(params, tangent_viewer(io));
         if (params.parallax_occlusion == 0) return limited(io, ray, view, params);
-        const vec3<F> vNormalCoT =
-            turned(params, vec3<F>(dot(normal, io.template load<Value::T>()),
-                                   dot(normal, io.template load<Value::B>()), dot(normal, normal)));
+        const vec3<F> vNormalCoT = turned(params, along_frame(io, normal));
         search(io, ray, BabylonMarch<F>(-view, vNormalCoT, params.scale, ray.active), params);
     }
 
