@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <set>
 
 #include "quadrel/error.hpp"
 
@@ -35,10 +36,19 @@ void flush_output() {
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) fail();
 }
 
+void say_notes(const std::vector<std::string>& notes) {
+    static std::set<std::string> said;
+    for (const std::string& note : notes)
+        if (said.insert(note).second) std::fprintf(stderr, "quadrel: %s\n", note.c_str());
+}
+
 ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0), color_(!plain_terminal()) {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { clear(); }
+
+void ProgressBar::clear() {
     if (terminal_ && percent_ >= 0) std::fputs("\r\033[K", stderr);
+    percent_ = -1;
 }
 
 void ProgressBar::show(double share) {

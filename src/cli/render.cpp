@@ -86,6 +86,7 @@ ExitCode run_render(const Arguments& arguments) {
     RenderOptions options = parse_options(arguments);
     if (!arguments.explain) check_outputs(output, arguments);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
+    say_notes(scene.notes);
     check_window(options, scene);
     if (arguments.explain) {
         print(explain(scene, options));

@@ -60,7 +60,8 @@ std::vector<std::filesystem::path> expand(const std::vector<std::string>& inputs
 }
 
 void render_variants(const std::filesystem::path& scene_file, const Arguments& arguments,
-                     const Variants& variants, std::vector<SheetEntry>& entries) {
+                     const Variants& variants, std::vector<SheetEntry>& entries,
+                     std::vector<std::string>& notes) {
     for (const std::string& value : variants.values) {
         std::vector<std::string> overrides = with_size(arguments.overrides, arguments.size);
         std::string label = scene_file.stem().string();
@@ -70,7 +71,9 @@ void render_variants(const std::filesystem::path& scene_file, const Arguments& a
         }
         RenderOptions options;
         options.channels = {"R", "G", "B", "A"};
-        entries.push_back({label, preview(render(load_scene(scene_file, overrides), options))});
+        const Scene scene = load_scene(scene_file, overrides);
+        notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
+        entries.push_back({label, preview(render(scene, options))});
     }
 }
 
@@ -79,15 +82,18 @@ ExitCode run_sheet(const Arguments& arguments) {
     load_plugins(arguments.plugins);
     check_writable(arguments.output);
     std::vector<SheetEntry> entries;
+    std::vector<std::string> notes;  // printed when the bar is through
     ProgressBar bar;
     const auto files = expand(arguments.inputs);
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (is_image(files[i]))
             entries.push_back({files[i].stem().string(), preview(read_exr(files[i]).film)});
         else
-            render_variants(files[i], arguments, variants, entries);
+            render_variants(files[i], arguments, variants, entries, notes);
         bar.show(static_cast<double>(i + 1) / static_cast<double>(files.size()));
     }
+    bar.clear();
+    say_notes(notes);
     write_png(arguments.output, contact_sheet(entries, arguments.columns));
     fmt::print(stderr, "{}\n",
                std::filesystem::absolute(arguments.output).lexically_normal().string());

@@ -2,23 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "io/printable.hpp"
+
 namespace quadrel {
 namespace {
-
-/// What a file holds may get into a message: that stays one line, and no terminal obeys it.
-std::string printable(std::string text) {
-    for (char& c : text) {
-        if (c == '\n' || c == '\t') c = ' ';
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-    }
-    return text;
-}
-
-/// The beginning of a text that may be as long as a file.
-std::string shortened(const std::string& text) {
-    constexpr std::size_t most = 400;
-    return text.size() > most ? text.substr(0, most) + "..." : text;
-}
 
 std::string input_message(const std::string& file, const std::string& key, const std::string& found,
                           const std::string& expected, int line, int column) {

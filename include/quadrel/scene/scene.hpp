@@ -118,6 +118,9 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<Light> lights;
     std::optional<Environment> environment;
+    /// What is no error but should be known, such as what a mesh's file holds and is ignored: one
+    /// printable line each. The command line prints them once, on standard error.
+    std::vector<std::string> notes;
     std::string canonical;  ///< resolved JSON, paths replaced by content hashes
     std::string hash;       ///< SHA-256 of `canonical`, hex
 };
