@@ -88,6 +88,7 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.primitive = primitive_;
     call.primitives = geometry.data.data();
     call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
+    call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
     const auto fetches = [&] {
         std::uint64_t sum = 0;
         for (int slot = 0; call.counters && slot < texture_slot_count; ++slot)

@@ -10,6 +10,7 @@
 
 #include "quadrel/num/functions.hpp"
 #include "render/primitive_frame.hpp"
+#include "render/primitive_vertices.hpp"
 #include "scene/degrees.hpp"
 
 namespace quadrel {
@@ -72,7 +73,7 @@ PrimitiveData primitive_data(const AssembledTriangle& piece, const ShadedVertice
 }
 
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
-                     bool with_frames, Geometry& geometry) {
+                     const GeometryParts& parts, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
     const Mesh& mesh = scene.meshes[object.mesh];
     const Material& material = scene.materials[object.material];
@@ -80,7 +81,10 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
     const ShadedVertices vertices =
         shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
     std::optional<PrimitiveFrames> frames;
-    if (with_frames) frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+    if (parts.frames)
+        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+    std::optional<VertexRows> rows;
+    if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
     // A mirroring transform turns the winding round; the outside stays the outside.
     const bool mirrored = glm::determinant(glm::dmat3(glm::dmat4(model_view))) < 0;
     std::vector<AssembledTriangle> pieces;
@@ -99,6 +103,7 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
                 {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
             geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
             if (frames) geometry.frames.push_back(frames->of(piece, drawn));
+            if (rows) geometry.vertices.push_back(rows->of(piece, drawn));
         }
     }
 }
@@ -194,14 +199,15 @@ MaterialUniforms material_uniforms(const Material& material) {
     return out;
 }
 
-Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware, bool with_frames) {
+Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
+                           const GeometryParts& parts) {
     Geometry geometry;
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.visible) continue;
         const Cull cull = scene.materials[object.material].cull;
-        assemble_object(scene, i, raster_state(viewport, hardware, cull), with_frames, geometry);
+        assemble_object(scene, i, raster_state(viewport, hardware, cull), parts, geometry);
     }
     return geometry;
 }

@@ -23,13 +23,19 @@ struct Geometry {
     std::vector<DrawnTriangle> triangles;
     std::vector<PrimitiveData> data;
     std::vector<PrimitiveFrame> frames;  ///< as long as `data`, or empty where nothing reads them
+    std::vector<PrimitiveVertices> vertices;  ///< likewise
     PrimitiveCounts counts;
 };
 
-/// Vertex stage, clipping, snapping and culling of every visible object. `with_frames`: tangents,
-/// the triangles' own J and the objects' axes too.
+/// What stages read of triangles beyond PrimitiveData.
+struct GeometryParts {
+    bool frames = false;    ///< tangents, the triangles' own J and the objects' axes
+    bool vertices = false;  ///< the vertices as submitted
+};
+
+/// Vertex stage, clipping, snapping and culling of every visible object.
 Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
-                           bool with_frames = false);
+                           const GeometryParts& parts = {});
 
 /// The scene's hardware model with its own settings applied.
 HardwareModel scene_hardware(const Scene& scene);

@@ -8,17 +8,14 @@
 #include "quadrel/scene/tangents.hpp"
 
 namespace quadrel {
-namespace {
 
-/// v / |v|, or null.
-glm::vec3 unit(const glm::vec3& v) {
+glm::vec3 unit_or_null(const glm::vec3& v) {
     const glm::dvec3 wide(v);
     const double squared = dot(wide, wide);
     return squared > 0 ? glm::vec3(wide / std::sqrt(squared)) : glm::vec3(0.0f);
 }
 
-/// The normal of a corner in object space; of the triangle in a mesh without normals.
-glm::vec3 object_normal(const Mesh& mesh, std::size_t triangle, std::size_t corner) {
+glm::vec3 normal_of_corner(const Mesh& mesh, std::size_t triangle, std::size_t corner) {
     const auto& index = mesh.triangles[triangle];
     if (!mesh.normals.empty()) return mesh.normals[index[corner]];
     const glm::dvec3 a(mesh.positions[index[0]]);
@@ -27,8 +24,6 @@ glm::vec3 object_normal(const Mesh& mesh, std::size_t triangle, std::size_t corn
     const double length_of_n = length(n);
     return length_of_n > 0 ? glm::vec3(n / length_of_n) : glm::vec3(0.0f);
 }
-
-}  // namespace
 
 std::array<float, 6> triangle_jacobian(const std::array<glm::vec3, 3>& position,
                                        const std::array<glm::vec2, 3>& uv) {
@@ -91,13 +86,13 @@ void PrimitiveFrames::make_eye_vectors(const Mesh& mesh) {
     for (std::size_t t = 0; t < tangents.size(); ++t) {
         Corners& corners = corners_.emplace_back();
         for (std::size_t c = 0; c < 3; ++c) {
-            const glm::vec3 tangent = unit(tangents[t][c].dPdu);
-            const glm::vec3 binormal = unit(tangents[t][c].dPdv);
-            const glm::vec3 normal = object_normal(mesh, t, c);
+            const glm::vec3 tangent = unit_or_null(tangents[t][c].dPdu);
+            const glm::vec3 binormal = unit_or_null(tangents[t][c].dPdv);
+            const glm::vec3 normal = normal_of_corner(mesh, t, c);
             const glm::vec3 to_eye = eye - mesh.positions[mesh.triangles[t][c]];
             const float handedness = dot(cross(normal, tangent), binormal) < 0 ? -1.0f : 1.0f;
             corners[c] = {{dot(to_eye, tangent), dot(to_eye, binormal), dot(to_eye, normal)},
-                          unit(glm::mat3(model_view_) * tangent),
+                          unit_or_null(glm::mat3(model_view_) * tangent),
                           handedness * side_};
         }
     }
@@ -108,8 +103,8 @@ void PrimitiveFrames::make_mikkt(const Mesh& mesh) {
     for (std::size_t t = 0; t < tangents.size(); ++t) {
         Corners& corners = corners_.emplace_back();
         for (std::size_t c = 0; c < 3; ++c)
-            corners[c] = {unit(glm::mat3(model_view_) * glm::vec3(tangents[t][c])),
-                          unit(normal_matrix_ * object_normal(mesh, t, c)),
+            corners[c] = {unit_or_null(glm::mat3(model_view_) * glm::vec3(tangents[t][c])),
+                          unit_or_null(normal_matrix_ * normal_of_corner(mesh, t, c)),
                           tangents[t][c].w * side_};
     }
 }
@@ -120,8 +115,9 @@ void PrimitiveFrames::make_own(const Mesh& mesh) {
         Corners& corners = corners_.emplace_back();
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::vec4 tangent = mesh.tangents[mesh.triangles[t][c]];
-            corners[c] = {unit(glm::mat3(model_view_) * glm::vec3(tangent)),
-                          unit(normal_matrix_ * object_normal(mesh, t, c)), -tangent.w * side_};
+            corners[c] = {unit_or_null(glm::mat3(model_view_) * glm::vec3(tangent)),
+                          unit_or_null(normal_matrix_ * normal_of_corner(mesh, t, c)),
+                          -tangent.w * side_};
         }
     }
 }

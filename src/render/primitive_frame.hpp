@@ -65,6 +65,13 @@ class PrimitiveFrames {
     std::vector<Corners> corners_;  ///< a triangle each, eye space; empty where all are null
 };
 
+/// v / |v|, or null.
+glm::vec3 unit_or_null(const glm::vec3& v);
+
+/// The normal of a corner in object space, as the mesh has it; the unit normal of the triangle in a
+/// mesh without normals.
+glm::vec3 normal_of_corner(const Mesh& mesh, std::size_t triangle, std::size_t corner);
+
 /// Gradients of u and v in the plane of a triangle, in double from its vertices; 0 where it has no
 /// area.
 std::array<float, 6> triangle_jacobian(const std::array<glm::vec3, 3>& position,

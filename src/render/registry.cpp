@@ -31,6 +31,7 @@ StageInfo describe(const StageRow& row) {
             .params_size = static_cast<std::size_t>(row.params_size),
             .uses_height_bounds = row.uses_height_bounds != 0,
             .needs_height_map = row.needs_height_map != 0,
+            .reads_vertices = row.reads_vertices != 0,
             .set_defaults = row.set_defaults};
 }
 

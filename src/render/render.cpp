@@ -160,8 +160,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
     prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
     prepared.plan.isa = options.isa;
-    prepared.geometry =
-        assemble_geometry(scene, prepared.plan.hardware, reads_frames(prepared.plan));
+    prepared.geometry = assemble_geometry(scene, prepared.plan.hardware, parts_read(prepared.plan));
     prepared.used = std::vector<bool>(scene.materials.size(), true);
     if (options.skip) {
         const Viewport viewport{scene.width, scene.height, scene.conventions};

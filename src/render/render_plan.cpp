@@ -73,14 +73,17 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     return plan;
 }
 
-bool reads_frames(const RenderPlan& plan) {
-    const auto reads = [](const MaterialPlan& material) {
-        for (const Value v : frame_values)
-            if (material.values[static_cast<std::size_t>(v)]) return true;
-        return false;
-    };
-    return std::any_of(plan.materials.begin(), plan.materials.end(), reads) ||
-           std::any_of(plan.discard.begin(), plan.discard.end(), reads);
+GeometryParts parts_read(const RenderPlan& plan) {
+    GeometryParts parts;
+    for (const auto* const list : {&plan.materials, &plan.discard}) {
+        for (const MaterialPlan& material : *list) {
+            for (const Value v : frame_values)
+                parts.frames |= material.values[static_cast<std::size_t>(v)];
+            for (const PlannedStage& stage : material.stages)
+                parts.vertices |= stage.info->reads_vertices;
+        }
+    }
+    return parts;
 }
 
 bool may_leave_out_steps(const MaterialPlan& plan) {

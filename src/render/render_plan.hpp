@@ -27,8 +27,8 @@ struct RenderPlan {
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
                             const KernelTable& kernels, bool skip);
 
-/// Whether a stage reads PrimitiveFrame rows.
-bool reads_frames(const RenderPlan& plan);
+/// What the planned stages read of triangles.
+GeometryParts parts_read(const RenderPlan& plan);
 
 /// Whether steps of a material's searches may be left out: a stage knows how, and nothing asks how
 /// many there are.

@@ -93,9 +93,10 @@ class Batch {
     std::array<std::vector<T>, 3> edges;  ///< what `interpolate` reads, with:
     std::vector<std::int32_t> primitive;
     std::vector<PrimitiveData> primitives;
-    std::vector<PrimitiveFrame> frames;  ///< parallel to `primitives`, or empty
-    StageLog* log = nullptr;             ///< what a probe would see; float alone
-    bool own_depth = false;              ///< false: relief_depth is material.depth at every run
+    std::vector<PrimitiveFrame> frames;       ///< parallel to `primitives`, or empty
+    std::vector<PrimitiveVertices> vertices;  ///< likewise
+    StageLog* log = nullptr;                  ///< what a probe would see; float alone
+    bool own_depth = false;  ///< false: relief_depth is material.depth at every run
 
     void bind(TextureSlot slot, const SampledTexture& map) {
         textures_[static_cast<int>(slot)] = &map;
@@ -188,6 +189,7 @@ class Batch {
         call.primitive = primitive.data();
         call.primitives = primitives.data();
         call.frames = frames.empty() ? nullptr : frames.data();
+        call.vertices = vertices.empty() ? nullptr : vertices.data();
         function(&call);
     }
 

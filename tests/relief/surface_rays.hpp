@@ -3,6 +3,7 @@
 #pragma once
 
 #include "relief/linear_search.hpp"
+#include "relief/vertex_inputs.hpp"
 
 namespace quadrel::test {
 
@@ -42,6 +43,7 @@ void fill_surface_quad(Batch<T>& batch, int quad, Random& random, const RayOptio
     const dvec3 d = normalize(plane.P);
     const dvec2 shift = dvec2(dot(plane.T, d), dot(plane.B, d)) * options.density;
     const bool behind = options.back_faces && random.chance(0.5);
+    set_quad_vertices(batch, quad, plane.P, VertexAxes{plane.T, plane.B, plane.N});
     for (int i = 0; i < 4; ++i) {
         const int lane = 4 * quad + i;
         batch.set(Value::uv, lane, vec2<float>(uv + dvec2(i % 2, i / 2) * footprint));
@@ -80,6 +82,11 @@ void look_straight_down(Batch<T>& batch) {
         batch.set(Value::uv_rate, lane, dvec2(0));
         batch.real(Value::r, lane) = 1;
         batch.set(Value::P, lane, -batch.vector3(Value::frame_normal, lane) * T(2));
+    }
+    for (int quad = 0; quad < batch.lanes / 4; ++quad) {
+        const auto axis = [&](Value v) { return dvec3(batch.vector3(v, 4 * quad)); };
+        const VertexAxes axes{axis(Value::T), axis(Value::B), axis(Value::frame_normal)};
+        set_quad_vertices(batch, quad, axes.N * -2.0, axes);
     }
 }
 

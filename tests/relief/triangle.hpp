@@ -3,6 +3,7 @@
 
 #include "quadrel/raster/interpolation.hpp"
 #include "relief/frame_oracle.hpp"
+#include "relief/vertex_inputs.hpp"
 
 namespace quadrel::test {
 
@@ -46,6 +47,18 @@ struct Triangle {
             }
         }
         return f;
+    }
+    /// Vertices whose tangents and binormals are the plane's, unit.
+    PrimitiveVertices vertices() const {
+        const auto J = jacobian();
+        const dvec3 n = cross(J.grad_u, J.grad_v);
+        const dvec3 T = normalize(cross(J.grad_v, n)), B = normalize(cross(n, J.grad_u));
+        std::array<VertexAxes, 3> axes;
+        for (std::size_t v = 0; v < 3; ++v) axes[v] = {T, B, normalize(dvec3(normal[v]))};
+        PrimitiveVertices row = vertex_row({dvec3(P[0]), dvec3(P[1]), dvec3(P[2])}, axes);
+        for (std::size_t v = 0; v < 3; ++v)
+            for (int c = 0; c < 2; ++c) row.uv[v][c] = uv[v][c];
+        return row;
     }
     /// Twice the signed area of (window[i + 1], window[i + 2], at): the edge function opposite of
     /// vertex i.
@@ -135,6 +148,7 @@ template <PlainFloat T>
 void fill_quads_of(Batch<T>& batch, const Triangle& t, Random& random) {
     batch.primitives = {t.data()};
     batch.frames = {t.frame()};
+    batch.vertices = {t.vertices()};
     for (int quad = 0; quad < batch.lanes / 4; ++quad) {
         double a = random.uniform(0, 1), b = random.uniform(0, 1);
         if (a + b > 1) a = 1 - a, b = 1 - b;

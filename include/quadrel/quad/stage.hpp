@@ -57,7 +57,8 @@ struct StageCall {
     const void* edges[3];           ///< edge functions at the evaluation point, per lane
     const std::int32_t* primitive;  ///< index into `primitives`, per lane
     const PrimitiveData* primitives;
-    const PrimitiveFrame* frames;  ///< parallel to `primitives`; null where no stage asks
+    const PrimitiveFrame* frames;       ///< parallel to `primitives`; null where no stage asks
+    const PrimitiveVertices* vertices;  ///< likewise, for stages with a vertex program
 };
 
 using StageFunction = void (*)(const StageCall*);
@@ -114,12 +115,15 @@ struct NoParams {};
 inline constexpr std::array<ParameterText, 0> no_parameters{};
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
-/// What a stage has that declares nothing else: no textures, no parameters, no leaving out.
+/// What a stage has that declares nothing else: no textures, no parameters, no leaving out, no
+/// vertex program.
 struct StageDefaults {
     static constexpr auto textures = no_textures;
     /// Whether the stage leaves out steps by the bounds of the height map's heights
     /// (MaterialUniforms), with the same bits but for counts of steps and fetches.
     static constexpr bool uses_height_bounds = false;
+    /// Whether the stage has a vertex program (vertex_program.hpp).
+    static constexpr bool reads_vertices = false;
     using Params = NoParams;
     static constexpr auto parameters = no_parameters;
 };
@@ -151,6 +155,7 @@ template <class Stage, class F>
 class StageIo {
   public:
     using Number = F;
+    static constexpr bool reads_vertices = Stage::reads_vertices;
 
     StageIo(const StageCall& call, int first_lane) : call_(call), lane_(first_lane) {}
 

@@ -19,7 +19,8 @@ struct StageRow {
     const ParameterText* parameters;
     std::int32_t input_count, output_count, texture_count, parameter_count;
     std::int64_t params_size;
-    std::int32_t uses_height_bounds, needs_height_map;  ///< see StageDefaults and StageInfo
+    /// See StageDefaults and StageInfo.
+    std::int32_t uses_height_bounds, needs_height_map, reads_vertices;
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
     StageFunction run;         ///< on floats: Quad<float>, or the lanes of an instruction set
@@ -55,6 +56,7 @@ StageRow describe_stage() {
     row.params_size = sizeof(Params);
     row.uses_height_bounds = Stage::uses_height_bounds;
     row.needs_height_map = detail::declares_height_map<Stage>();
+    row.reads_vertices = Stage::reads_vertices;
     row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };
     return row;
 }
@@ -103,7 +105,8 @@ inline constexpr std::uint32_t stage_abi_version = [] {
          {std::size_t(texture_slot_count), std::size_t(max_lights), sizeof(StageRow),
           sizeof(StageCall), sizeof(ParameterText), sizeof(FrameUniforms), sizeof(LightUniforms),
           sizeof(MaterialUniforms), sizeof(PrimitiveData), sizeof(PrimitiveFrame),
-          sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent), sizeof(MarchStep)})
+          sizeof(PrimitiveVertices), sizeof(SampledTexture), sizeof(FetchCounters),
+          sizeof(FetchEvent), sizeof(MarchStep)})
         print.add(size);
     return print.value();
 }();

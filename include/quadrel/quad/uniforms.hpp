@@ -97,9 +97,25 @@ struct PrimitiveFrame {
     float object_axes[3][3];  ///< columns of the normal matrix: object to eye space
     float unused[4];
 };
+
+/// What vertex programs read of a triangle (vertex_program.hpp), in an array of its own: the
+/// vertices as they were submitted, whatever clipping made of them, in object space.
+struct PrimitiveVertices {
+    float position[3][3];
+    float normal[3][3];    ///< the mesh's own, as it has them; the face's, unit, of flat meshes
+    float tangent[3][3];   ///< unit, along growing u: the mesh's own, or from its UV
+    float binormal[3][3];  ///< along growing v, likewise
+    float uv[3][2];
+    float weights[3][3];  ///< of these vertices, at each vertex of the piece that is drawn
+    float to_eye[12];     ///< rows of the affine map from object to eye space
+    float to_object[12];  ///< and of its inverse
+    float unused[5];
+};
+
 inline constexpr int primitive_floats = sizeof(PrimitiveData) / sizeof(float);
 static_assert(primitive_floats == 32, "rows of 128 bytes");
 inline constexpr int frame_floats = sizeof(PrimitiveFrame) / sizeof(float);
 static_assert(frame_floats == 40, "rows of 160 bytes");
+static_assert(sizeof(PrimitiveVertices) == 80 * sizeof(float), "rows of 320 bytes");
 
 }  // namespace quadrel

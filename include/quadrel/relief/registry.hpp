@@ -23,6 +23,7 @@ struct StageInfo {
     /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of
     /// noise do not serve it.
     bool needs_height_map;
+    bool reads_vertices;  ///< see StageDefaults
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
 };

@@ -19,6 +19,7 @@ const StageRow row{{id, "surface", "stores nothing", "these tests"},
                    0,
                    0,
                    0,
+                   0,
                    [](void*) {},
                    [](const StageCall*) {},
                    [](const StageCall*) {}};
