@@ -45,6 +45,7 @@ Json stage_json(const StageInfo& stage) {
             {"kind", stage.text.room},
             {"summary", stage.text.summary},
             {"source", stage.text.source},
+            {"not_reproduced", stage.not_reproduced},
             {"number_types", numbers},
             {"inputs", value_names(stage.inputs)},
             {"outputs", value_names(stage.outputs)},
@@ -60,6 +61,8 @@ void list_algorithms(bool json) {
     }
     for (const StageInfo& stage : all_stages()) {
         print(fmt::format("{:<9}{:<26} {}\n", stage.text.room, stage.text.id, stage.text.summary));
+        if (!stage.not_reproduced.empty())
+            print(fmt::format("{:<11}not reproduced: {}\n", "", stage.not_reproduced));
         for (const ParameterText& p : stage.parameters)
             print(fmt::format("{:<11}{} = {} ({} to {}{}{}): {}\n", "", p.name, p.default_value,
                               p.minimum, p.maximum, *p.unit != '\0' ? " " : "", p.unit, p.meaning));

@@ -40,6 +40,8 @@ Fault text_fault(const StageRow& row) {
     const char* id = row.text.id;
     if (!is_word(id)) return StageFault{"", "a stage without a proper id", "letters, digits, -_@."};
     if (id == std::string_view("none")) return StageFault{id, "the id none", "another id"};
+    if (row.not_reproduced == nullptr)
+        return StageFault{id, "not_reproduced is null", "a text, which may be empty"};
     for (const char* text : {row.text.room, row.text.summary, row.text.source})
         if (text == nullptr || *text == 0)
             return StageFault{id, "an empty text", "id, room, summary and source"};

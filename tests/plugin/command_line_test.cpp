@@ -98,8 +98,11 @@ TEST_F(CommandLine, ListsStages) {
     EXPECT_EQ(with.code, 0);
     EXPECT_NE(with.out.find("test-waves"), std::string::npos);
     EXPECT_NE(with.out.find("where the wave begins"), std::string::npos);
+    EXPECT_NE(with.out.find(" not reproduced: ebb and flow\n"), std::string::npos);
     const Outcome json = run({"list", "algorithms", "--json", "--plugin", stages.string()});
     EXPECT_NE(json.out.find("\"id\": \"test-stripes\""), std::string::npos);
+    EXPECT_NE(json.out.find("\"not_reproduced\": \"ebb and flow\""), std::string::npos);
+    EXPECT_NE(json.out.find("\"not_reproduced\": \"\""), std::string::npos);
     EXPECT_EQ(run({"list", "algorithms"}).out.find("test-waves"), std::string::npos);
 }
 

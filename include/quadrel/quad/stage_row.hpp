@@ -21,6 +21,7 @@ struct StageRow {
     std::int64_t params_size;
     /// See StageDefaults and StageInfo.
     std::int32_t uses_height_bounds, needs_height_map, reads_vertices;
+    const char* not_reproduced;  ///< see StageInfo; never null
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
     StageFunction run;         ///< on floats: Quad<float>, or the lanes of an instruction set
@@ -34,6 +35,14 @@ template <class Stage>
 constexpr bool declares_height_map() {
     if constexpr (requires { Stage::needs_height_map; }) return Stage::needs_height_map;
     return false;
+}
+
+/// What a stage says that its source does and it doesn't:
+///     static constexpr const char* not_reproduced = "the loop's bound of 30 steps";
+template <class Stage>
+constexpr const char* declared_not_reproduced() {
+    if constexpr (requires { Stage::not_reproduced; }) return Stage::not_reproduced;
+    return "";
 }
 }  // namespace detail
 
@@ -57,6 +66,7 @@ StageRow describe_stage() {
     row.uses_height_bounds = Stage::uses_height_bounds;
     row.needs_height_map = detail::declares_height_map<Stage>();
     row.reads_vertices = Stage::reads_vertices;
+    row.not_reproduced = detail::declared_not_reproduced<Stage>();
     row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };
     return row;
 }

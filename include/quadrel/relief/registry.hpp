@@ -24,6 +24,8 @@ struct StageInfo {
     /// noise do not serve it.
     bool needs_height_map;
     bool reads_vertices;  ///< see StageDefaults
+    /// What its source does and the stage doesn't, in words; empty where it does all.
+    std::string_view not_reproduced;
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
 };

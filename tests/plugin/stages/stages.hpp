@@ -11,6 +11,7 @@ using namespace quadrel;
 /// anyone would want to see.
 struct Waves : StageDefaults {
     static constexpr StageText text{"test-waves", "trace", "heights under a wave", "these tests"};
+    static constexpr const char* not_reproduced = "ebb and flow";
     static constexpr auto inputs = search_inputs_and(Value::P, Value::vertex_normal);
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
