@@ -10,6 +10,8 @@ Row::Row(const std::string& row) : text(row) {
     std::istringstream words(row);
     words >> id;
     if (find_stage(id) == nullptr) throw UsageError("no search is named \"" + id + "\"");
+    if (stage().reads_vertices)
+        throw UsageError("\"" + id + "\" makes its ray of a mesh's vertices: here are none");
     for (std::string word; words >> word;) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos) throw UsageError("\"" + word + "\" is not name=value");

@@ -28,12 +28,20 @@ struct CompareRules {
     Tolerance all;                                ///< of every channel not named in `channels`
     std::map<std::string, Tolerance> channels;    ///< by full name
     std::map<std::string, Encoding> encodings{};  ///< what both images were rounded to, by channel
+    std::vector<bool> left_out{};  ///< pixels, row by row, at which nothing is compared; or empty
 
     /// What holds for a channel. Integer channels pass by equal bits only, except for `fraction`,
     /// and for `abs` of the channel's own entry.
     Tolerance tolerance_of(const std::string& channel, ChannelType type) const;
     Encoding encoding_of(const std::string& channel) const;
 };
+
+/// The bits of hit.flags of these names (quad/value.hpp). Throws UsageError.
+std::uint32_t parse_hit_flags(const std::vector<std::string>& names);
+
+/// The pixels of the reference at which hit.flags has one of the bits: for CompareRules::left_out.
+/// Throws UsageError where it has no such channel.
+std::vector<bool> flagged_pixels(const Film& reference, std::uint32_t flags);
 
 /// Whether a value leaves its tolerance (which is as CompareRules::tolerance_of gives it).
 bool exceeds(ChannelType type, Encoding encoding, const Tolerance& tolerance,
@@ -96,6 +104,7 @@ struct CompareReport {
     std::optional<Preparation> preparation;  ///< the caller's
     std::vector<std::string> structure;   ///< one line each: sizes, windows, channels that differ
     std::vector<ChannelReport> channels;  ///< those that both have, with the same type and window
+    std::uint64_t left_out = 0;           ///< pixels at which nothing was compared
     std::optional<Blame> blame;           ///< the caller's, by find_blame
 
     bool equal() const;

@@ -32,7 +32,7 @@ constexpr const char* details =
     "nearest half, ties to even; --ulp counts halves.";
 
 struct Arguments {
-    std::string reference, test, layer, channels, heatmap, encode, blame;
+    std::string reference, test, layer, channels, heatmap, encode, blame, ignored_flags;
     std::vector<std::string> mappings, overrides, plugins;
     ToleranceArguments tolerances;
     bool flip_y = false, json = false;
@@ -63,6 +63,26 @@ struct Images {
     CompareRules rules;
 };
 
+/// The pixels that --ignore-flags leaves out.
+std::vector<bool> left_out(const std::string& flags, const Film& reference) {
+    if (flags.empty()) return {};
+    try {
+        return flagged_pixels(reference, parse_hit_flags(parse_list("--ignore-flags", flags)));
+    } catch (const UsageError& error) {
+        throw UsageError(std::string("--ignore-flags: ") + error.what());
+    }
+}
+
+/// The test image with the reference's values where nothing is compared.
+Film without_left_out(const Film& reference, Film test, const std::vector<bool>& left_out) {
+    for (Plane& plane : test.planes) {
+        const Plane* right = reference.find(plane.name);
+        for (std::size_t i = 0; right != nullptr && i < left_out.size(); ++i)
+            if (left_out[i]) plane.bits[i] = right->bits[i];
+    }
+    return test;
+}
+
 Images prepare(const Arguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
@@ -75,6 +95,7 @@ Images prepare(const Arguments& arguments) {
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
     images.rules = match_tolerances(tolerances, reference.film, test.film);
+    images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
     if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
     images.rules.encodings = encode_both(reference, test, encoding);
     images.preparation = {
@@ -105,7 +126,8 @@ ExitCode run_compare(const Arguments& arguments) {
     print(arguments.json ? to_json(report) : to_text(report));
     if (!arguments.heatmap.empty()) {
         if (reference.window == test.window)
-            write_png(arguments.heatmap, heatmap(reference, test));
+            write_png(arguments.heatmap,
+                      heatmap(reference, without_left_out(reference, test, images.rules.left_out)));
         else
             std::fputs("quadrel: no heat map: the windows differ\n", stderr);
     }
@@ -133,6 +155,10 @@ void add_preparation(CLI::App& verb, Arguments& a) {
         ->allow_extra_args(false);
     verb.add_option("--layer", a.layer, "part or layer of the test image, an EXR");
     verb.add_option("--channels", a.channels, "compare these comma-separated channels only");
+    verb.add_option("--ignore-flags", a.ignored_flags,
+                    "leave out pixels whose reference has one of these hit.flags, such as "
+                    "nan-look-up")
+        ->type_name("LIST");
 }
 
 }  // namespace

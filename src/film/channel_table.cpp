@@ -64,7 +64,8 @@ void add_hit(Table& table) {
     table.push_back({"hit.status", integer, "code",
                      "0 none, 1 hit, 2 floor, 3 cap, 4 clip, 5 no frame, 6 NaN, 7 outside"});
     table.push_back({"hit.flags", integer, "bits",
-                     "1 degenerate uv, 2 ambiguous, 4 start below the surface, 8 wrapped"});
+                     "1 degenerate-uv, 2 ambiguous, 4 start-below (the surface), 8 wrapped, "
+                     "32 nan-look-up (what it gives is the implementation's choice)"});
     table.push_back({"frag.depth", real, "window depth", "depth of the hit by the projection"});
     table.push_back({"hit.steps", integer, "count", "steps of the search"});
     table.push_back({"hit.fetches", integer, "count", "height fetches of the search"});

@@ -68,6 +68,8 @@ CompareReport compare(const Film& reference, const Film& test, const CompareRule
     CompareReport report;
     compare_structure(reference, test, report);
     if (reference.window != test.window) return report;
+    report.left_out =
+        static_cast<std::uint64_t>(std::count(rules.left_out.begin(), rules.left_out.end(), true));
     for (const Plane& plane : reference.planes) {
         const Plane* other = test.find(plane.name);
         if (other == nullptr || other->type != plane.type) continue;

@@ -138,7 +138,8 @@ ChannelReport compare_channel(const Window& window, const Plane& reference, cons
                               const CompareRules& rules) {
     ChannelComparison comparison(window, reference, rules);
     for (std::size_t i = 0; i < reference.bits.size(); ++i)
-        comparison.add(i, reference.bits[i], test.bits[i]);
+        if (rules.left_out.empty() || !rules.left_out[i])
+            comparison.add(i, reference.bits[i], test.bits[i]);
     return comparison.finish();
 }
 

@@ -103,6 +103,7 @@ std::string to_json(const CompareReport& report) {
     Json json = {{"equal", report.equal()}};
     if (report.preparation) json["preparation"] = preparation_json(*report.preparation);
     json["structure"] = report.structure;
+    json["left_out"] = report.left_out;
     json["channels"] = Json::array();
     for (const ChannelReport& channel : report.channels)
         json["channels"].push_back(channel_json(channel));

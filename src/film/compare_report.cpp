@@ -100,6 +100,7 @@ std::string to_text(const CompareReport& report) {
     std::string text;
     if (report.preparation) text += preparation_text(*report.preparation);
     for (const std::string& line : report.structure) text += line + "\n";
+    if (report.left_out > 0) text += fmt::format("pixels left out: {}\n", report.left_out);
     for (const ChannelReport& channel : report.channels) text += channel_text(channel);
     if (report.blame) text += blame_text(report, *report.blame);
     return text + (report.equal() ? "equal\n" : "different\n");

@@ -21,9 +21,12 @@ struct Limit {
 
 constexpr std::uint32_t counts_end = 0x80000000u;  // negative ones are beyond
 constexpr Limit limits[] = {
-    {Value::frame_status, 8, "a status, 0 to 7"}, {Value::hit_status, 8, "a status, 0 to 7"},
-    {Value::frame_flags, 16, "flags, 0 to 15"},   {Value::hit_flags, 16, "flags, 0 to 15"},
-    {Value::hit_steps, counts_end, "a count"},    {Value::hit_fetches, counts_end, "a count"},
+    {Value::frame_status, 8, "a status, 0 to 7"},
+    {Value::hit_status, 8, "a status, 0 to 7"},
+    {Value::frame_flags, 16, "flags, 0 to 15"},
+    {Value::hit_flags, HitFlag::end, "flags, 0 to 63"},
+    {Value::hit_steps, counts_end, "a count"},
+    {Value::hit_fetches, counts_end, "a count"},
     {Value::shadow_steps, counts_end, "a count"},
 };
 

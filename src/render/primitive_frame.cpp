@@ -61,8 +61,6 @@ PrimitiveFrames::PrimitiveFrames(const Mesh& mesh, const glm::mat4& model_view,
     };
     if (frame == "frame-vertex") {
         make_gradients(mapped());
-    } else if (frame == "frame-vertex@published") {
-        make_eye_vectors(mapped());
     } else if (frame == "frame-mikkt" && (remapped || mesh.tangents.empty())) {
         make_mikkt(mapped());
     } else if (!mesh.tangents.empty()) {
@@ -76,25 +74,6 @@ void PrimitiveFrames::make_gradients(const Mesh& mesh) {
         Corners& corners = corners_.emplace_back();
         for (std::size_t c = 0; c < 3; ++c)
             corners[c] = {vectors * tangents[c].dPdu, vectors * tangents[c].dPdv, 1};
-    }
-}
-
-// In object space, as the vertex program has it: its eye is the origin of eye space.
-void PrimitiveFrames::make_eye_vectors(const Mesh& mesh) {
-    const glm::vec3 eye(glm::inverse(glm::dmat4(model_view_))[3]);
-    const auto tangents = uv_tangents(mesh);
-    for (std::size_t t = 0; t < tangents.size(); ++t) {
-        Corners& corners = corners_.emplace_back();
-        for (std::size_t c = 0; c < 3; ++c) {
-            const glm::vec3 tangent = unit_or_null(tangents[t][c].dPdu);
-            const glm::vec3 binormal = unit_or_null(tangents[t][c].dPdv);
-            const glm::vec3 normal = normal_of_corner(mesh, t, c);
-            const glm::vec3 to_eye = eye - mesh.positions[mesh.triangles[t][c]];
-            const float handedness = dot(cross(normal, tangent), binormal) < 0 ? -1.0f : 1.0f;
-            corners[c] = {{dot(to_eye, tangent), dot(to_eye, binormal), dot(to_eye, normal)},
-                          unit_or_null(glm::mat3(model_view_) * tangent),
-                          handedness * side_};
-        }
     }
 }
 

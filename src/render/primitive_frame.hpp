@@ -2,12 +2,10 @@
 //
 // The tangents of a row are what the material's frame makes of them:
 //
-//     frame                   tangent                     sign        bitangent
-//     frame-vertex            dP/du, averaged             1           dP/dv, averaged
-//     frame-vertex@published  vector to the eye times     handedness  unit tangent
-//                             tangent, binormal, normal
-//     frame-mikkt             MikkTSpace's unit tangent   handedness  unit vertex normal
-//     any other               the mesh's own, unit        handedness  unit vertex normal
+//     frame         tangent                    sign        bitangent
+//     frame-vertex  dP/du, averaged            1           dP/dv, averaged
+//     frame-mikkt   MikkTSpace's unit tangent  handedness  unit vertex normal
+//     any other     the mesh's own, unit       handedness  unit vertex normal
 //
 // All in eye space; null where a mesh has nothing of the kind. frame-mikkt takes the mesh's own
 // tangents where it has some and no texture matrix turns the UV.
@@ -53,7 +51,6 @@ class PrimitiveFrames {
 
     void make_own(const Mesh& mesh);
     void make_gradients(const Mesh& mesh);
-    void make_eye_vectors(const Mesh& mesh);
     void make_mikkt(const Mesh& mesh);
 
     const Mesh& mesh_;

@@ -44,6 +44,35 @@ TEST_F(CompareFiles, ExitCodesTellEqualFromDifferent) {
     EXPECT_EQ(compare({"a.exr", "b.exr", "--channels", "Q"}).code, 2);
 }
 
+/// Pixels that the reference flags are not compared; counts and heat maps do without them.
+TEST_F(CompareFiles, FlaggedPixelsAreLeftOut) {
+    for (const char* name : {"a.exr", "b.exr"}) {
+        Film film = read_exr(folder / name).film;
+        Plane& flags = film.add("hit.flags", ChannelType::uint32);
+        flags.bits[3] = 32;
+        flags.bits[4] = 32 + 8;
+        flags.bits[5] = 2;
+        write_exr(folder / (std::string("flagged_") + name), film, {});
+    }
+    const auto ignoring = [&](const std::string& flags) {
+        return compare({"flagged_a.exr", "flagged_b.exr", "--json", "--ignore-flags", flags});
+    };
+    EXPECT_EQ(compare({"flagged_a.exr", "flagged_b.exr"}).code, 1);
+    EXPECT_EQ(ignoring("nan-look-up").code, 0);
+    EXPECT_EQ(ignoring("ambiguous,wrapped").code, 1);  // G alone is left out
+    const auto json = nlohmann::json::parse(ignoring("nan-look-up,ambiguous").out);
+    EXPECT_EQ(json["left_out"], 3);
+    const auto all = nlohmann::json::parse(ignoring("start-below").out);
+    EXPECT_EQ(all["channels"][0]["pixels"].get<int>() - 3,
+              json["channels"][0]["pixels"].get<int>());
+    EXPECT_EQ(ignoring("nan-lookup").code, 2);
+    EXPECT_EQ(compare({"a.exr", "b.exr", "--ignore-flags", "wrapped"}).code, 2);
+    EXPECT_EQ(compare({"flagged_a.exr", "flagged_b.exr", "--channels", "R,G", "--ignore-flags",
+                       "nan-look-up", "--heatmap", "heat.png"})
+                  .code,
+              0);
+}
+
 TEST_F(CompareFiles, JsonNamesTheWorstPixel) {
     const Outcome outcome = compare({"a.exr", "b.exr", "--json"});
     EXPECT_EQ(outcome.code, 1);

@@ -1,6 +1,7 @@
 // The published frames give the bits of their listings.
 #include "relief/frame_listings.hpp"
 #include "relief/frame_support.hpp"
+#include "relief/listing_runs.hpp"
 
 namespace quadrel::test {
 namespace {
@@ -26,6 +27,17 @@ testing::AssertionResult equal(const char* what, const vec<size, float>& stage,
     return testing::AssertionSuccess();
 }
 
+/// Vertices with axes that have nothing in common.
+void set_vertices(Batch<float>& batch, Random& random) {
+    const auto axes = [&] {
+        return VertexAxes{random_direction(random), random_direction(random),
+                          random_direction(random)};
+    };
+    for (int quad = 0; quad < batch.lanes / 4; ++quad)
+        set_quad_vertices(batch, quad, random_direction(random) * 3.0, {axes(), axes(), axes()});
+    bend_vertices(batch, random);
+}
+
 using Check = testing::AssertionResult (*)(Batch<float>&, int lane);
 
 /// Random quads, degenerate and back-facing ones among them; `check` compares a lane of the frame
@@ -40,10 +52,8 @@ testing::AssertionResult equals_listing(const Frame& frame, Check check) {
             if (lane / 4 % 8 == 1)
                 batch.set(Value::vertex_normal, lane, -batch.vector3(Value::vertex_normal, lane));
             if (lane / 4 % 16 == 2) batch.set(Value::uv, lane, vec2<float>(0.5f, 0.25f));
-            batch.set(Value::vertex_tangent, lane, random_direction(random) * 3.0);
-            batch.set(Value::vertex_bitangent, lane, random_direction(random));
-            batch.real(Value::tangent_sign, lane) = 1;
         }
+        set_vertices(batch, random);
         batch.run("differentiate");
         frame.run(batch);
         for (int lane = 0; lane < batch.lanes; ++lane)
@@ -79,7 +89,7 @@ testing::AssertionResult as_rabbid(Batch<float>& batch, int lane) {
 /// The fragment program's coordinates for a height of 1 without bias: K back from the polygon.
 testing::AssertionResult as_welsh(Batch<float>& batch, int lane) {
     listings::WelshFragment listing;
-    listing.texcoord3 = batch.vector3(Value::vertex_tangent, lane);
+    listing.texcoord3 = vertex_eye(batch, lane);
     listing.texcoord0 = {0, 0};
     listing.texel = 1;
     listing.scale = batch.material.depth;
@@ -120,17 +130,15 @@ TEST(FrameVertexPublished, ScaleAndBiasAreDepthAndSeat) {
     Batch<float> batch(16);
     batch.material.depth = 0.04f;
     fill_quads(batch, random);
-    for (int lane = 0; lane < batch.lanes; ++lane) {
-        batch.set(Value::vertex_tangent, lane, dvec3(0.3, -0.4, 0.5 + 0.1 * lane));
-        batch.set(Value::vertex_bitangent, lane, dvec3(1, 0, 0));
-        batch.real(Value::tangent_sign, lane) = 1;
-    }
+    for (int quad = 0; quad < batch.lanes / 4; ++quad)
+        set_quad_vertices(batch, quad, dvec3(-0.3, 0.4, -0.5 - 0.1 * quad),
+                          VertexAxes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     batch.run("frame-vertex@published");
     const double seat = 0.5;
     for (const float height : {0.0f, 0.3f, 1.0f}) {
         for (int lane = 0; lane < batch.lanes; ++lane) {
             listings::WelshFragment listing;
-            listing.texcoord3 = batch.vector3(Value::vertex_tangent, lane);
+            listing.texcoord3 = vertex_eye(batch, lane);
             listing.texcoord0 = {0.25f, 0.5f};
             listing.texel = height;
             listing.scale = 0.04f;

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "quadrel/raster/interpolation.hpp"
+#include "relief/frame_listings.hpp"
 #include "relief/surface_rays.hpp"
 #include "relief/trace_listings.hpp"
 
@@ -119,6 +121,34 @@ class Lockstep {
     std::array<End, 4> ends_;
 };
 
+/// The output of a vertex program, interpolated to a lane.
+inline Vec3 interpolated(const Batch<float>& batch, int lane,
+                         const std::function<Vec3(const PrimitiveVertices&, int vertex)>& program) {
+    const auto primitive = static_cast<std::size_t>(batch.primitive[lane]);
+    const PrimitiveVertices& row = batch.vertices[primitive];
+    const auto& w = batch.primitives[primitive].w;
+    const auto edge = [&](int i) { return batch.edges[i][lane]; };
+    const auto b = perspective_barycentrics(PerVertex<float>{edge(0), edge(1), edge(2)},
+                                            PerVertex<float>{w[0], w[1], w[2]});
+    return interpolate(b, PerVertex<Vec3>{program(row, 0), program(row, 1), program(row, 2)});
+}
+
+inline Vec3 as_vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+/// fragment.texcoord[3] of Welsh, _tsE of McGuire but for the sign of y.
+inline Vec3 vertex_eye(const Batch<float>& batch, int lane) {
+    return interpolated(batch, lane, [](const PrimitiveVertices& row, int v) {
+        listings::WelshVertex vertex;
+        vertex.eye = {0, 0, 0};
+        vertex.tangent = as_vector(row.tangent[v]);
+        vertex.binormal = as_vector(row.binormal[v]);
+        vertex.normal = as_vector(row.normal[v]);
+        vertex.position = as_vector(row.position[v]);
+        vertex.main();
+        return vertex.texcoord3;
+    });
+}
+
 inline Vec3 tangent_eye(Batch<float>& batch, int lane) {
     const Vec3 eye = Vec3(0.0f) - batch.vector3(Value::P, lane);
     return {dot(eye, batch.vector3(Value::T, lane)), dot(eye, batch.vector3(Value::B, lane)),
@@ -185,6 +215,8 @@ struct Inputs {
         fill_surface(batch, random, {0.1, random.uniform(0.01, 0.4), 1, 0.0005, 0.4, true});
         batch.material.seat = random.chance(0.5) ? 1.0f : static_cast<float>(random.uniform(0, 1));
         batch.bind(TextureSlot::height, map.sampled);
+        Random bends(static_cast<std::uint64_t>(seed) + 1000);
+        bend_vertices(batch, bends);
     }
 };
 
@@ -211,10 +243,12 @@ inline StageUnderTest<float> flawed(const std::string& id, Planted planted) {
     const auto before = [planted](Batch<float>& b) {
         if (planted != Planted::ray_nudged) return;
         for (int lane = 8; lane < 12; ++lane) {
-            for (const Value v : {Value::K, Value::T, Value::B, Value::J}) {
+            for (const Value v : {Value::K, Value::T, Value::B, Value::J, Value::dPdx}) {
                 for (int c = 0; c < 2; ++c) b.real(v, lane, c) *= 1.0001f;
             }
         }
+        for (auto& tangent : b.vertices[2].tangent)
+            for (float& x : tangent) x *= 1.0001f;
     };
     const auto after = [planted](Batch<float>& b) {
         if (planted == Planted::one_sample_early) b.real(Value::hit_s, 21) -= 1.0f / 128;

@@ -1,6 +1,7 @@
 // The published normals give the bits of their listings. A Float is the four fragments of a quad,
 // so that texture(), dFdx() and dFdy() see their neighbours; all else is one fragment at a time.
 #include "quadrel/relief/noise.hpp"
+#include "relief/listing_runs.hpp"
 #include "relief/planted.hpp"
 #include "relief/stage_inputs.hpp"
 
@@ -138,7 +139,7 @@ struct Rabbid {
 Rabbid rabbid(Batch<float>& batch, int quad) {
     Rabbid listing{};
     listing.u_displacement_map = batch.bound(TextureSlot::height);
-    listing.u_displacement_scale = lanes(batch, Value::relief_depth, quad, 0);
+    listing.u_displacement_scale = Float(batch.material.depth);
     listing.objPosEs = lanes3(batch, Value::P, quad);
     listing.objNormalEs = lanes3(batch, Value::vertex_normal, quad);
     listing.uv = lanes2(batch, Value::uv, quad);
@@ -153,12 +154,18 @@ Rabbid rabbid(Batch<float>& batch, int quad) {
 
 /// N of the stage, or of another in its place, is that of `expected(batch, quad)`.
 testing::AssertionResult equals(const std::string& id,
-                                const std::function<Vec3(Batch<float>&, int)>& expected) {
+                                const std::function<Vec3(Batch<float>&, int)>& expected,
+                                const std::function<void(Batch<float>&)>& change = {}) {
     for (int seed = 0; seed < 8; ++seed) {
         StageInputs inputs(100 + seed);
         Batch<float>& batch = inputs.batch;
-        for (int lane = 0; lane < batch.lanes; ++lane)  // some faces from behind
+        if (change) change(batch);
+        batch.own_depth = true;
+        for (int lane = 0; lane < batch.lanes; ++lane) {
+            // Some faces from behind; a depth in tiles is another number of world units.
             if (lane / 4 % 3 == 0) batch.set(Value::Ng, lane, -batch.vector3(Value::Ng, lane));
+            batch.real(Value::relief_depth, lane) = 2.5f * batch.material.depth;
+        }
         batch.run(id);
         for (int quad = 0; quad < batch.lanes / 4; ++quad) {
             const Vec3 n = expected(batch, quad);
@@ -184,12 +191,99 @@ TEST(RabbidNormals, EqualTheListing) {
     EXPECT_TRUE(equals("h2n-sobel@published", listing(Version::sobel)));
     EXPECT_FALSE(equals("h2n-4tap", listing(Version::taps)));
     EXPECT_FALSE(equals("h2n-gather@published", listing(Version::taps)));
+    // The thickness in world units for the listing's scale.
+    EXPECT_FALSE(equals("h2n-gather@published", [](Batch<float>& b, int quad) {
+        Rabbid changed = rabbid(b, quad);
+        changed.u_displacement_scale = lanes(b, Value::relief_depth, quad, 0);
+        return changed.main(Version::gather);
+    }));
     // A single ulp of the scale.
     EXPECT_FALSE(equals("h2n-sobel@published", [](Batch<float>& b, int quad) {
         Rabbid changed = rabbid(b, quad);
         changed.u_displacement_scale = changed.u_displacement_scale * Float(1 + 0x1p-23f);
         return changed.main(Version::sobel);
     }));
+}
+
+// ---- "Relief maps" (T. Renk), normal mapping ----------------------------------------------------
+
+/// One fragment's varyings from the vertex shader: eyeNormal, eyeTangent, eyeBinormal.
+struct RenkVertex {
+    vec3<float> gl_Normal, tangent, binormal;
+    const float (&to_object)[12];  ///< rows of the inverse modelview matrix
+    vec3<float> eyeNormal, eyeTangent, eyeBinormal;
+
+    /// gl_NormalMatrix * v: the transpose of the upper left of the inverse.
+    vec3<float> gl_NormalMatrix(const vec3<float>& v) const {
+        const auto row = [&](int r) {
+            return vec3<float>(to_object[4 * r], to_object[4 * r + 1], to_object[4 * r + 2]);
+        };
+        return row(0) * v.x + row(1) * v.y + row(2) * v.z;
+    }
+    void main() {
+        // eyeNormal = normalize(gl_NormalMatrix * gl_Normal);
+        eyeNormal = normalize(gl_NormalMatrix(gl_Normal));
+        // eyeTangent = normalize(gl_NormalMatrix * tangent);
+        eyeTangent = normalize(gl_NormalMatrix(tangent));
+        // eyeBinormal = normalize(gl_NormalMatrix * binormal);
+        eyeBinormal = normalize(gl_NormalMatrix(binormal));
+    }
+};
+
+using RenkVarying = vec3<float> RenkVertex::*;
+
+/// The varying of a quad's four fragments.
+Vec3 renk_varying(const Batch<float>& batch, int quad, RenkVarying varying) {
+    Vec3 lanes;
+    for (int i = 0; i < 4; ++i) {
+        const auto at_lane =
+            interpolated(batch, 4 * quad + i, [&](const PrimitiveVertices& row, int v) {
+                RenkVertex vertex{as_vector(row.normal[v]),
+                                  as_vector(row.tangent[v]),
+                                  as_vector(row.binormal[v]),
+                                  row.to_object,
+                                  {},
+                                  {},
+                                  {}};
+                vertex.main();
+                return vertex.*varying;
+            });
+        for (int c = 0; c < 3; ++c) lanes[c].lane[i] = at_lane[c];
+    }
+    return lanes;
+}
+
+/// The fragment shader; `normalises`: each axis by itself, which it does not do.
+Vec3 renk_normal(Batch<float>& batch, int quad, bool normalises) {
+    const auto axis = [&](RenkVarying varying) {
+        const Vec3 v = renk_varying(batch, quad, varying);
+        return normalises ? normalize(v) : v;
+    };
+    const Vec3 eyeNormal = axis(&RenkVertex::eyeNormal);
+    const Vec3 eyeTangent = axis(&RenkVertex::eyeTangent);
+    const Vec3 eyeBinormal = axis(&RenkVertex::eyeBinormal);
+    // vec4 normal_texel = texture2D(NormalTex, gl_TexCoord[0].st);
+    const Vec4 normal_texel =
+        quadrel::texture(*batch.bound(TextureSlot::normal), SampleContext<Float>(),
+                         lanes2(batch, Value::hit_uv, quad));
+    // N = normal_texel.rgb * 2.0 - 1.0;
+    const Vec3 N = Vec3(normal_texel.x, normal_texel.y, normal_texel.z) * 2.0f - 1.0f;
+    // N = normalize(N.x * eyeTangent + N.y * eyeBinormal + N.z * eyeNormal);
+    return normalize(N.x * eyeTangent + N.y * eyeBinormal + N.z * eyeNormal);
+}
+
+TEST(RenkNormalMap, EqualsTheListing) {
+    const auto bent = [](Batch<float>& batch) {
+        Random random(3);
+        bend_vertices(batch, random);
+        for (int i = 0; i < 3; ++i) batch.vertices[0].to_object[5 * i] = 0.5f + float(i);
+    };
+    const auto listing = [](bool normalises) {
+        return [normalises](Batch<float>& b, int quad) { return renk_normal(b, quad, normalises); };
+    };
+    EXPECT_TRUE(equals("normal-map-flightgear@published", listing(false), bent));
+    EXPECT_FALSE(equals("normal-map-flightgear@published", listing(true), bent));
+    EXPECT_FALSE(equals("normal-map", listing(false), bent));
 }
 
 // ---- "Relief maps" (T. Renk), bumpiness effect --------------------------------------------------

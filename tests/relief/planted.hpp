@@ -16,6 +16,7 @@ enum class Planted {
     corrected_shadow,      ///< heights of the shadow march scaled by the depth
     clamped_diffuse,       ///< no negative light
     colour_in_rgba_order,  ///< .gba of an R G B A texel
+    nan_not_flagged,       ///< look-ups at NaN are not told
     steps_from_zero,       ///< the loop counter in place of the number of tests
     // Frames.
     frame_of_the_listing,   ///< dot products with tangents that are not perpendicular

@@ -69,6 +69,29 @@ void expect(std::vector<Expected>& list, Value v, const vec<size, Float>& x) {
     for (int c = 0; c < size; ++c) list.push_back({v, c, x[c]});
 }
 
+template <int size>
+void mark_nan(Float& flags, const vec<size, Float>& coordinate) {
+    for (int c = 0; c < size; ++c)
+        for (int i = 0; i < 4; ++i)
+            if (coordinate[c].lane[i] != coordinate[c].lane[i])
+                flags.lane[i] = float(HitFlag::nan_look_up);
+}
+
+/// nan-look-up where the listing looks up at NaN, or by a mip level that follows from one.
+Float look_up_flags(const thesis::ParallaxFrag& f) {
+    Float flags(0);
+    mark_nan(flags, f.UV);
+    const SampledTexture* cube = f.Environment_Map.bound;
+    if (!cube) return flags;
+    for (const thesis::Vec3& direction : {f.Reflect, f.Refract}) {
+        mark_nan(flags, direction);
+        if (cube->view.levels == 1) continue;
+        mark_nan(flags, thesis::dFdx(direction));
+        mark_nan(flags, thesis::dFdy(direction));
+    }
+    return flags;
+}
+
 /// Everything that a stage hands on and the listing computes.
 std::vector<Expected> expectations(const thesis::ParallaxFrag& f) {
     std::vector<Expected> list;
@@ -84,6 +107,7 @@ std::vector<Expected> expectations(const thesis::ParallaxFrag& f) {
     expect(list, Value::uv_rate, f.dUVdSR);
     expect(list, Value::K, f.dUVdSR * f.ParallaxScalar);
     expect(list, Value::hit_uv, f.UV);
+    expect(list, Value::hit_flags, look_up_flags(f));
     expect(list, Value::hit_depth, f.Offset);
     expect(list, Value::hit_P, f.P);
     expect(list, Value::N, f.N);
@@ -187,6 +211,8 @@ const std::vector<Tampering>& tamperings() {
              const auto diffuse = b.vector3(Value::light_diffuse, lane);
              b.set(Value::light_diffuse, lane, max(diffuse, 0.0f));
          }},
+        {Planted::nan_not_flagged, "shade-thesis@published",
+         [](B& b, int lane) { b.integer(Value::hit_flags, lane) = 0; }},
         {Planted::colour_in_rgba_order, "shade-thesis@published",
          [](B& b, int lane) {
              const auto c = b.vector3(Value::light_ambient, lane);
@@ -223,7 +249,7 @@ TEST(Published, ErrorsAreCaught) {
          {Planted::coarse_derivatives, Planted::gram_tangents, Planted::swapped_tangents,
           Planted::one_ulp_in_rate, Planted::step_not_taken, Planted::point_on_the_polygon,
           Planted::normalised_normal, Planted::corrected_shadow, Planted::clamped_diffuse,
-          Planted::colour_in_rgba_order, Planted::steps_from_zero}) {
+          Planted::colour_in_rgba_order, Planted::steps_from_zero, Planted::nan_not_flagged}) {
         EXPECT_FALSE(published_equals_listing(chain(planted), 5)) << static_cast<int>(planted);
     }
 }

@@ -59,6 +59,9 @@ void fill_surface_quad(Batch<T>& batch, int quad, Random& random, const RayOptio
         batch.real(Value::r, lane) = static_cast<float>(plane.r);
         batch.set(Value::uv_rate, lane, vec2<float>(shift / plane.r));
         batch.set(Value::K, lane, vec2<float>(shift * (options.depth / plane.r)));
+        batch.set(Value::vertex_normal, lane, vec3<float>(plane.N));
+        batch.set(Value::dPdx, lane, vec3<float>(plane.T * (footprint / options.density)));
+        batch.set(Value::dPdy, lane, vec3<float>(plane.B * (footprint / options.density)));
         batch.set(Value::dUVdx, lane, dvec2(footprint, 0));
         batch.set(Value::dUVdy, lane, dvec2(0, footprint));
         batch.integer(Value::frame_status, lane) = static_cast<int>(Status::hit);

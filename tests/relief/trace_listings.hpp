@@ -208,6 +208,27 @@ inline End dx_sdk(const Vec2& uv, const Vec2& offset, float NdotV, int most_samp
     return end;
 }
 
+/// Rabbid76, "Parallax Mapping": function Parallax of Offset Limiting.
+inline End rabbid_offset(const Vec3& texDir3D, const Vec2& texCoord,
+                         const Sampler& u_displacement_map) {
+    End end;
+    // float parallaxScale = 0.1;
+    const float parallaxScale = 0.1f;
+    // float mapHeight = CalculateHeight( texCoord.st );
+    // (float height = texture( u_displacement_map, texCoords ).x;)
+    // (return clamp( height, 0.0, 1.0 );)
+    const float mapHeight = clamp(u_displacement_map(texCoord), 0.0f, 1.0f);
+    end.fetches = 1;
+    // vec2 texCoordOffst = -parallaxScale * mapHeight * texDir3D.xy;
+    const float scale = -parallaxScale * mapHeight;
+    const Vec2 texCoordOffst(scale * texDir3D.x, scale * texDir3D.y);
+    // return vec3(texCoord.xy + texCoordOffst.xy, mapHeight);
+    end.uv = texCoord + texCoordOffst;
+    end.map = mapHeight;
+    end.s = 1.0f - mapHeight;
+    return end;
+}
+
 /// Rabbid76, "Parallax Mapping": function Parallax of Parallax Occlusion Mapping (`relief` false)
 /// and of Relief Parallax Mapping.
 inline End rabbid(const Vec3& texDir3D, const Vec2& texCoord, const Vec2& u_parallax_quality,

@@ -8,7 +8,7 @@ namespace {
 Listing welsh(bool limited) {
     const auto run = [limited](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
-            return listings::welsh(b.vector2(Value::uv, lane), tangent_eye(b, lane), 0.04f, -0.02f,
+            return listings::welsh(b.vector2(Value::uv, lane), vertex_eye(b, lane), 0.04f, -0.02f,
                                    limited, own_level(b, lane, false));
         });
     };
@@ -31,7 +31,7 @@ Listing mcguire(bool constant_xy) {
         const auto fragment = [&](int i, const Sampler& sampler) {
             const int lane = 4 * quad + i;
             // The listing's y axis runs against v.
-            const Vec3 eye = tangent_eye(b, lane) * Vec3(1.0f, -1.0f, 1.0f);
+            const Vec3 eye = vertex_eye(b, lane) * Vec3(1.0f, -1.0f, 1.0f);
             return listings::mcguire(b.vector2(Value::uv, lane), eye, 5, 0.05f, constant_xy,
                                      sampler);
         };
@@ -45,7 +45,7 @@ Listing flightgear(float hresolution) {
     const auto run = [hresolution](Batch<float>& b, int quad) {
         const auto fragment = [&](int i, const Sampler& sampler) {
             const int lane = 4 * quad + i;
-            return listings::flightgear(b.vector2(Value::uv, lane), -tangent_eye(b, lane), 0.1f,
+            return listings::flightgear(b.vector2(Value::uv, lane), -vertex_eye(b, lane), 0.1f,
                                         hresolution, 50, sampler);
         };
         return Lockstep(*b.bound(TextureSlot::height), fragment).run();
@@ -91,6 +91,21 @@ Listing rabbid(bool relief, float least, float most) {
     const Parameters quality = {{"quality_normal", least}, {"quality_grazing", most}};
     return relief ? Listing{"rabbid-relief", run, quality, "relief-binary"}
                   : Listing{"rabbid-pom", run, quality, "pom"};
+}
+
+Listing rabbid_offset() {
+    const auto run = [](Batch<float>& b, int quad) {
+        return each_fragment(quad, [&](int lane) {
+            const Vec2 uv = b.vector2(Value::uv, lane);
+            listings::ParallaxMain listing;
+            listing.u_displacement_scale = b.material.depth;
+            listing.main({b.vector3(Value::P, lane), b.vector3(Value::dPdx, lane),
+                          b.vector3(Value::dPdy, lane), b.vector3(Value::vertex_normal, lane), uv,
+                          b.vector2(Value::dUVdx, lane), b.vector2(Value::dUVdy, lane)});
+            return listings::rabbid_offset(listing.texDir3D, uv, own_level(b, lane, false));
+        });
+    };
+    return {"offset-limit-rabbid@published", run, {}, "offset-limit"};
 }
 
 Listing gpu_gems_3() {
@@ -146,6 +161,7 @@ std::vector<Listing> all_listings() {
             rabbid(false, 0.5, 1),
             rabbid(false, 0.05f, 0.3f),
             gpu_gems_3(),
+            rabbid_offset(),
             thesis_by_texels(),
             rabbid(true, 2, 1),
             rabbid(true, 0.05f, 0.6f)};

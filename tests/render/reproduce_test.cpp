@@ -83,8 +83,8 @@ const BrokenPromise broken_promises[] = {
      [](const StageCall& call) { array<std::int32_t>(call, Value::hit_status)[33] = 8; }},
     {"linear", "linear stored hit.steps = -1 in lane 1, expected a count",
      [](const StageCall& call) { array<std::int32_t>(call, Value::hit_steps)[33] = -1; }},
-    {"linear", "linear stored hit.flags = 16 in lane 1, expected flags",
-     [](const StageCall& call) { array<std::int32_t>(call, Value::hit_flags)[33] = 16; }},
+    {"linear", "linear stored hit.flags = 64 in lane 1, expected flags",
+     [](const StageCall& call) { array<std::int32_t>(call, Value::hit_flags)[33] = 64; }},
     {"linear", "linear stored hit.s is NaN in lane 1 with status HIT",
      [](const StageCall& call) {
          array<std::int32_t>(call, Value::hit_status)[33] = 1;

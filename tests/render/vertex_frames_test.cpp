@@ -1,9 +1,8 @@
 // From a scene's mesh to the frames of its fragments: tangents of vertices, by way of transforms,
 // texture matrices, mirroring and clipping, against the frame of the triangle.
 #include "quadrel/scene/tangents.hpp"
-#include "relief/frame_listings.hpp"
 #include "render/planted.hpp"
-#include "render/primitive_frame.hpp"
+#include "render/primitive_vertices.hpp"
 #include "render/scenes.hpp"
 
 namespace quadrel::render_tests {
@@ -111,31 +110,67 @@ TEST(VertexFrames, AreSmoothOnASphere) {
     EXPECT_GT(compared, 30);
 }
 
-// ---- The vertex program of Welsh ----------------------------------------------------------------
+// ---- What vertex programs read ------------------------------------------------------------------
 
-/// The rows of frame-vertex@published are the program's output, in object space.
-TEST(VertexFrames, PublishedRowsAreTheVertexProgram) {
+AssembledTriangle whole_triangle() {
+    AssembledTriangle whole{};
+    for (std::size_t v = 0; v < 3; ++v) whole.weights[v].perspective[v] = 1;
+    return whole;
+}
+
+glm::vec3 as_vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+/// The mesh's attributes in object space, in the order in which the corners are drawn, and the
+/// transforms there and back.
+TEST(VertexRows, HoldTheMeshsAttributes) {
     const Mesh mesh = make_quad(2, 1, 1);
     const glm::mat4 model_view(translation({0.3, -0.2, -4}) * rotation(50, {1, 2, 3}) *
                                scaling({1, 2, 0.5}));
-    std::vector<glm::vec3> eye;
-    for (const glm::vec3& p : mesh.positions) eye.emplace_back(model_view * glm::vec4(p, 1));
-    const PrimitiveFrames frames(mesh, model_view, eye, mesh.uvs, "frame-vertex@published");
-    AssembledTriangle whole{};
-    for (std::size_t v = 0; v < 3; ++v) whole.weights[v].perspective[static_cast<int>(v)] = 1;
-    const PrimitiveFrame row = frames.of(whole, {0, {0, 1, 2}});
-    const glm::mat4 mvit(glm::transpose(glm::inverse(glm::dmat4(model_view))));
-    for (int v = 0; v < 3; ++v) {
-        listings::WelshVertex program;
-        // Row 3 of the inverse transpose.
-        program.eye = {mvit[0][3], mvit[1][3], mvit[2][3]};
-        program.tangent = {1, 0, 0};
-        program.binormal = {0, 1, 0};
-        program.normal = {0, 0, 1};
-        program.position = mesh.positions[mesh.triangles[0][static_cast<std::size_t>(v)]];
-        program.main();
-        for (int c = 0; c < 3; ++c) EXPECT_EQ(row.tangent[v][c], program.texcoord3[c]) << v;
+    const VertexRows rows(mesh, model_view, mesh.uvs);
+    const std::array<std::uint32_t, 3> turned{0, 2, 1};
+    const PrimitiveVertices row = rows.of(whole_triangle(), {0, turned});
+    for (std::size_t v = 0; v < 3; ++v) {
+        const std::uint32_t index = mesh.triangles[0][turned[v]];
+        EXPECT_EQ(as_vector(row.position[v]), mesh.positions[index]);
+        EXPECT_EQ(as_vector(row.normal[v]), mesh.normals[index]);
+        EXPECT_EQ(as_vector(row.tangent[v]), glm::vec3(1, 0, 0));
+        EXPECT_EQ(as_vector(row.binormal[v]), glm::vec3(0, 1, 0));
+        EXPECT_EQ(glm::vec2(row.uv[v][0], row.uv[v][1]), mesh.uvs[index]);
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(row.weights[v][i], v == i ? 1.0f : 0.0f);
     }
+    // Row 3 of the inverse transpose: the eye in object space.
+    const glm::mat4 mvit(glm::transpose(glm::inverse(glm::dmat4(model_view))));
+    for (int r = 0; r < 3; ++r) {
+        EXPECT_EQ(row.to_object[4 * r + 3], mvit[r][3]);
+        for (int c = 0; c < 4; ++c) EXPECT_EQ(row.to_eye[4 * r + c], model_view[c][r]);
+    }
+}
+
+/// Binormals run along growing v, against glTF's; tangents of the file do not survive a texture
+/// matrix that turns the map.
+TEST(VertexRows, TakeTheMeshsOwnTangents) {
+    Mesh mesh = make_quad(2, 1, 1);
+    mesh.tangents.assign(mesh.positions.size(), glm::vec4(0, 2, 0, -1));
+    const VertexRows own(mesh, glm::mat4(1), mesh.uvs);
+    const PrimitiveVertices row = own.of(whole_triangle(), {0, {0, 1, 2}});
+    EXPECT_EQ(as_vector(row.tangent[0]), glm::vec3(0, 1, 0));
+    EXPECT_EQ(as_vector(row.binormal[0]), glm::vec3(-1, 0, 0));
+    std::vector<glm::vec2> turned;
+    for (const glm::vec2& uv : mesh.uvs) turned.emplace_back(-uv.y, uv.x);
+    const VertexRows made(mesh, glm::mat4(1), turned);
+    const PrimitiveVertices of_uv = made.of(whole_triangle(), {0, {0, 1, 2}});
+    EXPECT_EQ(as_vector(of_uv.tangent[0]), glm::vec3(0, -1, 0));
+    EXPECT_EQ(as_vector(of_uv.binormal[0]), glm::vec3(1, 0, 0));
+}
+
+/// A mesh without normals has those of its triangles; one without a map no tangents.
+TEST(VertexRows, StandInForWhatIsMissing) {
+    Mesh mesh = triangle({0, 0, 0}, {0, 0, -2}, {0, 2, 0});
+    mesh.uvs.clear();
+    const VertexRows rows(mesh, glm::mat4(1), {{}, {}, {}});
+    const PrimitiveVertices row = rows.of(whole_triangle(), {0, {0, 1, 2}});
+    EXPECT_EQ(as_vector(row.normal[1]), glm::vec3(1, 0, 0));
+    EXPECT_EQ(as_vector(row.tangent[1]), glm::vec3(0));
 }
 
 }  // namespace

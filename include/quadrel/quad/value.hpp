@@ -166,9 +166,24 @@ enum class Status : std::int32_t {
     outside = 7,
 };
 
-/// hit.flags, a set of bits. Part of the file format.
+/// hit.flags, a set of bits. Part of the file format. (16 is kept for hits outside of a chart.)
 struct HitFlag {
-    static constexpr std::int32_t uv_degenerate = 1, ambiguous = 2, start_below = 4, wrapped = 8;
+    static constexpr std::int32_t uv_degenerate = 1, ambiguous = 2, start_below = 4, wrapped = 8,
+                                  nan_look_up = 32;
+    static constexpr std::int32_t end = 64;
 };
+
+/// A bit of hit.flags as users name it.
+struct HitFlagName {
+    std::string_view name;
+    std::int32_t bit;
+};
+inline constexpr std::array<HitFlagName, 5> hit_flag_names{{
+    {"degenerate-uv", HitFlag::uv_degenerate},
+    {"ambiguous", HitFlag::ambiguous},
+    {"start-below", HitFlag::start_below},
+    {"wrapped", HitFlag::wrapped},
+    {"nan-look-up", HitFlag::nan_look_up},
+}};
 
 }  // namespace quadrel

@@ -25,6 +25,15 @@ void count_in(Int<F>& counter, Mask<F> mask) {
     counter = counter + select(mask, Int<F>(1), Int<F>(0));
 }
 
+/// The flag of hit.flags in the lanes where a coordinate is not a number: a look-up there gives one
+/// texel or another, as the implementation likes.
+template <int size, Number F>
+Int<F> nan_look_up_flag(const vec<size, F>& coordinate) {
+    Mask<F> nan = is_nan(coordinate[0]);
+    for (int i = 1; i < size; ++i) nan = nan | is_nan(coordinate[i]);
+    return select(nan, Int<F>(HitFlag::nan_look_up), Int<F>(0));
+}
+
 /// A status in every lane.
 template <Number F>
 Int<F> status_packet(Status status) {

@@ -4,10 +4,12 @@
 // One light. Kept as listed: diffuse is not clamped; the diffuse and specular light colours beyond
 // Light0_Specular * Material_Specular, the intensity and the attenuations are not used; the normal
 // is not normalised; refract() may return 0, whose normalisation is NaN; the environment is looked
-// up with eye-space vectors. The note on A8R8G8B8 bitmaps makes .r alpha and .gba the colour: the
-// colour map is read so, the gloss and emissive maps are not (.r .g .b is A, R, G).
-// Ambient occlusion, which the listing has none of, multiplies the ambient term: 1 unless chosen.
-// An unbound map reads as 0 in those channels. pow(0, 0) is 1.
+// up with eye-space vectors. What a look-up at NaN gives is the implementation's choice: hit.flags
+// says nan-look-up there, and where a mip level is chosen by a difference with such a fragment. The
+// note on A8R8G8B8 bitmaps makes .r alpha and .gba the colour: the colour map is read so, the gloss
+// and emissive maps are not (.r .g .b is A, R, G). Ambient occlusion, which the listing has none
+// of, multiplies the ambient term: 1 unless chosen. An unbound map reads as 0 in those channels.
+// pow(0, 0) is 1.
 #pragma once
 
 #include "quadrel/num/math.hpp"
@@ -19,9 +21,11 @@ struct ShadeThesisPublished : StageDefaults {
     static constexpr StageText text{
         "shade-thesis@published", "shade", "the thesis' lighting with environment maps",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 2-4"};
-    static constexpr auto inputs = values(Value::P, Value::hit_P, Value::hit_uv, Value::N,
-                                          Value::shadow_visibility, Value::occlusion);
-    static constexpr auto outputs = shade_outputs;
+    static constexpr const char* not_reproduced =
+        "what a GPU makes of a look-up at NaN: hit.flags says nan-look-up there";
+    static constexpr auto inputs = values(Value::P, Value::hit_P, Value::hit_uv, Value::hit_flags,
+                                          Value::N, Value::shadow_visibility, Value::occlusion);
+    static constexpr auto outputs = values_and(shade_outputs, Value::hit_flags);
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
 
@@ -62,6 +66,9 @@ struct ShadeThesisPublished : StageDefaults {
         io.template store<Value::color>(
             mix(mix(refraction, phong, color_map.x), reflection, mirror));
         io.template store<Value::opacity>(color_map.x);
+        io.template store<Value::hit_flags>(io.template load<Value::hit_flags>() |
+                                            look_up_flags(io, reflected) |
+                                            look_up_flags(io, refracted));
     }
 
   private:
@@ -73,6 +80,17 @@ struct ShadeThesisPublished : StageDefaults {
         const vec4<F> t = texture(*map, io.template context<slot>(),
                                   io.template load<Value::hit_uv>(), io.frame().derivatives);
         return {t.w, t.x, t.y, t.z};
+    }
+
+    template <class Io, class F>
+    static Int<F> look_up_flags(Io& io, const vec3<F>& direction) {
+        const SampledTexture* cube = io.template texture<TextureSlot::environment>();
+        if (!cube) return Int<F>(0);
+        const Int<F> flags = nan_look_up_flag(direction);
+        if (cube->view.levels == 1) return flags;
+        const DerivativeMode mode = io.frame().derivatives;
+        return flags | nan_look_up_flag(dFdx(direction, mode)) |
+               nan_look_up_flag(dFdy(direction, mode));
     }
 
     template <class F, class Io>

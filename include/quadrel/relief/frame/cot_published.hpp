@@ -26,6 +26,8 @@ struct FrameCotPublished : StageDefaults {
     static constexpr StageText text{"frame-cot@published", "frame",
                                     "scale-invariant cotangent frame, as listed",
                                     "Schueler, Normal Mapping Without Precomputed Tangents, 2013"};
+    static constexpr const char* not_reproduced =
+        "K is no part of the listing, which bends normals alone";
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
                Value::dUVdy, Value::relief_depth);

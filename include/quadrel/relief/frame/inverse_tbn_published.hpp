@@ -13,7 +13,8 @@
 // The page's normal, tbnMat[2] times N component by component, is no frame's business.
 #pragma once
 
-#include "quadrel/relief/frame/cot_published.hpp"
+#include "quadrel/relief/frame/published.hpp"
+#include "quadrel/relief/frame/rabbid_direction.hpp"
 
 namespace quadrel {
 
@@ -30,19 +31,15 @@ struct FrameInverseTbnPublished : StageDefaults {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const ViewedSurface<F> surface = viewed_surface(io);
-        const vec3<F> N = normalize(io.template load<Value::vertex_normal>());
-        const auto axes = scale_invariant_frame(
-            cotangent_rows(io.template load<Value::dPdx>(), io.template load<Value::dPdy>(),
-                           io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>(), N));
-        const F scale(io.material().depth);
-        const mat3<F> inverted = inverse(mat3<F>(axes.T, axes.B, N * scale));
-        const vec3<F> dir = normalize(inverted * io.template load<Value::P>());
+        const RabbidDirection<F> ray = rabbid_direction(io);
+        const vec3<F>& dir = ray.texDir3D;
         const vec2<F> step = vec2<F>(dir.x, dir.y) / abs(dir.z);
 
-        const mat3<F> rows = transpose(inverted);
-        const Mask<F> on(io.material().depth >= 0.001f), yes(true);
-        const vec3<F> depth_row = select(on, rows[2] * scale, N);
-        store_published_frame(io, axes, surface.N, SurfaceJacobian<F>{rows[0], rows[1], yes, !yes},
+        const mat3<F> rows = transpose(ray.inverted);
+        const Mask<F> on(rabbid_displaces(io.material())), yes(true);
+        const vec3<F> depth_row = select(on, rows[2] * F(io.material().depth), ray.N);
+        store_published_frame(io, ray.axes, surface.N,
+                              SurfaceJacobian<F>{rows[0], rows[1], yes, !yes},
                               abs(dot(depth_row, surface.V)), select(on, step, vec2<F>(F(0))));
     }
 };

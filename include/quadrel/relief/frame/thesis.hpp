@@ -4,7 +4,8 @@
 // T and B are the unit window-space tangents dP/dx and dP/dy. They are not perpendicular in
 // general, so the UV shift is scaled by 1 +- cos(T, B) (the thesis' own account of this error,
 // "derivatives are inaccurate", is not the cause). frame-gram is the corrected form.
-// Where the listing has a zero or NaN derivative, so has this.
+// Where the listing has a zero or NaN derivative, so has this. Under a parallel projection the
+// listing still has the eye at the origin of eye space; this has the view direction.
 #pragma once
 
 #include "quadrel/relief/view.hpp"
@@ -51,6 +52,8 @@ struct FrameThesis : StageDefaults {
     static constexpr StageText text{
         "frame-thesis", "frame", "derivative frame of the thesis, unorthogonalised tangents",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
+    static constexpr const char* not_reproduced =
+        "under a parallel projection: the view direction for the vector to the origin";
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy,
                                           Value::dUVdx, Value::dUVdy, Value::relief_depth);
     static constexpr auto outputs = frame_outputs;

@@ -10,12 +10,13 @@
 // sigma = -bias / scale, 0.5 with his numbers.
 //
 // Unit vectors say nothing of the UV map's density: maps of other than square tiles shift by the
-// wrong amount, sheared ones in the wrong direction as well (frame-vertex corrects the first). The
-// row of vertex data holds the program's output in the tangent's place and the unit tangent in the
-// bitangent's (render/primitive_frame.hpp).
+// wrong amount, sheared ones in the wrong direction as well (frame-vertex corrects the first). T
+// and B are the vertices' unit tangent and binormal in eye space, interpolated and normalised; the
+// listing has no use for them.
 #pragma once
 
 #include "quadrel/relief/frame/published.hpp"
+#include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
 
@@ -24,26 +25,34 @@ struct FrameVertexPublished : StageDefaults {
                                     "tangent-space eye vector of the vertices, unit tangents",
                                     "Welsh, Parallax Mapping with Offset Limiting, 2004, 4.2, 7"};
     static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::vertex_tangent,
-               Value::vertex_bitangent, Value::tangent_sign, Value::relief_depth);
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::relief_depth);
     static constexpr auto outputs = frame_outputs;
+    static constexpr bool reads_vertices = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const ViewedSurface<F> surface = viewed_surface(io);
         // DP3 temp, t, t; RSQ temp, temp.x; MUL eyevecs, t, temp
-        const vec3<F> V_t = normalize(io.template load<Value::vertex_tangent>());
-        const vec3<F> unflipped = normalize(io.template load<Value::vertex_normal>());
-        UvDirections<F> axes;
-        axes.T = normalize(io.template load<Value::vertex_bitangent>());
-        axes.B = cross(unflipped, axes.T) * io.template load<Value::tangent_sign>();
+        const vec3<F> V_t = normalize(vertex_eye(io));
+        const UvDirections<F> axes = vertex_axes(io);
         const Mask<F> yes(true);
         // RCP temp, eyevecs.z; MUL height, height, temp; MAD newtexcoord, height, eyevecs, texcoord
         const F per_height = F(io.material().depth) * (F(1) / V_t.z);
         const vec2<F> K = -(vec2<F>(V_t.x, V_t.y) * per_height);
         store_published_frame(io, axes, surface.N, SurfaceJacobian<F>{axes.T, axes.B, yes, !yes},
                               V_t.z, K);
+    }
+
+  private:
+    template <class Io, class F = typename Io::Number>
+    static UvDirections<F> vertex_axes(const Io& io) {
+        const VertexProgram program(io);
+        const auto direction = [&](vec3<F> Vertex<F>::*axis) {
+            return normalize(program.varying(
+                [&](const Vertex<F>& vertex) { return program.vector_to_eye(vertex.*axis); }));
+        };
+        return {direction(&Vertex<F>::tangent), direction(&Vertex<F>::binormal)};
     }
 };
 

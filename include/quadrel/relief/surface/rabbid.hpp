@@ -14,7 +14,7 @@ namespace quadrel {
 /// What a normal of that listing loads besides what its heights need.
 inline constexpr auto rabbid_inputs =
     values(Value::P, Value::Ng, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx,
-           Value::dUVdy, Value::relief_depth, Value::hit_uv);
+           Value::dUVdy, Value::hit_uv);
 
 /// normalize( tbnMat * n ) after the third column was changed. `depth` is the listing's
 /// u_displacement_scale.
@@ -39,10 +39,12 @@ vec3<F> rabbid_tilt(const vec2<F>& delta, const vec2<F>& texel_offset, F depth) 
     return normalize(vec3<F>(delta * (vec2<F>(depth) / texel_offset), F(1)));
 }
 
-/// Stores the normal of the height differences `delta` over `texel_offset`.
+/// Stores the normal of the height differences `delta` over `texel_offset`. The listing has one
+/// u_displacement_scale: the number of the material's depth, as frame-inverse-tbn@published reads
+/// it, whatever that is a length of.
 template <class Io, class F = typename Io::Number>
 void store_rabbid_normal(const Io& io, const vec2<F>& delta, const vec2<F>& texel_offset) {
-    const F depth = io.template load<Value::relief_depth>();
+    const F depth(io.material().depth);
     io.template store<Value::N>(rabbid_to_eye(io, rabbid_tilt(delta, texel_offset, depth), depth));
 }
 

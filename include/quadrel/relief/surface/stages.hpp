@@ -16,6 +16,7 @@
 #include "quadrel/relief/surface/h2n_thesis_published.hpp"
 #include "quadrel/relief/surface/none.hpp"
 #include "quadrel/relief/surface/normal_map.hpp"
+#include "quadrel/relief/surface/normal_map_flightgear.hpp"
 #include "quadrel/relief/surface/normal_smooth_mcguire.hpp"
 
 namespace quadrel {
@@ -23,6 +24,6 @@ namespace quadrel {
 using SurfaceStages =
     StageList<SurfaceNone, H2nThesis, H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap,
               H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, BumpBlinn, BumpNoise,
-              BumpNoisePublished, NormalMap, NormalSmoothMcGuire>;
+              BumpNoisePublished, NormalMap, NormalMapFlightGear, NormalSmoothMcGuire>;
 
 }  // namespace quadrel

@@ -10,12 +10,16 @@
 //   * positions are divided by relief_hresolution on their way to the map although the caller hands
 //     in texture coordinates: at the default 1 there is one unit;
 //   * texture2D in the loop takes implicit derivatives: lanes that left keep their last coordinate.
+// relPos is a varying, from the eye to the point. The page's surface lies in the model's xy plane,
+// whose coordinates are those of the map, and leaves the general case to tangent space: here it is
+// taken along the vertices' tangent, binormal and normal and interpolated (vertex_frame.hpp), which
+// is the same for the page's surface.
 // The relief stands on the polygon whatever the material's seat, and vscale is a length in texture
 // coordinates; depth and seat move hit.depth alone. The height is channel 0.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
-#include "quadrel/relief/trace/tangent_eye.hpp"
+#include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
 
@@ -23,9 +27,12 @@ struct HeightOutwardPublished : StageDefaults {
     static constexpr StageText text{"height-outward@published", "trace",
                                     "outside-in sampling above the polygon as listed",
                                     "Renk, FlightGear wiki, relief maps, 2016"};
-    static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr const char* not_reproduced =
+        "the channel (.a): the height map's swizzle chooses it; relPos beyond the model's xy plane "
+        "is left open by the page, here: along the vertices' axes";
+    static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr bool reads_vertices = true;
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
@@ -44,7 +51,7 @@ struct HeightOutwardPublished : StageDefaults {
         const SearchRay<F> ray = search_ray(io);
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const F npoints(static_cast<Scalar<F>>(params.points)), vscale(params.vscale);
-        const vec3<F> nRay = normalize(-tangent_eye(io));
+        const vec3<F> nRay = normalize(-vertex_eye(io));
         const F sampling_resolution = vscale / npoints * F(0.6f);
         const vec3<F> vRay = nRay * -sampling_resolution;
         vec3<F> pos = vec3<F>(ray.uv, F(0)) + vRay * npoints;

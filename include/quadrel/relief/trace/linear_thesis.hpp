@@ -8,6 +8,8 @@
 //   * texture() in the loop takes implicit derivatives: lanes that left keep their last coordinate,
 //     as on a GPU that runs the quad in lockstep;
 //   * the comment announces a binary search; no code follows.
+// The listing reads .r, which is alpha in its bitmaps: the height map's swizzle chooses the
+// channel.
 #pragma once
 
 #include "quadrel/relief/view.hpp"
@@ -18,6 +20,8 @@ struct LinearThesis : StageDefaults {
     static constexpr StageText text{
         "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
+    static constexpr const char* not_reproduced =
+        "the channel (.r of a bitmap whose first is alpha): the height map's swizzle chooses it";
     static constexpr auto inputs = values(Value::uv, Value::uv_rate, Value::relief_depth,
                                           Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;
@@ -52,14 +56,16 @@ struct LinearThesis : StageDefaults {
             offset = select(active, offset + F(offset_per_sample), offset);
             if (!any(active)) break;
         }
-        io.template store<Value::hit_uv>(UV + dUVdSR * offset);
+        const vec2<F> hit = UV + dUVdSR * offset;
+        io.template store<Value::hit_uv>(hit);
         io.template store<Value::hit_s>(offset / scalar);
         io.template store<Value::hit_h>(h);
         io.template store<Value::hit_depth>(offset);
         io.template store<Value::hit_status>(
             select(met_nan, status_packet<F>(Status::nan),
                    select(active, status_packet<F>(Status::floor), status_packet<F>(Status::hit))));
-        io.template store<Value::hit_flags>(io.template load<Value::frame_flags>());
+        io.template store<Value::hit_flags>(io.template load<Value::frame_flags>() |
+                                            nan_look_up_flag(hit));
         io.template store<Value::hit_steps>(fetches);
         io.template store<Value::hit_fetches>(fetches);
     }

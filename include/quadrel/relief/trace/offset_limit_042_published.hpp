@@ -4,7 +4,8 @@
 // runs from -height / 2 to height / 2, the view vector is normalised, 0.42 is added to its z, and
 // the offset is the height times (v.xy / v.z). `scale` (its height) is a UV length, 0.02 unless a
 // material says otherwise; the relief's depth and seat move hit.depth alone. (Unity reads the green
-// channel, here it is channel 0.)
+// channel, here it is channel 0.) viewDir is the caller's: Unity 4 makes it at the vertices, later
+// versions at the fragment; here it is the frame's, a fragment.
 #pragma once
 
 #include "quadrel/relief/trace/offset.hpp"
@@ -16,6 +17,9 @@ struct OffsetLimit042Published : StageDefaults {
     static constexpr StageText text{"offset-limit-042@published", "trace",
                                     "Unity's parallax offset, height centred, z raised by 0.42",
                                     "Unity, UnityCG.cginc, ParallaxOffset"};
+    static constexpr const char* not_reproduced =
+        "viewDir, the caller's, made at vertices or fragments by Unity's version: here at "
+        "fragments, of the frame; the channel (.g): the height map's swizzle chooses it";
     static constexpr auto inputs =
         search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;

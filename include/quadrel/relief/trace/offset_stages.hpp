@@ -7,6 +7,7 @@
 #include "quadrel/relief/trace/offset_limit_042.hpp"
 #include "quadrel/relief/trace/offset_limit_042_published.hpp"
 #include "quadrel/relief/trace/offset_limit_fixed.hpp"
+#include "quadrel/relief/trace/offset_limit_rabbid.hpp"
 #include "quadrel/relief/trace/parallax.hpp"
 #include "quadrel/relief/trace/parallax_bias.hpp"
 #include "quadrel/relief/trace/parallax_bias_published.hpp"
@@ -18,6 +19,6 @@ namespace quadrel {
 using OffsetStages =
     StageList<TraceNone, Parallax, ParallaxBias, ParallaxBiasPublished, OffsetLimit,
               OffsetLimitPublished, OffsetLimit042, OffsetLimit042Published, OffsetLimitFixed,
-              ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter>;
+              OffsetLimitRabbidPublished, ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter>;
 
 }  // namespace quadrel

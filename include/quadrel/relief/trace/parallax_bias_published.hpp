@@ -4,17 +4,18 @@
 // Surfaces", revision 0.3, 2004, sections 4.2 and 4.3.
 //   * Scale and bias are UV lengths (0.04 and -0.02 in the listings); the relief's depth and seat
 //     move hit.depth alone.
-//   * The eye vector is normalised a fragment; MAD is a product and a sum, RCP and RSQ are 1 / x
-//   and
-//     1 / sqrt(x).
+//   * The eye vector is that of his vertex program (vertex_frame.hpp), interpolated and then
+//     normalised a fragment; the frame gives no vector, only whether there is one (its NOFRAME).
+//   * MAD is a product and a sum, RCP and RSQ are 1 / x and 1 / sqrt(x).
 //   * 4.1 divides by the vector's z, 4.3 does not: its shift is never longer than the scaled and
 //     biased height.
-// Others that leave the division out: McGuire and McGuire 2005 describe it; Rabbid76 has scale 0.1
-// and no bias; FlightGear has neither scale nor bias and the height in texture coordinates.
+// Others that leave the division out: McGuire and McGuire 2005 describe it; FlightGear has neither
+// scale nor bias and the height in texture coordinates; Rabbid76's takes another vector, so that
+// its shift is longer or shorter (offset-limit-rabbid@published).
 #pragma once
 
 #include "quadrel/relief/trace/offset.hpp"
-#include "quadrel/relief/trace/tangent_eye.hpp"
+#include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
 
@@ -30,9 +31,9 @@ struct WelshOffset : StageDefaults {
                             "Welsh 2004, 4.3"}
                 : StageText{"parallax-bias@published", "trace",
                             "Welsh's parallax mapping with scale and bias", "Welsh 2004, 4.2"};
-    static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr bool reads_vertices = true;
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = WelshParams;
     static constexpr std::array parameters{
@@ -43,7 +44,7 @@ struct WelshOffset : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const vec3<F> eye = tangent_eye(io);
+        const vec3<F> eye = vertex_eye(io);
         const vec3<F> eyevecs = eye * inversesqrt(dot(eye, eye));
         const F texel = height_at_start(io, ray);
         F height = texel * F(params.scale) + F(params.bias);

@@ -6,8 +6,10 @@
 // times the depth beyond its border; the first crossing divides 0 by 0, and the minimum with NaN
 // then goes down to the node's depth whatever the border; at most 64 nodes; the hit is a mean of
 // two points two half texels before and behind, weighted by their distances from the surface. The
-// listing is for square maps of a power of two; its depth factor is the depth in tiles of u. The
-// relief stands on the polygon there: seat 0.
+// listing is for square maps of a power of two. The relief stands on the polygon there: seat 0.
+// Not reproduced: its ray. ds is the unit view vector along the fragment's normalised tangent and
+// cross(normal, tangent), times a uniform depth_factor over its z; here it is the frame's K, and
+// the depth factor the depth in tiles of u. Both are the same on square tiles without shear.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
@@ -40,6 +42,9 @@ struct QdmPublished : StageDefaults {
     static constexpr StageText text{"qdm@published", "trace",
                                     "quadtree displacement mapping as listed",
                                     "Drobot 2010; FlightGear urban.frag"};
+    static constexpr const char* not_reproduced =
+        "ds and depth_factor, of the interpolated tangent and its cross product with the normal: "
+        "here K and J of the frame; the channels (.w): the swizzle chooses them";
     static constexpr auto inputs = values(Value::uv, Value::relief_depth, Value::J, Value::K,
                                           Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;

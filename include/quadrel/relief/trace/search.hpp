@@ -84,7 +84,8 @@ void store_search(const Io& io, const SearchRay<F>& ray, const SearchResult<F>& 
     io.template store<Value::hit_h>(found.h);
     io.template store<Value::hit_depth>((s - F(ray.s_polygon)) * ray.depth);
     io.template store<Value::hit_status>(select(framed, found.status, ray.frame_status));
-    io.template store<Value::hit_flags>(ray.frame_flags | select(framed, flags, Int<F>(0)));
+    const Int<F> all = flags | nan_look_up_flag(uv);
+    io.template store<Value::hit_flags>(ray.frame_flags | select(framed, all, Int<F>(0)));
     io.template store<Value::hit_steps>(found.steps);
     io.template store<Value::hit_fetches>(found.fetches);
 }

@@ -3,7 +3,9 @@
 // Source: W. Donnelly, "Per-Pixel Displacement Mapping with Distance Functions", GPU Gems 2, 2005,
 // chapter 8, program on the disc: o = normalize(direction), o.xy scaled by layers / width for both
 // axes, then 16 times p = distance(p) * o + p from p = (uv, 1). The source measures the relief's
-// depth in layers as high as texels are wide; its direction is here (K width / layers, -1). Kept:
+// depth in layers as high as texels are wide; its direction is here (K width / layers, -1), of the
+// frame's K, where its vertex program has the vector to the eye along the vertices' tangents, z
+// over the bump depth, and interpolates that. Kept:
 // one scale for both axes, whatever the map's height; 8-bit distances, not quite Euclidean, which
 // may be too long between their centres; 16 steps, whose end is never tested; p.z is not clamped.
 #pragma once
@@ -16,6 +18,8 @@ struct Sphere3dPublished : StageDefaults {
     static constexpr StageText text{"sphere-3d@published", "trace",
                                     "16 steps through a distance volume as listed",
                                     "Donnelly 2005, GPU Gems 2, chapter 8, disc"};
+    static constexpr const char* not_reproduced =
+        "tanEyeVec, made by the vertex program: here K of the frame";
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::distance);

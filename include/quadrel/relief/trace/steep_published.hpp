@@ -11,11 +11,12 @@
 //   * nothing bounds the loop (here: 65536 steps, CAP), and a NaN height ends it, NAN;
 //   * the steps in the plane are 1 / (25.6 n) long, and their height is the page's, whose factors
 //     25.6 n and 400 agree with the ray's slope for one number of steps and bump scale alone.
-// The listing's tangent space has its y axis against growing v.
+// _tsE is a varying: the eye in the vertices' tangent space, as his G3D shader of that name has it
+// (vertex_frame.hpp), interpolated. The listing's tangent space has its y axis against growing v.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
-#include "quadrel/relief/trace/tangent_eye.hpp"
+#include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
 
@@ -32,9 +33,12 @@ struct SteepListing : StageDefaults {
                                 "McGuire and McGuire 2005, listing, commented lines"}
                     : StageText{"steep@published", "trace", "steep parallax mapping as listed",
                                 "McGuire and McGuire 2005, listing"};
-    static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+    static constexpr const char* not_reproduced =
+        "the loop has a bound, 65536 steps; the vertex shader is the author's in G3D, the page "
+        "shows none";
+    static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr bool reads_vertices = true;
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     using Params = SteepListingParams;
@@ -80,7 +84,7 @@ struct SteepListing : StageDefaults {
 
     template <class Io, class F = typename Io::Number>
     static Steps<F> steps(const Io& io, const Params& params) {
-        const vec3<F> axes = tangent_eye(io);
+        const vec3<F> axes = vertex_eye(io);
         const vec3<F> _tsE(axes.x, -axes.y, axes.z);
         const vec3<F> tsE = normalize(_tsE);
         const F bumpScale(params.bump_scale);

@@ -19,6 +19,7 @@ struct ThesisLinearBinaryPublished : StageDefaults {
         "thesis-linear-binary@published", "trace",
         "linear search over nearest texels, then bisection over interpolated ones",
         "Derivative-Based Relief Mapping (2012)"};
+    static constexpr const char* not_reproduced = "there is no listing: the text, taken literally";
     static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
