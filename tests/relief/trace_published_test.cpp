@@ -95,15 +95,17 @@ Listing rabbid(bool relief, float least, float most) {
 
 Listing rabbid_offset() {
     const auto run = [](Batch<float>& b, int quad) {
-        return each_fragment(quad, [&](int lane) {
+        const auto fragment = [&](int i, const Sampler& sampler) {
+            const int lane = 4 * quad + i;
             const Vec2 uv = b.vector2(Value::uv, lane);
             listings::ParallaxMain listing;
             listing.u_displacement_scale = b.material.depth;
             listing.main({b.vector3(Value::P, lane), b.vector3(Value::dPdx, lane),
                           b.vector3(Value::dPdy, lane), b.vector3(Value::vertex_normal, lane), uv,
                           b.vector2(Value::dUVdx, lane), b.vector2(Value::dUVdy, lane)});
-            return listings::rabbid_offset(listing.texDir3D, uv, own_level(b, lane, false));
-        });
+            return listings::rabbid_offset(listing.texDir3D, uv, sampler);
+        };
+        return Lockstep(*b.bound(TextureSlot::height), fragment).run();
     };
     return {"offset-limit-rabbid@published", run, {}, "offset-limit"};
 }
