@@ -20,6 +20,7 @@ const StageRow row{{id, "surface", "stores nothing", "these tests"},
                    0,
                    0,
                    0,
+                   "",
                    [](void*) {},
                    [](const StageCall*) {},
                    [](const StageCall*) {}};
