@@ -7,8 +7,10 @@
 #include <fstream>
 #include <limits>
 
+#include "cli/mesh_info.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/scene/load.hpp"
+#include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/texture/image.hpp"
 #include "texture/texel_format.hpp"
 
@@ -129,6 +131,7 @@ Json scene_info(const std::string& file) {
 Json file_info(const std::string& file) {
     if (begins_like_exr(file)) return exr_info(file);
     const std::filesystem::path path(file);
+    if (is_mesh_file(path)) return mesh_info(file);
     const bool bare_name = path.extension().empty() && !path.has_parent_path();
     if (path.extension() == ".json" || path.extension() == ".glib" ||
         (bare_name && !std::filesystem::exists(path)))

@@ -43,13 +43,14 @@ std::string to_text(const Json& info) {
 }  // namespace
 
 void add_info(CLI::App& app, Action& action) {
-    CLI::App* verb = app.add_subcommand("info", "describe an EXR, an image or a scene");
+    CLI::App* verb = app.add_subcommand("info", "describe an EXR, an image, a mesh or a scene");
     struct Arguments {
         std::string file;
         bool json = false;
     };
     const auto a = std::make_shared<Arguments>();
-    verb->add_option("file", a->file, "EXR, image, scene file or name of an installed scene")
+    verb->add_option("file", a->file,
+                     "EXR, image, mesh (OBJ, glTF), scene file or name of an installed scene")
         ->required();
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "quadrel/error.hpp"
 
@@ -32,9 +33,13 @@ const tinygltf::BufferView& checked_view(const GltfFile& file, int view, const s
     return found;
 }
 
+/// Only vertex attributes may be `interleaved` with others.
 Elements elements_of(const GltfFile& file, int view_index, std::size_t offset, std::size_t count,
-                     std::size_t element_size, const std::string& key) {
+                     std::size_t element_size, bool interleaved, const std::string& key) {
     const tinygltf::BufferView& view = checked_view(file, view_index, key);
+    if (!interleaved && view.byteStride != 0)
+        file.fail(place("bufferViews", view_index) + ".byteStride",
+                  std::to_string(view.byteStride) + " for other than vertex attributes", "none");
     const auto& data = file.model.buffers[static_cast<std::size_t>(view.buffer)].data;
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
         file.fail(place("bufferViews", view_index), "an end past the buffer's",
@@ -102,6 +107,24 @@ bool is_number_type(int type) {
            type != TINYGLTF_COMPONENT_TYPE_INT && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
+bool allowed(int type, bool normalized, GltfStored stored) {
+    const bool is_float = type == TINYGLTF_COMPONENT_TYPE_FLOAT;
+    const bool is_signed =
+        type == TINYGLTF_COMPONENT_TYPE_BYTE || type == TINYGLTF_COMPONENT_TYPE_SHORT;
+    switch (stored) {
+        case GltfStored::positions:
+            return true;
+        case GltfStored::directions:
+            return is_float || (is_signed && normalized);
+        case GltfStored::weights:
+            return is_float || (!is_signed && normalized);
+        case GltfStored::joints:
+            return !is_float && !is_signed && !normalized;
+        default:
+            return is_float;
+    }
+}
+
 std::size_t component_size(int type) {
     return static_cast<std::size_t>(
         tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
@@ -122,40 +145,50 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index) {
     return accessor;
 }
 
-using Element = std::array<float, 4>;
-
-Element load_element(const unsigned char* bytes, const tinygltf::Accessor& accessor,
-                     int components) {
-    Element element{};
+void load_element(const unsigned char* bytes, const tinygltf::Accessor& accessor,
+                  std::size_t components, float* out) {
     const std::size_t size = component_size(accessor.componentType);
-    for (int i = 0; i < components; ++i)
-        element[static_cast<std::size_t>(i)] =
-            load_component(bytes + static_cast<std::size_t>(i) * size, accessor.componentType,
-                           accessor.normalized);
-    return element;
+    for (std::size_t i = 0; i < components; ++i)
+        out[i] = load_component(bytes + i * size, accessor.componentType, accessor.normalized);
 }
 
-// Replaces the elements that a sparse accessor lists.
-void apply_sparse(const GltfFile& file, const tinygltf::Accessor& accessor, int components,
-                  const std::string& key, std::vector<Element>& out) {
+/// Calls replace(index, bytes) for the elements that a sparse accessor lists.
+template <class Replace>
+void for_sparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::size_t element_size,
+                bool interleaved, const std::string& key, const Replace& replace) {
     const auto& sparse = accessor.sparse;
     const auto count = static_cast<std::size_t>(std::max(sparse.count, 0));
     const int type = sparse.indices.componentType;
     if (!is_index_type(type)) file.fail(key + ".sparse", "another index type", "unsigned integers");
     const Elements indices = elements_of(file, sparse.indices.bufferView,
                                          static_cast<std::size_t>(sparse.indices.byteOffset), count,
-                                         component_size(type), key + ".sparse.indices");
-    const Elements values = elements_of(
-        file, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
-        component_size(accessor.componentType) * static_cast<std::size_t>(components),
-        key + ".sparse.values");
+                                         component_size(type), false, key + ".sparse.indices");
+    const Elements values = elements_of(file, sparse.values.bufferView,
+                                        static_cast<std::size_t>(sparse.values.byteOffset), count,
+                                        element_size, interleaved, key + ".sparse.values");
+    std::int64_t last = -1;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t at = load_index(indices.first + i * indices.stride, type);
-        if (at >= out.size())
+        if (at >= accessor.count)
             file.fail(key + ".sparse", "index " + std::to_string(at),
-                      "below " + std::to_string(out.size()));
-        out[at] = load_element(values.first + i * values.stride, accessor, components);
+                      "below " + std::to_string(accessor.count));
+        if (at <= last)
+            file.fail(key + ".sparse",
+                      "index " + std::to_string(at) + " after " + std::to_string(last),
+                      "increasing ones");
+        last = at;
+        replace(at, values.first + i * values.stride);
     }
+}
+
+// Graphics interfaces take it for the end of a primitive.
+void check_index(const GltfFile& file, std::uint32_t index, int type, const std::string& key) {
+    const std::uint32_t largest = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 0xff
+                                  : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 0xffff
+                                                                                   : 0xffffffff;
+    if (index == largest)
+        file.fail(key, "index " + std::to_string(index) + ", its type's largest",
+                  "smaller ones: it restarts primitives");
 }
 
 }  // namespace
@@ -169,43 +202,67 @@ std::size_t accessor_count(const GltfFile& file, int index) {
     return checked_accessor(file, index).count;
 }
 
-std::vector<Element> read_attribute(const GltfFile& file, int index, int components) {
+GltfNumbers read_numbers(const GltfFile& file, int index, std::size_t components, GltfStored stored,
+                         bool interleaved) {
     const tinygltf::Accessor& accessor = checked_accessor(file, index);
     const std::string key = place("accessors", index);
-    if (!is_number_type(accessor.componentType) ||
-        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != components)
+    const int in_type = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    if (!is_number_type(accessor.componentType) || in_type != static_cast<int>(components))
         file.fail(key, "elements of another type",
                   std::to_string(components) + " floats (or 8- or 16-bit integers) each");
-    std::vector<Element> out(accessor.count, Element{});
+    if (!allowed(accessor.componentType, accessor.normalized, stored))
+        file.fail(key + ".componentType",
+                  std::to_string(accessor.componentType) +
+                      (accessor.normalized ? ", normalised" : ", not normalised"),
+                  "a type that this attribute may have");
+    const std::size_t size = component_size(accessor.componentType) * components;
+    GltfNumbers out{components, std::vector<float>(accessor.count * components)};
     if (accessor.bufferView >= 0) {
-        const std::size_t size =
-            component_size(accessor.componentType) * static_cast<std::size_t>(components);
-        const Elements elements =
-            elements_of(file, accessor.bufferView, accessor.byteOffset, accessor.count, size, key);
-        for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] = load_element(elements.first + i * elements.stride, accessor, components);
+        const Elements elements = elements_of(file, accessor.bufferView, accessor.byteOffset,
+                                              accessor.count, size, interleaved, key);
+        for (std::size_t i = 0; i < elements.count; ++i)
+            load_element(elements.first + i * elements.stride, accessor, components,
+                         &out.values[i * components]);
     }
-    if (accessor.sparse.isSparse) apply_sparse(file, accessor, components, key, out);
-    for (std::size_t i = 0; i < out.size(); ++i)
-        for (float value : out[i])
-            if (!std::isfinite(value))
-                file.fail(key, "a value that is not finite in element " + std::to_string(i),
-                          "finite numbers");
+    if (accessor.sparse.isSparse)
+        for_sparse(file, accessor, size, interleaved, key,
+                   [&](std::size_t at, const unsigned char* bytes) {
+                       load_element(bytes, accessor, components, &out.values[at * components]);
+                   });
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+        if (!std::isfinite(out.values[i]))
+            file.fail(key,
+                      "a value that is not finite in element " + std::to_string(i / components),
+                      "finite numbers");
     return out;
 }
 
 std::vector<std::uint32_t> read_indices(const GltfFile& file, int index) {
     const tinygltf::Accessor& accessor = checked_accessor(file, index);
     const std::string key = place("accessors", index);
-    if (!is_index_type(accessor.componentType) || accessor.type != TINYGLTF_TYPE_SCALAR)
+    const int type = accessor.componentType;
+    if (!is_index_type(type) || accessor.type != TINYGLTF_TYPE_SCALAR)
         file.fail(key, "elements of another type", "unsigned integers");
-    if (accessor.sparse.isSparse) file.fail(key, "sparse indices", "plain ones");
-    const Elements elements =
-        elements_of(file, accessor.bufferView, accessor.byteOffset, accessor.count,
-                    component_size(accessor.componentType), key);
     std::vector<std::uint32_t> out(accessor.count);
+    if (accessor.bufferView >= 0) {
+        const Elements elements = elements_of(file, accessor.bufferView, accessor.byteOffset,
+                                              accessor.count, component_size(type), false, key);
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] = load_index(elements.first + i * elements.stride, type);
+    }
+    if (accessor.sparse.isSparse)
+        for_sparse(
+            file, accessor, component_size(type), false, key,
+            [&](std::size_t at, const unsigned char* bytes) { out[at] = load_index(bytes, type); });
+    for (const std::uint32_t value : out) check_index(file, value, type, key);
+    return out;
+}
+
+std::vector<glm::dmat4> read_matrices(const GltfFile& file, int index) {
+    const GltfNumbers numbers = read_numbers(file, index, 16, GltfStored::matrices, false);
+    std::vector<glm::dmat4> out(numbers.size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = load_index(elements.first + i * elements.stride, accessor.componentType);
+        for (int k = 0; k < 16; ++k) out[i][k / 4][k % 4] = static_cast<double>(numbers[i][k]);
     return out;
 }
 

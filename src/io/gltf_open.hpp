@@ -1,4 +1,4 @@
-// A glTF file as tinygltf parses it.
+// A glTF file, parsed and checked.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace quadrel {
 
-/// Parses a .gltf or .glb file with its buffers; images are left alone. Throws InputError for
+/// Reads a .gltf or .glb file with its buffers; images are left alone. Throws InputError for
 /// whatever is no glTF 2.0, and for extensions that change what the buffers mean.
 GltfFile open_gltf(const std::filesystem::path& path);
 

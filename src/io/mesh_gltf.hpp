@@ -1,14 +1,11 @@
 // glTF 2.0 meshes.
 #pragma once
 
-#include <filesystem>
-
-#include "quadrel/scene/mesh.hpp"
+#include "quadrel/scene/mesh_file.hpp"
 
 namespace quadrel {
 
-/// All triangles of the default scene's nodes in one mesh, in the scene's space. Normals, uvs
-/// (TEXCOORD_0) and tangents are kept only if every primitive has them. Throws InputError.
-Mesh load_gltf(const std::filesystem::path& file, bool flip_v);
+/// All triangles of the default scene's nodes in one mesh, in the scene's space. Throws InputError.
+MeshFile load_gltf(const std::filesystem::path& file, const MeshFileOptions& options);
 
 }  // namespace quadrel

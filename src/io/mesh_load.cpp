@@ -22,17 +22,21 @@ bool is_gltf(const std::filesystem::path& file) {
 
 }  // namespace
 
-Mesh load_mesh(const std::filesystem::path& file, std::optional<bool> flip_v) {
-    Mesh mesh;
-    if (is_gltf(file))
-        mesh = load_gltf(file, flip_v.value_or(false));
-    else if (lower_extension(file) == ".obj")
-        mesh = load_obj(file, flip_v.value_or(true));
-    else
+bool is_mesh_file(const std::filesystem::path& file) {
+    return is_gltf(file) || lower_extension(file) == ".obj";
+}
+
+MeshFile read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options) {
+    if (!is_mesh_file(file))
         throw InputError(file.string(), "", "the extension \"" + file.extension().string() + "\"",
                          ".obj, .gltf or .glb");
-    mesh.name = file.filename().string();
-    return mesh;
+    MeshFile read = is_gltf(file) ? load_gltf(file, options) : load_obj(file, options);
+    read.mesh.name = file.filename().string();
+    return read;
+}
+
+Mesh load_mesh(const std::filesystem::path& file, std::optional<bool> flip_v) {
+    return read_mesh_file(file, {flip_v}).mesh;
 }
 
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& file) {

@@ -104,6 +104,7 @@ constexpr SceneKey keys[] = {
     {"mesh", "tessellation"},
     {"mesh", "normals"},
     {"mesh", "flip_v"},
+    {"mesh", "uv_set"},
     {"mesh", "refine", Below::object, "refine"},
 
     {"refine", "by"},

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "io/printable.hpp"
 #include "io/scene_read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/scene/refine.hpp"
@@ -10,6 +11,8 @@ namespace {
 
 // Four million vertices a shape: beyond, a typing mistake is likelier than a wish.
 constexpr int most_cells = 2048;
+/// Files have one or two sets of texture coordinates, exporters know up to eight.
+constexpr int most_uv_set = 63;
 
 Mesh read_quad(Fields& fields) {
     double size = 2;
@@ -75,20 +78,25 @@ constexpr Word<ReadShape> shape_words[] = {
     {"quad", read_quad},     {"cube", read_cube},   {"icosahedron", read_icosahedron},
     {"sphere", read_sphere}, {"torus", read_torus}, {"teapot", read_teapot}};
 
-Mesh read_file_mesh(Fields& fields) {
+Mesh read_file_mesh(Fields& fields, std::vector<std::string>& notes) {
     const Value file = fields.get("file");
     const std::filesystem::path path = read_path(file);
-    std::optional<bool> flip_v;
-    if (fields.has("flip_v")) flip_v = fields.get("flip_v").boolean();
-    return load_mesh(path, flip_v);
+    MeshFileOptions options;
+    if (fields.has("flip_v")) options.flip_v = fields.get("flip_v").boolean();
+    fields.read("uv_set", options.uv_set, 0, most_uv_set);
+    MeshFile read = read_mesh_file(path, options);
+    if (!read.ignored.empty())
+        notes.push_back(
+            file_note(path.string(), fmt::format("ignored: {}", fmt::join(read.ignored, ", "))));
+    return std::move(read.mesh);
 }
 
-Mesh read_shape_or_file(Fields& fields) {
+Mesh read_shape_or_file(Fields& fields, std::vector<std::string>& notes) {
     if (fields.has("shape") == fields.has("file"))
         fields.value().fail(
             fields.has("shape") ? "both \"shape\" and \"file\"" : "a mesh of nothing",
             "either \"shape\" or \"file\"");
-    if (fields.has("file")) return read_file_mesh(fields);
+    if (fields.has("file")) return read_file_mesh(fields, notes);
     return fields.get("shape").word(shape_words)(fields);
 }
 
@@ -116,16 +124,16 @@ Mesh refined(const Value& value, const Mesh& mesh, int levels) {
 
 }  // namespace
 
-Mesh read_mesh(const Value& value) {
+Mesh read_mesh(const Value& value, std::vector<std::string>& notes) {
     if (value.json().is_string()) {
         const Json shape{{"shape", value.string()}};
         value.word(shape_words);  // fails at this value, not at the one made here
-        return read_mesh(Value(value.document(), shape, value.path()));
+        return read_mesh(Value(value.document(), shape, value.path()), notes);
     }
     constexpr Word<bool> normals_words[] = {{"keep", false}, {"flat", true}};
     constexpr Word<bool> icosahedron_words[] = {{"flat", true}, {"keep", true}, {"smooth", false}};
     Fields fields(value);
-    Mesh mesh = read_shape_or_file(fields);
+    Mesh mesh = read_shape_or_file(fields, notes);
     const bool icosahedron = fields.has("shape") && fields.get("shape").string() == "icosahedron";
     bool flat = icosahedron;
     if (icosahedron)

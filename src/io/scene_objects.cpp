@@ -32,7 +32,7 @@ class ObjectReader {
     }
 
     std::size_t add_mesh(const std::string& name, const Value& value) {
-        Mesh mesh = read_mesh(value);
+        Mesh mesh = read_mesh(value, scene_.notes);
         vertices_ += mesh.positions.size();
         if (vertices_ > max_mesh_vertices)
             value.fail("a mesh that makes " + std::to_string(vertices_) + " vertices in all",

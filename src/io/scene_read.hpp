@@ -24,7 +24,8 @@ using TextureTable = std::map<std::string, TextureReference>;
 Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
                        Hardware hardware);
 
-Mesh read_mesh(const Value& value);
+/// A shape or file; `notes` gets what is ignored of a file.
+Mesh read_mesh(const Value& value, std::vector<std::string>& notes);
 
 Light read_light(const Value& value);
 

@@ -42,12 +42,21 @@ ShadedVertices shade_vertices(const Mesh& mesh, const Camera& camera, const glm:
     return out;
 }
 
+/// Towards the counter-clockwise side, twice the area long.
+glm::dvec3 face_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a), v = glm::dvec3(c) - glm::dvec3(a);
+    return {u.y * v.z - v.y * u.z, u.z * v.x - v.z * u.x, u.x * v.y - v.x * u.y};
+}
+
 /// Unit normal of the counter-clockwise side; null for a triangle without area.
 glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a), v = glm::dvec3(c) - glm::dvec3(a);
-    const glm::dvec3 n(u.y * v.z - v.y * u.z, u.z * v.x - v.z * u.x, u.x * v.y - v.x * u.y);
+    const glm::dvec3 n = face_vector(a, b, c);
     const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     return length > 0 ? glm::vec3(n / length) : glm::vec3(0.0f);
+}
+
+bool is_flat(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return face_vector(a, b, c) == glm::dvec3(0.0);
 }
 
 /// Attributes of one piece of the triangle of vertices `index`.
@@ -94,6 +103,12 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
         const auto& corners = mesh.triangles[t];
         const std::array<std::uint32_t, 3> index{corners[drawn.corner[0]], corners[drawn.corner[1]],
                                                  corners[drawn.corner[2]]};
+        // Without area in eye space it has no normal, and what rounding makes of it is not drawn.
+        if (is_flat(vertices.eye[index[0]], vertices.eye[index[1]], vertices.eye[index[2]])) {
+            ++geometry.counts.submitted;
+            ++geometry.counts.zero_area;
+            continue;
+        }
         pieces.clear();
         assemble_triangle(
             {vertices.clip[index[0]], vertices.clip[index[1]], vertices.clip[index[2]]}, state,

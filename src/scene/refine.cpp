@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "quadrel/num/functions.hpp"
+#include "scene/mesh_corners.hpp"
 
 namespace quadrel {
 namespace {
@@ -165,6 +166,7 @@ Mesh refined_by_curvature(const Mesh& mesh, int levels) {
     surface.mesh.normals.clear();
     for (const std::uint32_t point : surface.point_of)
         surface.mesh.normals.emplace_back(surface.points[point].normal);
+    settle_normals(surface.mesh);  // opposite ones have no mean
     return std::move(surface.mesh);
 }
 

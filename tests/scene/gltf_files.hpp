@@ -5,9 +5,31 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrel {
+
+inline std::string little_endian(std::uint32_t value) {
+    std::string text(4, '\0');
+    std::memcpy(text.data(), &value, 4);
+    return text;
+}
+
+/// A binary file of a JSON chunk and others, which have types of up to four letters.
+inline std::string glb_of(const nlohmann::json& json,
+                          const std::vector<std::pair<std::string, std::string>>& chunks) {
+    std::string body;
+    const auto add = [&](std::string type, std::string data, char padding) {
+        type.resize(4, '\0');
+        while (data.size() % 4) data += padding;
+        body += little_endian(static_cast<std::uint32_t>(data.size())) + type + data;
+    };
+    add("JSON", json.dump(), ' ');
+    for (const auto& [type, data] : chunks) add(type, data, '\0');
+    return "glTF" + little_endian(2) + little_endian(static_cast<std::uint32_t>(12 + body.size())) +
+           body;
+}
 
 /// A buffer and the views and accessors into it.
 class GltfBuilder {
@@ -55,24 +77,11 @@ class GltfBuilder {
     std::string binary() const {
         nlohmann::json all = json;
         all["buffers"] = nlohmann::json::array({{{"byteLength", bytes.size()}}});
-        std::string scene = all.dump(), buffer = bytes;
-        while (scene.size() % 4) scene += ' ';
-        while (buffer.size() % 4) buffer += '\0';
-        const auto size = static_cast<std::uint32_t>(28 + scene.size() + buffer.size());
-        return word(0x46546C67) + word(2) + word(size) +
-               word(static_cast<std::uint32_t>(scene.size())) + word(0x4E4F534A) + scene +
-               word(static_cast<std::uint32_t>(buffer.size())) + word(0x004E4942) + buffer;
+        return glb_of(all, {{"BIN", bytes}});
     }
 
     nlohmann::json json = {{"asset", {{"version", "2.0"}}}};
     std::string bytes;
-
-  private:
-    static std::string word(std::uint32_t value) {
-        std::string text(4, '\0');
-        std::memcpy(text.data(), &value, 4);
-        return text;
-    }
 };
 
 /// A unit square of two triangles in the plane z = 0 with normals and uvs, uv v downwards.

@@ -145,9 +145,7 @@ TEST_F(Hostile, GltfOfDeepNodes) {
     const auto load = [&](int count) {
         return load_mesh(folder.write("m.glb", chain_of_nodes(count).binary()));
     };
-    EXPECT_EQ(load(1000).triangles.size(), 2u);
-    EXPECT_TRUE(complains([&] { load(1001); }, {"nodes[1000]", "below 1000 others", "1000"}));
-    EXPECT_TRUE(complains([&] { load(5000); }, {"nodes[1000]", "below 1000 others", "1000"}));
+    for (const int count : {1000, 20000}) EXPECT_EQ(load(count).triangles.size(), 2u) << count;
 }
 
 TEST_F(Hostile, GltfThatRepeatsItself) {
@@ -171,9 +169,9 @@ TEST_F(Hostile, GltfBuffersAreFiles) {
     ASSERT_EQ(mkfifo((folder.path() / "pipe.bin").c_str(), 0600), 0);
     const GltfBuilder gltf = square_gltf();
     for (const char* uri : {"missing.bin", "pipe.bin", ".", "/dev/zero", "data:,x"})
-        EXPECT_TRUE(gltf_refused(gltf.text(uri), {"", "", "glTF 2.0"})) << uri;
+        EXPECT_TRUE(gltf_refused(gltf.text(uri), {"buffers[0].uri", "", ""})) << uri;
     folder.write("short.bin", gltf.bytes.substr(1));
-    EXPECT_TRUE(gltf_refused(gltf.text("short.bin"), {"", "File size mismatch", "glTF 2.0"}));
+    EXPECT_TRUE(gltf_refused(gltf.text("short.bin"), {"buffers[0].byteLength", "", "at most"}));
     folder.write("whole.bin", gltf.bytes);
     EXPECT_EQ(load_mesh(folder.write("m.gltf", gltf.text("whole.bin"))).triangles.size(), 2u);
 }

@@ -30,6 +30,32 @@ enum class Defect {
     flat_midpoints,      ///< new vertices not displaced
 };
 
+/// Each is a reader of OBJ files that is wrong in one thing.
+enum class ObjDefect {
+    comments_continue,  ///< a backslash continues a comment, too
+    mark_is_a_word,     ///< a byte-order mark belongs to the first word
+    cr_is_a_blank,      ///< only LF ends a line
+};
+
+/// Each is a reader of glTF files that is wrong in one thing.
+enum class GltfDefect {
+    weights_ignored,             ///< morph targets are never applied
+    mesh_weights_win,            ///< over those of the node
+    normals_not_morphed,         ///< positions alone
+    skin_ignored,                ///< the node's transform instead
+    node_of_skin_applied,        ///< it, too
+    inverse_bind_ignored,        ///< joints' transforms alone
+    first_joint_alone,           ///< of the four
+    normals_of_first_primitive,  ///< for all
+    normals_of_all_dropped,      ///< where one primitive lacks them
+    tangents_without_normals,    ///< kept
+    transform_ignored,           ///< of texture coordinates
+    rotation_as_listed,          ///< their rotation the other way
+    first_uv_set,                ///< always
+    not_normalised,              ///< integers as they are
+    hidden_nodes_drawn,
+};
+
 /// Each is a reader of .glib files that is wrong in one thing.
 enum class GlibDefect {
     least_of_slider,         ///< the range's first number taken

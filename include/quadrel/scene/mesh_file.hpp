@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "quadrel/scene/mesh.hpp"
@@ -14,12 +15,36 @@ namespace quadrel {
 /// vertices of a scene's meshes. Beyond, a damaged file is likelier than a model.
 inline constexpr std::size_t max_mesh_vertices = std::size_t(1) << 25;
 
+/// How a file is to be read.
+struct MeshFileOptions {
+    /// v becomes 1 - v. By default it does for OBJ, whose v = 0 is the texture's last row, and not
+    /// for glTF, whose v = 0 is the first.
+    std::optional<bool> flip_v;
+    int uv_set = 0;  ///< glTF: the n of TEXCOORD_n, >= 0. OBJ has one set, 0
+};
+
+/// A mesh, and what its file says beyond it.
+struct MeshFile {
+    Mesh mesh;
+    int uv_sets = 0;                   ///< sets of texture coordinates of the file
+    std::vector<std::string> ignored;  ///< by name, what the file holds and the mesh has not
+};
+
 /// Reads a mesh by its extension: .obj (Wavefront), .gltf or .glb (glTF 2.0: all meshes of the
-/// default scene's nodes, node transforms applied). Polygons become triangles. OBJ's v = 0 is the
-/// texture's last row and glTF's the first: OBJ's v becomes 1 - v, unless `flip_v` says otherwise.
+/// default scene's nodes, transforms, default morph weights and skins in the pose of the nodes
+/// applied). Polygons become triangles. Triangles without texture coordinates in a mesh that has
+/// some get one point of texture space (a degenerate map); corners without a normal get their
+/// triangle's. So no normal of the mesh is null.
 /// Throws InputError for a missing, truncated, malformed or empty file, numbers that are not
-/// finite, indices out of range and more vertices than above.
+/// finite, indices out of range, more vertices than above, a set of texture coordinates that the
+/// file does not have, and glTF extensions that geometry needs and that are not known.
+MeshFile read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options = {});
+
+/// Its mesh alone.
 Mesh load_mesh(const std::filesystem::path& file, std::optional<bool> flip_v = std::nullopt);
+
+/// Whether its name ends as those of meshes do.
+bool is_mesh_file(const std::filesystem::path& file);
 
 /// The files that make up a mesh: `file` itself, and the buffers that a .gltf refers to.
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& file);
