@@ -46,12 +46,23 @@ json parse(const GltfFile& file, std::string_view text) {
     }
 }
 
+std::vector<tinygltf::Skin> skins_of(const json& checked) {
+    std::vector<tinygltf::Skin> skins;
+    for (const json& described : checked.value("skins", json::array())) {
+        tinygltf::Skin& skin = skins.emplace_back();
+        skin.inverseBindMatrices = described.value("inverseBindMatrices", -1);
+        skin.joints = described["joints"].get<std::vector<int>>();
+    }
+    return skins;
+}
+
 // tinygltf drops what it finds malformed, refuses what geometry does not need, and reads buffers
 // and images by itself: it gets what is checked already, and only what meshes are made of. It also
-// wants a buffer view for indices, which may be sparse instead.
+// wants inverse bind matrices, which are optional, and a buffer view for indices, which may be
+// sparse instead.
 void fill_model(GltfFile& file, json checked) {
-    checked.erase("buffers");
-    checked.erase("materials");
+    const std::vector<tinygltf::Skin> skins = skins_of(checked);
+    for (const char* part : {"buffers", "materials", "skins"}) checked.erase(part);
     std::vector<std::vector<int>> indices;
     for (json& mesh : checked.value("meshes", json::array())) {
         indices.emplace_back();
@@ -68,6 +79,7 @@ void fill_model(GltfFile& file, json checked) {
                                                  static_cast<unsigned>(text.size()), "");
     if (!read || !error.empty())
         file.fail("", error.empty() ? "something unreadable" : one_line(error), "glTF 2.0");
+    file.model.skins = skins;
     for (std::size_t i = 0; i < indices.size(); ++i)
         for (std::size_t k = 0; k < indices[i].size(); ++k)
             file.model.meshes.at(i).primitives.at(k).indices = indices[i][k];

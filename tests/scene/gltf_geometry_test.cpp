@@ -1,49 +1,17 @@
-// What glTF's geometry means: morph targets, skins, attributes by primitive, quantisation, texture
-// transforms. Each reader that is wrong in one thing is imitated by the file that it takes the file
-// for, and has to be caught.
+// What glTF's geometry means: morph targets, skins, attributes by primitive, quantisation. Each
+// reader that is wrong in one thing is imitated by the file that it takes the file for, and has to
+// be caught.
 #include <gtest/gtest.h>
 
-#include "gltf_files.hpp"
+#include "gltf_geometry.hpp"
 #include "mesh_properties.hpp"
 #include "planted.hpp"
-#include "quadrel/scene/mesh_file.hpp"
-#include "support.hpp"
 
 namespace quadrel {
 namespace {
 
 using nlohmann::json;
 using planted::GltfDefect;
-
-class GltfGeometry : public testing::Test {
-  protected:
-    MeshFile read(const GltfBuilder& gltf, const MeshFileOptions& options = {}) const {
-        return read_mesh_file(folder.write("m.glb", gltf.binary()), options);
-    }
-    Mesh mesh(const GltfBuilder& gltf, int uv_set = 0) const {
-        MeshFileOptions options;
-        options.uv_set = uv_set;
-        return read(gltf, options).mesh;
-    }
-    TemporaryFolder folder;
-};
-
-json& primitive_of(GltfBuilder& gltf, std::size_t index = 0) {
-    return gltf.json["meshes"][0]["primitives"][index];
-}
-
-template <class Vector>
-testing::AssertionResult near(const std::vector<Vector>& found, const std::vector<Vector>& expected,
-                              double tolerance = 1e-6) {
-    if (found.size() != expected.size())
-        return testing::AssertionFailure() << found.size() << " elements";
-    for (std::size_t i = 0; i < found.size(); ++i)
-        for (int c = 0; c < Vector::length(); ++c)
-            if (!(std::abs(found[i][c] - expected[i][c]) <= tolerance))
-                return testing::AssertionFailure()
-                       << "element " << i << "[" << c << "]: " << found[i][c];
-    return testing::AssertionSuccess();
-}
 
 using Points = std::vector<glm::vec3>;
 
@@ -222,7 +190,9 @@ TEST_F(GltfGeometry, TangentsNeedNormals) {
     const Mesh both = mesh(gltf);
     EXPECT_TRUE(is_consistent(both));
     EXPECT_EQ(both.tangents[both.triangles[0][0]], glm::vec4(0, 1, 0, 1));
-    EXPECT_EQ(both.tangents[both.triangles[2][0]], glm::vec4(1, 0, 0, 1));
+    const glm::vec4 made = both.tangents[both.triangles[2][0]];
+    EXPECT_GT(made.x, 0.9f);
+    EXPECT_EQ(made.w, 1);
     primitive_of(gltf, 0) = primitive_of(gltf, 1);
     EXPECT_TRUE(mesh(gltf).tangents.empty()) << "GltfDefect::tangents_without_normals";
 }
@@ -308,82 +278,6 @@ TEST_F(GltfGeometry, SparseIndices) {
          {{"bufferView", gltf.json["accessors"][at]["bufferView"]}, {"componentType", 5123}}},
         {"values", {{"bufferView", gltf.json["accessors"][values]["bufferView"]}}}};
     EXPECT_EQ(mesh(gltf).triangles, mesh(square_gltf()).triangles);
-}
-
-// ---- Texture coordinates
-
-using Uvs = std::vector<glm::vec2>;
-
-GltfBuilder with_transform(const json& transform, const char* texture = "normalTexture") {
-    GltfBuilder gltf = square_gltf();
-    primitive_of(gltf)["material"] = 0;
-    gltf.json["materials"] = json::array(
-        {{{texture, {{"index", 0}, {"extensions", {{"KHR_texture_transform", transform}}}}}}});
-    return gltf;
-}
-
-TEST_F(GltfGeometry, TextureTransforms) {
-    // The extension's example: the lower left quadrant of the picture.
-    const json quadrant = {{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}};
-    const Uvs expected = {{.5f, 1}, {.5f, .5f}, {0, .5f}, {.125f, 1}};
-    const auto uvs = [&](const json& transform) { return mesh(with_transform(transform)).uvs; };
-    EXPECT_TRUE(near(uvs(quadrant), expected));
-    json mirrored = quadrant;
-    mirrored["rotation"] = -1.57079632679;
-    EXPECT_FALSE(near(uvs(mirrored), expected)) << "GltfDefect::rotation_as_listed";
-    EXPECT_FALSE(near(uvs(json::object()), expected)) << "GltfDefect::transform_ignored";
-    // The second example: v from the bottom.
-    EXPECT_EQ(uvs({{"offset", {0, 1}}, {"scale", {1, -1}}})[0], glm::vec2(0, 0));
-}
-
-TEST_F(GltfGeometry, TangentsBelongToTheirCoordinates) {
-    const auto tangent = [&](const json& transform) {
-        const Mesh found = mesh(with_transform(transform));
-        return found.tangents.empty() ? glm::vec4(0.0f) : found.tangents[0];
-    };
-    EXPECT_EQ(tangent({{"scale", {2, 3}}}), glm::vec4(1, 0, 0, 1));
-    EXPECT_EQ(tangent({{"scale", {-2, 3}}}), glm::vec4(0.0f)) << "made anew where they are needed";
-    EXPECT_EQ(tangent({{"rotation", 1}}), glm::vec4(0.0f));
-}
-
-TEST_F(GltfGeometry, TheTransformOfTheFirstTextureThatReadsTheSet) {
-    const auto texture = [](int set, double scale) {
-        return json{{"index", 0},
-                    {"texCoord", set},
-                    {"extensions", {{"KHR_texture_transform", {{"scale", {scale, scale}}}}}}};
-    };
-    GltfBuilder gltf = with_transform({});
-    gltf.json["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", texture(1, 3)}}},
-                                 {"normalTexture", texture(0, 2)},
-                                 {"emissiveTexture", texture(0, 5)}};
-    EXPECT_EQ(mesh(gltf).uvs[1], glm::vec2(2, 2));
-    EXPECT_EQ(read(gltf).ignored,
-              (std::vector<std::string>{"materials", "other texture transforms"}));
-    // The extension's own texCoord counts for more.
-    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
-             ["KHR_texture_transform"]["texCoord"] = 0;
-    EXPECT_EQ(mesh(gltf).uvs[1], glm::vec2(3, 3));
-    // Textures of extensions come last.
-    gltf.json["materials"][0] = {
-        {"extensions",
-         {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseTexture", texture(0, 4)}}}}}};
-    EXPECT_EQ(mesh(gltf).uvs[1], glm::vec2(4, 4));
-}
-
-TEST_F(GltfGeometry, SetsOfTextureCoordinates) {
-    GltfBuilder gltf = square_gltf();
-    primitive_of(gltf)["attributes"]["TEXCOORD_1"] =
-        gltf.floats({5, 0, 6, 0, 6, 1, 5, 1}, "VEC2", 2);
-    MeshFileOptions second;
-    second.uv_set = 1;
-    EXPECT_EQ(read(gltf, second).mesh.uvs[0], glm::vec2(5, 0));
-    EXPECT_NE(read(gltf).mesh.uvs[0], glm::vec2(5, 0)) << "GltfDefect::first_uv_set";
-    EXPECT_EQ(read(gltf).uv_sets, 2);
-    EXPECT_EQ(read(gltf).ignored, std::vector<std::string>{"TEXCOORD_1"});
-    EXPECT_EQ(read(gltf, second).ignored, std::vector<std::string>{"TEXCOORD_0"});
-    EXPECT_TRUE(read(gltf, second).mesh.tangents.empty()) << "they are those of the other set";
-    second.uv_set = 2;
-    EXPECT_TRUE(complains([&] { read(gltf, second); }, {"", "no TEXCOORD_2", "below 2"}));
 }
 
 // ---- Scenes
