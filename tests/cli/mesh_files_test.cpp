@@ -10,6 +10,7 @@ namespace quadrel::cli_tests {
 namespace {
 
 using testing_films::TemporaryFolder;
+using testing_films::write_bytes;
 
 const std::string meshes = QUADREL_DATA_DIR "/../tests/data/meshes/";
 
