@@ -26,9 +26,9 @@ TEST(MeshFilesCli, IgnoredPartsAreNamedOnce) {
     const Outcome rendered = run({"render", scene, "--size", "4x4"}, folder.path());
     EXPECT_EQ(rendered.code, 0) << rendered.err;
     EXPECT_EQ(count(rendered.err, note), 1u) << rendered.err;
-    const Outcome sheet = run(
-        {"sheet", scene, "--each", "background=[0,0,0],[1,1,1]", "--size", "4x4", "-o", "s.png"},
-        folder.path());
+    const Outcome sheet =
+        run({"sheet", scene, "--each", "material.shininess=10,20", "--size", "4x4", "-o", "s.png"},
+            folder.path());
     EXPECT_EQ(sheet.code, 0) << sheet.err;
     EXPECT_EQ(count(sheet.err, note), 1u) << sheet.err;
     const Outcome probed = run({"probe", scene, "--pixel", "1,1", "--json"}, folder.path());
