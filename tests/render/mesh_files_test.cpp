@@ -43,8 +43,8 @@ TEST(MeshFilesRendered, NormalsOfTwoPrimitives) {
 
 TEST(MeshFilesRendered, QuantisedTextureCoordinates) {
     const Film film = render_mesh("q.gltf", {"uv"});
-    EXPECT_NEAR(value(film, "uv.U", 16, 43), 16.5 / 64, 1e-6);
-    EXPECT_NEAR(value(film, "uv.V", 16, 43), 20.5 / 64, 1e-6);
+    EXPECT_NEAR(value(film, "uv.U", 16, 20), 16.5 / 64, 1e-6);
+    EXPECT_NEAR(value(film, "uv.V", 16, 20), 20.5 / 64, 1e-6);
 }
 
 TEST(MeshFilesRendered, MorphTargetsAndSetsOfTextureCoordinates) {

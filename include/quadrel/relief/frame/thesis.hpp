@@ -4,11 +4,12 @@
 // T and B are the unit window-space tangents dP/dx and dP/dy. They are not perpendicular in
 // general, so the UV shift is scaled by 1 +- cos(T, B) (the thesis' own account of this error,
 // "derivatives are inaccurate", is not the cause). frame-gram is the corrected form.
-// Where the listing has a zero or NaN derivative, so has this. Under a parallel projection the
-// listing still has the eye at the origin of eye space; this has the view direction.
+// Where the listing has a zero or NaN derivative, so has this; a degenerate UV map is flagged.
+// Under a parallel projection the listing still has the eye at the origin of eye space; this has
+// the view direction.
 #pragma once
 
-#include "quadrel/relief/view.hpp"
+#include "quadrel/relief/frame/store.hpp"
 
 namespace quadrel {
 
@@ -74,13 +75,15 @@ struct FrameThesis : StageDefaults {
         io.template store<Value::T>(t.T);
         io.template store<Value::B>(t.B);
         io.template store<Value::frame_normal>(N);
-        io.template store<Value::J>(std::array<vec3<F>, 2>{t.T * t.dUVdT.x + t.B * t.dUVdB.x,
-                                                           t.T * t.dUVdT.y + t.B * t.dUVdB.y});
+        const vec3<F> grad_u = t.T * t.dUVdT.x + t.B * t.dUVdB.x;
+        const vec3<F> grad_v = t.T * t.dUVdT.y + t.B * t.dUVdB.y;
+        io.template store<Value::J>(std::array<vec3<F>, 2>{grad_u, grad_v});
         io.template store<Value::r>(dot(-N, -E));
         io.template store<Value::uv_rate>(dUVdSR);
         io.template store<Value::K>(dUVdSR * io.template load<Value::relief_depth>());
         io.template store<Value::frame_status>(status_packet<F>(Status::hit));
-        io.template store<Value::frame_flags>(Int<F>(0));
+        io.template store<Value::frame_flags>(select(gradients_degenerate(grad_u, grad_v),
+                                                     Int<F>(HitFlag::uv_degenerate), Int<F>(0)));
     }
 };
 
