@@ -188,8 +188,11 @@ class ObjReader {
     void ignore(std::string_view statement) {
         constexpr std::size_t most = 16;
         if (ignored_.size() > most) return;
-        if (std::find(ignored_.begin(), ignored_.end(), statement) != ignored_.end()) return;
-        ignored_.emplace_back(ignored_.size() < most ? statement : "others");
+        std::string name(statement);
+        for (char& c : name)  // it need not be text
+            if (c <= ' ' || c > '~') c = '?';
+        if (std::find(ignored_.begin(), ignored_.end(), name) != ignored_.end()) return;
+        ignored_.push_back(ignored_.size() < most ? name : "others");
     }
 
     ObjNumbers numbers_;

@@ -171,6 +171,7 @@ TEST_F(ObjFiles, IgnoredStatementsAreNamedOnce) {
     EXPECT_EQ(
         read("s 1\nvn 0 0 1\n" + replaced(square, "f 1/1 2/2 3/3 4/4", "f 1//1 2//1 3//1")).ignored,
         Names{});
+    EXPECT_EQ(read("\x1b\xff\x80x 1\n" + square).ignored, Names{"???x"}) << "names are text";
     std::string other;
     for (int i = 0; i < 1000; ++i) other += "word" + std::to_string(i) + "\n";
     EXPECT_EQ(read(other + square).ignored.size(), 17u);
