@@ -28,6 +28,7 @@ inline Batch<float> facet_batch(const Plane& plane, const dvec3& N, float depth,
         batch.set(Value::dUVdy, lane, dvec2(0, 0.001));
         batch.set(Value::hit_uv, lane,
                   dvec2(random.uniform(0.25, 0.75), random.uniform(0.25, 0.75)));
+        batch.set(Value::uv, lane, batch.vector2(Value::hit_uv, lane));
     }
     return batch;
 }

@@ -28,7 +28,14 @@ class LitBatch {
         for (int lane = 0; lane < batch.lanes; ++lane) {
             for (const Value v : {Value::T, Value::B, Value::frame_normal, Value::Ng})
                 batch.set(v, lane, batch.vector3(v, 0));
+            batch.set(Value::N, lane, batch.vector3(Value::frame_normal, 0));
             for (int c = 0; c < 6; ++c) batch.real(Value::J, lane, c) = batch.real(Value::J, 0, c);
+        }
+        for (int quad = 0; quad < batch.lanes / 4; ++quad) {
+            const auto axis = [&](Value v) { return dvec3(batch.vector3(v, 0)); };
+            set_quad_vertices(
+                batch, quad, dvec3(batch.vector3(Value::P, 4 * quad)),
+                VertexAxes{axis(Value::T), axis(Value::B), axis(Value::frame_normal)});
         }
         batch.run("texel-exact");
         for (int lane = 0; lane < batch.lanes; ++lane)

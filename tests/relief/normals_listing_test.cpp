@@ -318,8 +318,8 @@ Renk renk(Batch<float>& batch, int quad) {
     Renk listing{0.125f, 0.05f, lanes3(batch, Value::frame_normal, quad), {}, {}, {}};
     const LightUniforms& light = batch.frame.lights[0];
     const Vec3 position(light.position[0], light.position[1], light.position[2]);
-    listing.lightDir = normalize(position - lanes3(batch, Value::hit_P, quad));
-    listing.Pos_xy = lanes2(batch, Value::hit_uv, quad);
+    listing.lightDir = normalize(position - lanes3(batch, Value::P, quad));
+    listing.Pos_xy = lanes2(batch, Value::uv, quad);
     listing.lightDir_xy = {dot(lanes3(batch, Value::J, quad), listing.lightDir),
                            dot(lanes3(batch, Value::J, quad, 3), listing.lightDir)};
     return listing;
@@ -328,6 +328,11 @@ Renk renk(Batch<float>& batch, int quad) {
 TEST(RenkBumpiness, EqualsTheListing) {
     EXPECT_TRUE(equals("bump-noise@published",
                        [](Batch<float>& b, int quad) { return renk(b, quad).normal(); }));
+    EXPECT_FALSE(equals("bump-noise@published", [](Batch<float>& b, int quad) {
+        Renk displaced = renk(b, quad);
+        displaced.Pos_xy = lanes2(b, Value::hit_uv, quad);
+        return displaced.normal();
+    }));
     EXPECT_FALSE(equals("bump-noise@published", [](Batch<float>& b, int quad) {
         Renk away = renk(b, quad);
         away.lightDir_xy = -away.lightDir_xy;

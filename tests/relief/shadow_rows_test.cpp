@@ -1,4 +1,4 @@
-// Self-shadows: listings bit for bit, and what all of them promise.
+// Self-shadows: what all of them promise.
 #include "relief/lit_batch.hpp"
 
 namespace quadrel::test {
@@ -158,100 +158,6 @@ TEST(Shadows, SoftHorizonsFade) {
     for (int lane = 0; lane < lit.batch.lanes; ++lane)
         between += lit.visibility(lane) > 0 && lit.visibility(lane) < 1;
     EXPECT_GT(between, 20);
-}
-
-// ---- Listings -----------------------------------------------------------------------------------
-
-using ShadowSampler = std::function<float(const vec2<float>&)>;
-
-/// McGuire and McGuire 2005: the shadow loop. `delta_of` is its (tsL.x, -tsL.y) * bumpScale /
-/// tsL.z.
-float mcguire_shadow(float NB_a, vec2<float> offsetCoord, const vec2<float>& delta_of, float tsL_z,
-                     const ShadowSampler& normalBumpMap) {
-    // const int numShadowSteps = mix(60,5,tsL.z);
-    const float numShadowSteps = trunc(mix(60.0f, 5.0f, tsL_z));
-    // step = 1.0 / numShadowSteps;
-    const float step = 1.0f / numShadowSteps;
-    // delta = vec2(tsL.x, -tsL.y) * bumpScale / (numShadowSteps * tsL.z);
-    const vec2<float> delta = delta_of / numShadowSteps;
-    // height = NB.a + step * 0.1;
-    float height = NB_a + step * 0.1f;
-    // while ((NB.a < height) && (height < 1)) {
-    while (NB_a < height && height < 1) {
-        // height += step;
-        height = height + step;
-        // offsetCoord += delta;
-        offsetCoord = offsetCoord + delta;
-        // NB = texture2D(normalBumpMap, offsetCoord);
-        NB_a = normalBumpMap(offsetCoord);
-    }
-    // selfShadow = (NB.a < height);
-    return NB_a < height ? 1.0f : 0.0f;
-}
-
-/// DirectX SDK, ParallaxOcclusionMapping.fx: the soft shadow. `vLightRayTS` is vLightTS.xy times
-/// the height scale.
-float dxsdk_shadow(const vec2<float>& texSample, const vec2<float>& vLightRayTS, float softening,
-                   const ShadowSampler& height_at) {
-    // sh0 is the height at the displaced coordinate
-    const float sh0 = height_at(texSample);
-    // shA to sh4: (height at a fraction of the ray - sh0 - fraction) * weight * softening
-    const auto sh = [&](float at, float weight) {
-        return (height_at(texSample + vLightRayTS * at) - sh0 - at) * weight * softening;
-    };
-    const float shA = sh(0.88f, 1), sh9 = sh(0.77f, 2), sh8 = sh(0.66f, 4), sh7 = sh(0.55f, 6);
-    const float sh6 = sh(0.44f, 8), sh5 = sh(0.33f, 10), sh4 = sh(0.22f, 12);
-    // fOcclusionShadow = 1 - the greatest of them
-    const float most = max(max(max(max(max(max(shA, sh9), sh8), sh7), sh6), sh5), sh4);
-    const float fOcclusionShadow = 1 - most;
-    // remapped: fOcclusionShadow * 0.6 + 0.4
-    return fOcclusionShadow * 0.6f + 0.4f;
-}
-
-/// K of a lane's light ray and L.N, as the stages compute them.
-struct FloatRay {
-    vec2<float> K;
-    float r;
-
-    FloatRay(Batch<float>& b, int lane) {
-        const LightUniforms& light = b.frame.lights[0];
-        const vec3<float> L =
-            normalize(vec3<float>(light.position[0], light.position[1], light.position[2]));
-        r = dot(L, b.vector3(Value::frame_normal, lane));
-        K = vec2<float>(dot(b.vector3(Value::J, lane, 0), L),
-                        dot(b.vector3(Value::J, lane, 3), L)) /
-            r * b.material.depth;
-    }
-};
-
-testing::AssertionResult is_the_listing(const StageUnderTest<float>& shadow, bool soft) {
-    for (int seed = 0; seed < 8; ++seed) {
-        const Map map = stress(seed % 2 == 0 ? "white noise" : "sinusoid", seed);
-        LitBatch lit(map, seed, 0.05);
-        shadow.run(lit.batch);
-        for (int lane = 0; lane < lit.batch.lanes; ++lane) {
-            const FloatRay ray(lit.batch, lane);
-            const auto sample = [&](const vec2<float>& uv) {
-                return height_at(lit.batch, lane, uv);
-            };
-            const vec2<float> uv = lit.batch.vector2(Value::hit_uv, lane);
-            const float expected =
-                soft ? dxsdk_shadow(uv, ray.K * ray.r, 0.58f, sample)
-                     : mcguire_shadow(lit.batch.real(Value::hit_h, lane), uv, ray.K, ray.r, sample);
-            if (lit.visibility(lane) != expected)
-                return testing::AssertionFailure()
-                       << shadow.id << ": " << lit.visibility(lane) << ", listed " << expected;
-        }
-    }
-    return testing::AssertionSuccess();
-}
-
-// The maps have one level, so that the listings' derivatives do not matter.
-TEST(ShadowListings, StagesHaveTheirBits) {
-    EXPECT_TRUE(is_the_listing({"shadow-march-mcguire@published"}, false));
-    EXPECT_FALSE(is_the_listing({"shadow-march-mcguire"}, false));
-    EXPECT_TRUE(is_the_listing({"shadow-soft-pom@published"}, true));
-    EXPECT_FALSE(is_the_listing({"shadow-soft-pom"}, true));
 }
 
 // ---- Ambient occlusion --------------------------------------------------------------------------

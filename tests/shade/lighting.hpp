@@ -6,12 +6,13 @@
 
 #include "quadrel/num/math.hpp"
 #include "relief/inputs.hpp"
+#include "relief/vertex_inputs.hpp"
 #include "shade/planted.hpp"
 
 namespace quadrel::test {
 
 /// Shading points in front of the eye, normals on the viewer's side, visibilities in [0, 1] for
-/// every light; no textures.
+/// every light; no textures, and no frame, so that every vector stays in eye space.
 inline Batch<float> random_points(Random& random, int lights, int lanes = 64) {
     Batch<float> batch(lanes);
     random_material(random, batch.material);
@@ -27,6 +28,9 @@ inline Batch<float> random_points(Random& random, int lights, int lanes = 64) {
         batch.set(Value::P, lane, P);
         batch.set(Value::hit_P, lane, P * random.uniform(1, 1.1));
         batch.set(Value::N, lane, N);
+        for (const Value v : {Value::T, Value::B, Value::frame_normal})
+            batch.set(v, lane, dvec3(0.0));
+        if (lane % 4 == 0) set_quad_vertices(batch, lane / 4, P, VertexAxes{});
         batch.set(Value::hit_uv, lane, dvec2(random.uniform(0, 1), random.uniform(0, 1)));
         batch.set(Value::dUVdx, lane, dvec2(0.001, 0));
         batch.set(Value::dUVdy, lane, dvec2(0, 0.001));

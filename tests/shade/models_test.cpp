@@ -233,7 +233,8 @@ TEST(ReflectionModels, ExponentZeroIsFlat) {
 
 // ---- shade-welsh --------------------------------------------------------------------------------
 
-/// Two undimmed lights over white: the published program, bit for bit. Else in [0, 1].
+/// Two undimmed lights over white, seen from the surface: the published program, bit for bit. Else
+/// in [0, 1].
 TEST(Welsh, GeneralisesTheProgram) {
     Random random(6);
     Batch<float> batch = random_points(random, 2, batch_lanes);
@@ -241,12 +242,14 @@ TEST(Welsh, GeneralisesTheProgram) {
     batch.bind(TextureSlot::color, map.sampled);
     each_lane(batch, [&](int lane) {
         for (int i = 0; i < 2; ++i) batch.real(Value::shadow_visibility, lane, 0, i) = 1;
+        batch.set(Value::hit_P, lane, batch.vector3(Value::P, lane));
     });
     std::fill_n(batch.material.diffuse, 3, 1.0f);
     std::fill_n(batch.material.ambient, 3, 1.0f);
     for (LightUniforms& light : batch.frame.lights) {
-        light.directional = 1;
+        light.directional = 0;
         light.intensity = 1;
+        for (int i = 0; i < 3; ++i) light.attenuation[i] = i == 0 ? 1.0f : 0.0f;
     }
     std::fill_n(batch.frame.lights[1].ambient, 3, 0.0f);
     Batch<float> published = batch;

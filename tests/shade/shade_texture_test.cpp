@@ -84,5 +84,23 @@ TEST(ShadeThesisPublished, DiffuseIsNotClamped) {
     EXPECT_GT(negative, 0);
 }
 
+/// Without lights nothing of them is read, and the ambient term alone remains.
+TEST(PublishedShadings, NoLightLeavesTheAmbientTerm) {
+    for (const char* id : {"shade-welsh@published", "shade-mcguire@published",
+                           "shade-rabbid@published", "shade-gg3"}) {
+        Random random(3);
+        Batch<float> batch = random_points(random, 0);
+        batch.poison(Value::shadow_visibility);
+        open_sky(batch);
+        Batch<float> dim = batch;
+        for (int lane = 0; lane < dim.lanes; ++lane) dim.real(Value::occlusion, lane) = 0.5f;
+        batch.run(id);
+        dim.run(id);
+        for (int lane = 0; lane < batch.lanes; ++lane)
+            EXPECT_EQ(dim.vector3(Value::color, lane), batch.vector3(Value::color, lane) * 0.5f)
+                << id;
+    }
+}
+
 }  // namespace
 }  // namespace quadrel::test

@@ -17,10 +17,10 @@ struct ShadeBlinnPhong : LitDefaults {
         "Blinn, Models of Light Reflection for Computer Synthesized Pictures (1977)"};
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const LitPoint<F> at = lit_point(io);
-        shade_lit(io, at.N, [&](const vec3<F>& L, F) {
+        const LitPoint<F> at = lit_point(io, params.gradients);
+        shade_lit(io, params.gradients, at.N, [&](const vec3<F>& L, F) {
             const vec3<F> sum = L + at.V;
             const F squared = dot(sum, sum);
             const F cosine = dot(at.N, sum) * inversesqrt(squared);

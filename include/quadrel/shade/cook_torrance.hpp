@@ -49,17 +49,21 @@ struct ShadeCookTorrance : LitDefaults {
                                     "(1982)"};
     struct Params {
         float roughness = 0;
+        std::int32_t gradients = 0;
     };
-    static constexpr std::array parameters{parameter<&Params::roughness>(
-        "roughness", "1", "slope m of the facets; 0: from shininess", 0, 4, 0)};
+    static constexpr std::array parameters{
+        parameter<&Params::roughness>("roughness", "1", "slope m of the facets; 0: from shininess",
+                                      0, 4, 0),
+        gradients_parameter<&Params::gradients>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const LitPoint<F> at = lit_point(io);
+        const LitPoint<F> at = lit_point(io, params.gradients);
         const F given(params.roughness * params.roughness);
         const F m2 = params.roughness > 0 ? max(given, F(1e-6f)) : F(2) / (at.shininess + F(2));
-        shade_lit(io, at.N, [&](const vec3<F>& L, F NL) { return specular<F>(io, at, m2, L, NL); });
+        shade_lit(io, params.gradients, at.N,
+                  [&](const vec3<F>& L, F NL) { return specular<F>(io, at, m2, L, NL); });
     }
 
   private:

@@ -13,9 +13,10 @@ struct ShadeLambert : LitDefaults {
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::emissive);
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        shade_lit(io, io.template load<Value::N>(), [](const vec3<F>&, F) { return F(0); });
+        shade_lit(io, params.gradients, io.template load<Value::N>(),
+                  [](const vec3<F>&, F) { return F(0); });
     }
 };
 

@@ -17,8 +17,10 @@ inline constexpr auto lit_outputs =
 inline constexpr auto lit_textures =
     slots(TextureSlot::color, TextureSlot::gloss, TextureSlot::emissive);
 
-/// Inputs, outputs and maps of such a model.
+/// Inputs, outputs, maps and parameters of such a model.
 struct LitDefaults : StageDefaults {
+    using Params = MapParams;
+    static constexpr auto parameters = map_parameters;
     static constexpr auto inputs = lit_inputs;
     static constexpr auto outputs = lit_outputs;
     static constexpr auto textures = lit_textures;
@@ -32,19 +34,21 @@ struct LitPoint {
 };
 
 template <class Io, class F = typename Io::Number>
-LitPoint<F> lit_point(Io& io) {
+LitPoint<F> lit_point(Io& io, std::int32_t gradients) {
     const F shininess(io.material().shininess / 255.0f);
-    const vec4<F> gloss = map_at_hit<TextureSlot::gloss>(io, vec4<F>(shininess, F(0), F(0), F(0)));
+    const vec4<F> gloss =
+        map_at_hit<TextureSlot::gloss>(io, gradients, vec4<F>(shininess, F(0), F(0), F(0)));
     return {io.template load<Value::N>(), to_viewer(io.template load<Value::P>(), io.frame()),
             F(255) * gloss.x};
 }
 
 /// Lights the point with the model's `specular` and stores everything.
 template <class Io, class Specular>
-void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular) {
+void shade_lit(Io& io, std::int32_t gradients, const vec3<typename Io::Number>& N,
+               const Specular& specular) {
     using F = typename Io::Number;
-    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
-    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)));
+    const vec4<F> base = map_at_hit<TextureSlot::color>(io, gradients, vec4<F>(F(1)));
+    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, gradients, vec4<F>(F(0)));
     const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
     const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
     io.template store<Value::light_ambient>(sum.ambient);

@@ -1,19 +1,27 @@
 // Reading a material's colour maps, with what an absent map stands for.
 #pragma once
 
+#include "quadrel/relief/map_gradients.hpp"
 #include "quadrel/relief/view.hpp"
 #include "quadrel/texture/cube.hpp"
 
 namespace quadrel {
 
-/// The map at the displaced UV, filtered with the gradients of the undisplaced one; `absent` where
-/// no map is bound.
+/// The map at the displaced UV, filtered with the footprint that `gradients` says
+/// (map_gradients.hpp); `absent` where no map is bound.
 template <TextureSlot slot, class Io, class F = typename Io::Number>
-vec4<F> map_at_hit(Io& io, const vec4<F>& absent) {
+vec4<F> map_at_hit(Io& io, std::int32_t gradients, const vec4<F>& absent) {
     const SampledTexture* map = io.template texture<slot>();
     if (!map) return absent;
-    return texture_grad(*map, io.template context<slot>(), io.template load<Value::hit_uv>(),
-                        io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>());
+    return texel_at<slot>(io, *map, io.template load<Value::hit_uv>(), gradients);
+}
+
+/// The same as listings have it, with the implicit derivatives of the displaced UV.
+template <TextureSlot slot, class Io, class F = typename Io::Number>
+vec4<F> listed_map_at_hit(Io& io, const vec4<F>& absent) {
+    const SampledTexture* map = io.template texture<slot>();
+    if (!map) return absent;
+    return implicit_texel<slot>(io, *map, io.template load<Value::hit_uv>());
 }
 
 template <Number F>

@@ -15,11 +15,11 @@ struct ShadeMcGuire : LitDefaults {
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::emissive);
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const vec3<F> N = io.template load<Value::N>();
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
-        shade_lit(io, N, [&](const vec3<F>& L, F cosine) {
+        shade_lit(io, params.gradients, N, [&](const vec3<F>& L, F cosine) {
             const F NdotH = max(F(0), dot(N, normalize(L + V)));
             return select(cosine > F(0), NdotH * NdotH, F(0));
         });

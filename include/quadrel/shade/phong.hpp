@@ -15,10 +15,10 @@ struct ShadePhong : LitDefaults {
                                     "Phong, Illumination for Computer Generated Pictures (1975)"};
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const LitPoint<F> at = lit_point(io);
-        shade_lit(io, at.N, [&](const vec3<F>& L, F) {
+        const LitPoint<F> at = lit_point(io, params.gradients);
+        shade_lit(io, params.gradients, at.N, [&](const vec3<F>& L, F) {
             return pow(max(dot(reflect(-L, at.N), at.V), F(0)), at.shininess);
         });
     }

@@ -3,8 +3,10 @@
 // Source: "Normal, Parallax and Relief mapping" (Rabbid76, graphics-snippets), main, from "ambient
 // part" on. One white light; u_ambient, u_diffuse, u_specular are the first components of the
 // material's colours, u_shininess its shininess. Kept: the highlight has the base's colour, is not
-// multiplied by N.L and is not cut off on the unlit side; no shadow. Ambient occlusion, which the
-// listing has none of, multiplies the ambient term: 1 unless chosen.
+// multiplied by N.L and is not cut off on the unlit side; no shadow. The listing's light has a
+// direction alone; a light at a point, which it does not know, is seen from the displaced point.
+// The colour's look-up takes the implicit derivatives of the displaced coordinate. Ambient
+// occlusion, which the listing has none of, multiplies the ambient term: 1 unless chosen.
 #pragma once
 
 #include "quadrel/num/math.hpp"
@@ -16,15 +18,15 @@ struct ShadeRabbidPublished : StageDefaults {
     static constexpr StageText text{"shade-rabbid@published", "shade",
                                     "Blinn-Phong, the highlight times (k + 2) / (2 pi)",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
-    static constexpr auto inputs = values(Value::P, Value::dUVdx, Value::dUVdy, Value::hit_P,
-                                          Value::hit_uv, Value::N, Value::occlusion);
+    static constexpr auto inputs =
+        values(Value::P, Value::hit_P, Value::hit_uv, Value::N, Value::occlusion);
     static constexpr auto outputs = values(Value::color, Value::opacity);
     static constexpr auto textures = slots(TextureSlot::color);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
-        const vec4<F> rgba = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
+        const vec4<F> rgba = listed_map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
         const vec3<F> color = rgb(rgba);
         const MaterialUniforms& m = io.material();
         vec3<F> light = color * F(m.ambient[0]) * io.template load<Value::occlusion>();

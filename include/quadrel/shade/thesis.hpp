@@ -25,16 +25,19 @@ struct ShadeThesis : StageDefaults {
     static constexpr auto outputs = shade_outputs;
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::gloss,
                                            TextureSlot::emissive, TextureSlot::environment);
+    using Params = MapParams;
+    static constexpr auto parameters = map_parameters;
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const F zero(0), one(1);
-        const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(one, one, one, one));
+        const vec4<F> base =
+            map_at_hit<TextureSlot::color>(io, params.gradients, vec4<F>(one, one, one, one));
         const F default_shininess(io.material().shininess / 255.0f);
-        const vec4<F> gloss =
-            map_at_hit<TextureSlot::gloss>(io, vec4<F>(default_shininess, F(0.5f), zero, one));
-        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero));
+        const vec4<F> gloss = map_at_hit<TextureSlot::gloss>(
+            io, params.gradients, vec4<F>(default_shininess, F(0.5f), zero, one));
+        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, params.gradients, vec4<F>(zero));
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
         const F shininess = F(255) * gloss.x;

@@ -19,11 +19,13 @@ struct ShadeWelsh : StageDefaults {
     static constexpr auto outputs =
         values(Value::light_ambient, Value::light_diffuse, Value::color, Value::opacity);
     static constexpr auto textures = slots(TextureSlot::color);
+    using Params = MapParams;
+    static constexpr auto parameters = map_parameters;
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)));
+        const vec4<F> base = map_at_hit<TextureSlot::color>(io, params.gradients, vec4<F>(F(1)));
         const vec3<F> N = io.template load<Value::N>(), P = io.template load<Value::hit_P>();
         const MaterialUniforms& material = io.material();
         vec3<F> total(F(0)), ambient(F(0));

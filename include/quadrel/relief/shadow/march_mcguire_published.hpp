@@ -1,13 +1,19 @@
 // shadow-march-mcguire@published: steep parallax mapping's self-shadow, as listed.
 //
-// Source: M. McGuire, M. McGuire, "Steep Parallax Mapping", 2005, fragment shader. The listing's
-// delta is K / numShadowSteps, its height starts from the texel that the view search ended on.
-// Kept: the height starts a tenth of a step up, the coordinate does not; heights are accumulated;
-// the number of steps is cut to an integer; the last test may lie above the top plane. Visible
-// where the march left the field. texture2D in the loop takes implicit derivatives.
+// Source: M. McGuire, M. McGuire, "Steep Parallax Mapping", 2005, fragment shader. The light vector
+// is that of the vertices, interpolated (tangent_light.hpp) and normalised; the bump scale is a UV
+// length, as in steep@published; the height starts from the texel that the view search ended on.
+// Not reproduced: the page's vertex shader, which it does not show; vertex_frame.hpp names the one
+// that is taken. Kept: dark where N.L <= 0, N being the map's normal, and for that alone: a light below the plane
+// of the polygon marches away from where it stands; the height starts a tenth of a step up, the
+// coordinate does not; heights are accumulated; the number of steps is cut to an integer; the last
+// test may lie above the top plane; nothing bounds the loop (here: 65536 steps). Visible where the
+// march left the field. texture2D in the loop takes implicit derivatives.
+// Without a frame or depth nothing is searched.
 #pragma once
 
-#include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/tangent_light.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 
 namespace quadrel {
 
@@ -15,38 +21,59 @@ struct ShadowMarchMcguirePublished : StageDefaults {
     static constexpr StageText text{"shadow-march-mcguire@published", "shadow",
                                     "linear march, 60 to 5 steps, as listed",
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};
-    static constexpr auto inputs = light_ray_inputs;
+    static constexpr const char* not_reproduced =
+        "the vertex shader, which the page does not show: G3D's bump.vert of 2004 stands in its "
+        "place";
+    static constexpr auto inputs = values_and(tangent_light_inputs, Value::relief_depth,
+                                              Value::frame_status, Value::hit_uv, Value::hit_h);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_vertices = true;
+    struct Params {
+        float bump_scale = 0.05f;
+    };
+    static constexpr std::array parameters{parameter<&Params::bump_scale>(
+        "bump_scale", "UV", "UV length of the height range", 0, 16, 0.05)};
+    static constexpr int most_steps = 65536;
 
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const LightRay<F> ray = light_ray(io);
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        const F steps_of_lane = trunc(mix(F(60), F(5), ray.r));
-        const F step = F(1) / steps_of_lane;
-        const vec2<F> delta = ray.K / steps_of_lane;
-        F sampled = io.template load<Value::hit_h>();
-        F height = sampled + step * F(0.1f);
-        vec2<F> at = ray.uv;
+        const TangentLight light(io);
+        const vec3<F> tsL = normalize(light.to(io.frame().lights[io.light()]));
+        const F NdotL = max(F(0), dot(light.normal(), tsL));
+        const F numShadowSteps = trunc(mix(F(60), F(5), tsL.z));
+        const F step = F(1) / numShadowSteps;
+        // The page's (tsL.x, -tsL.y), whose y axis is against growing v.
+        const vec2<F> delta =
+            vec2<F>(tsL.x, tsL.y) * F(params.bump_scale) / (numShadowSteps * tsL.z);
+        F NB = io.template load<Value::hit_h>();
+        F height = NB + step * F(0.1f);
+        vec2<F> offsetCoord = io.template load<Value::hit_uv>();
+        const Mask<F> marches = io.active() & (NdotL > F(0)) & light.framed() & has_relief(io);
         Int<F> steps(0);
-        Mask<F> active = ray.active;
-        for (int k = 0; k <= 61; ++k) {
-            active = active & (sampled < height) & (height < F(1));
+        Mask<F> active = marches;
+        for (int k = 0; k < most_steps; ++k) {
+            active = active & (NB < height) & (height < F(1));
             if (!any(active)) break;
             height = select(active, height + step, height);
-            at = select(active, at + delta, at);
-            const F h = texture(map, io.template context<TextureSlot::height>(active), at,
-                                io.frame().derivatives)
-                            .x;
-            io.march_step(active, F(1) - height, at, height, h);
-            sampled = select(active, h, sampled);
+            offsetCoord = select(active, offsetCoord + delta, offsetCoord);
+            const F h = implicit_height(io, active, offsetCoord);
+            io.march_step(active, F(1) - height, offsetCoord, height, h);
+            NB = select(active, h, NB);
             count_in<F>(steps, active);
         }
-        const Mask<F> escaped = (sampled < height) | !ray.active;
-        store_shadow(io, ray, select(escaped, F(1), F(0)), steps);
+        const Mask<F> selfShadow = (NdotL > F(0)) & ((NB < height) | !marches);
+        io.template store<Value::shadow_visibility>(select(selfShadow, F(1), F(0)), io.light());
+        io.template store<Value::shadow_steps>(steps, io.light());
+    }
+
+  private:
+    template <class Io, class F = typename Io::Number>
+    static Mask<F> has_relief(const Io& io) {
+        return (io.template load<Value::frame_status>() == status_packet<F>(Status::hit)) &
+               (io.template load<Value::relief_depth>() != F(0));
     }
 };
 

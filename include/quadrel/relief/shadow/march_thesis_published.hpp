@@ -4,6 +4,7 @@
 // self-shadowing". Defects kept: the ray's world depth is compared with heights that are not scaled
 // by the relief's depth, so that shallow reliefs hardly ever shadow; the step assumes unit depth;
 // Sample + 1 iterations end above the surface; lights below 0.01 of the face normal are cut hard.
+// Its light is a point; a directional one, which it does not know, keeps its direction.
 #pragma once
 
 #include "quadrel/relief/frame/thesis.hpp"

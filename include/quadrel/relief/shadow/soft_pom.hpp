@@ -13,7 +13,7 @@ struct ShadowSoftPom : StageDefaults {
     static constexpr StageText text{"shadow-soft-pom", "shadow",
                                     "seven samples on the light ray, softened",
                                     "correction of shadow-soft-pom@published"};
-    static constexpr auto inputs = ShadowSoftPomPublished::inputs;
+    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = ShadowSoftPomPublished::Params;

@@ -2,11 +2,21 @@
 //
 // Source: N. Tatarchuk, "Practical Parallax Occlusion Mapping", 2006; DirectX SDK (2006 to 2010),
 // ParallaxOcclusionMapping.fx: seven samples towards the light at fixed fractions of an offset that
-// is L.xy times the height scale, each excess of height weighted by how near the occluder is. Kept:
-// the offset is not divided by L.z; nothing is clamped, so that where every sample is lower than
-// the ray the light is more than full before it is mapped to 0.4 to 1.
+// is L.xy times the height scale, each excess of height weighted by how near the occluder is. The
+// light vector is that of the vertices, interpolated and normalised; the height scale, a length in
+// UV, is the number of the material's depth, given as {"thickness", "tile"}. Kept:
+//   * vLightTS = mul(vLightWS, mWorldToTangent): the vector stands on the wrong side of the matrix,
+//     which turns tangent space into the world's, not the world's into tangent space;
+//   * the offset is not divided by L.z; a light behind the surface shades as any other;
+//   * nothing is clamped, so that where every sample is lower than the ray the light is more than
+//     full before it is mapped to 0.4 to 1.
+// The sample's light has a direction alone; a light at a point is seen from the vertices. Without a
+// frame or depth every light arrives.
+// Not reproduced: the sample shadows nothing beyond its mip level threshold, and starts from the
+// coordinate before that level's fading.
 #pragma once
 
+#include "quadrel/quad/vertex_program.hpp"
 #include "quadrel/relief/shadow/light_ray.hpp"
 
 namespace quadrel {
@@ -36,9 +46,13 @@ struct ShadowSoftPomPublished : StageDefaults {
     static constexpr StageText text{"shadow-soft-pom@published", "shadow",
                                     "seven samples towards the light, softened, as listed",
                                     "Tatarchuk 2006; DirectX SDK, ParallaxOcclusionMapping.fx"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
+    static constexpr const char* not_reproduced =
+        "no shadow beyond the mip level threshold; the start before that level's fading";
+    static constexpr auto inputs =
+        values(Value::relief_depth, Value::frame_status, Value::hit_uv, Value::dUVdx, Value::dUVdy);
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr bool reads_vertices = true;
     struct Params {
         float softening = 0.58f;
     };
@@ -48,13 +62,43 @@ struct ShadowSoftPomPublished : StageDefaults {
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const LightRay<F> ray = light_ray(io);
+        const Mask<F> active =
+            io.active() & (io.template load<Value::relief_depth>() != F(0)) &
+            (io.template load<Value::frame_status>() == status_packet<F>(Status::hit));
+        const vec3<F> vLightTS = normalize(light_vector(io));
+        const vec2<F> vLightRayTS = vec2<F>(vLightTS.x, vLightTS.y) * F(io.material().depth);
         const auto height = march_heights(io);
-        const F most =
-            soft_pom_excess(io, height, ray.active, ray.uv, ray.K * ray.r, F(params.softening));
+        const F most = soft_pom_excess(io, height, active, io.template load<Value::hit_uv>(),
+                                       vLightRayTS, F(params.softening));
         const F visibility = (F(1) - most) * F(0.6f) + F(0.4f);
-        store_shadow(io, ray, select(ray.active, visibility, F(1)),
-                     select(ray.active, Int<F>(8), Int<F>(0)));
+        io.template store<Value::shadow_visibility>(select(active, visibility, F(1)), io.light());
+        io.template store<Value::shadow_steps>(select(active, Int<F>(8), Int<F>(0)), io.light());
+    }
+
+  private:
+    /// Out.vLightTS of RenderSceneVS, interpolated.
+    template <class Io, class F = typename Io::Number>
+    static vec3<F> light_vector(const Io& io) {
+        const LightUniforms& light = io.frame().lights[io.light()];
+        const VertexProgram program(io);
+        const auto to_world = [&](const vec3<F>& v) {
+            const float(&rows)[9] = io.frame().eye_to_world;
+            const auto row = [&](int i) {
+                return dot(vec3<F>(F(rows[i]), F(rows[i + 1]), F(rows[i + 2])), v);
+            };
+            return vec3<F>(row(0), row(3), row(6));
+        };
+        const auto axis = [&](const vec3<F>& v) {
+            return normalize(to_world(program.vector_to_eye(v)));
+        };
+        return program.varying([&](const Vertex<F>& v) {
+            const vec3<F> position = uniform3<F>(light.position);
+            const vec3<F> vLightWS = to_world(
+                light.directional ? position : position - program.point_to_eye(v.position));
+            // mul( vLightWS, mWorldToTangent ), whose rows are tangent, binormal and normal.
+            return axis(v.tangent) * vLightWS.x + axis(v.binormal) * vLightWS.y +
+                   axis(v.normal) * vLightWS.z;
+        });
     }
 };
 

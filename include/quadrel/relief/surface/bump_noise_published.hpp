@@ -6,9 +6,11 @@
 //     NdotL = NdotL + noisegrad * noise_magnitude;
 // A shading normal is all that this room hands on: N + lightDir (noisegrad * noise_magnitude),
 // whose dot product with lightDir, a unit vector, is that NdotL (for the first light, no other).
-// Pos.xy and lightDir.xy are taken in texture coordinates, by J; Noise2D(p, scale) is an octave of
-// gradient noise of p / scale, brought to [0, 1]. Defects kept: a light overhead has lightDir.xy 0,
-// whose normalisation is NaN; a one-sided difference; the normal is not of unit length.
+// Pos.xy, undisplaced, and lightDir.xy are taken in texture coordinates, by J, where the listing
+// has those of a flat mesh; Noise2D(p, scale), which it leaves open, is an octave of gradient noise
+// of p / scale, brought to [0, 1]. A light at a point is seen from Pos. Defects kept: a light
+// overhead has lightDir.xy 0, whose normalisation is NaN; a one-sided difference; the normal is not
+// of unit length. Not reproduced: Noise2D itself; N.L of any light but the first.
 #pragma once
 
 #include "quadrel/relief/noise.hpp"
@@ -20,8 +22,10 @@ struct BumpNoisePublished : StageDefaults {
     static constexpr StageText text{"bump-noise@published", "surface",
                                     "noise towards the first light, added to N.L",
                                     "Renk, Relief maps (FlightGear wiki, 2016), bumpiness effect"};
-    static constexpr auto inputs =
-        values(Value::frame_normal, Value::J, Value::hit_uv, Value::hit_P);
+    static constexpr const char* not_reproduced =
+        "Noise2D, which the listing does not show: an octave of gradient noise stands in its "
+        "place; N.L of any light but the first";
+    static constexpr auto inputs = values(Value::P, Value::uv, Value::frame_normal, Value::J);
     static constexpr auto outputs = surface_outputs;
     struct Params {
         float scale = 0.125f, magnitude = 0.05f;
@@ -36,9 +40,9 @@ struct BumpNoisePublished : StageDefaults {
         using F = typename Io::Number;
         const vec3<F> N = io.template load<Value::frame_normal>();
         if (io.frame().light_count == 0) return io.template store<Value::N>(N);
-        const vec3<F> L = to_light(io.template load<Value::hit_P>(), io.frame().lights[0]);
+        const vec3<F> L = to_light(io.template load<Value::P>(), io.frame().lights[0]);
         const auto J = io.template load<Value::J>();
-        const vec2<F> pos = io.template load<Value::hit_uv>();
+        const vec2<F> pos = io.template load<Value::uv>();
         const vec2<F> light_xy(dot(J[0], L), dot(J[1], L));
         const F scale(params.scale), step = F(0.05f) * scale;
         const F noisegrad =

@@ -9,7 +9,8 @@
 //   3  two channels: slopes, (-dh/du, -dh/dv) = `range` (x, y), heights as in a height map; the
 //      relief's depth scales them
 //   4  three channels: a normal in the object's own axes
-// Conventions of green and density: tangent_normal.hpp. Without a map: the frame's normal.
+// Conventions of green and density: tangent_normal.hpp; of `gradients`: map_gradients.hpp. Without
+// a map: the frame's normal.
 #pragma once
 
 #include "quadrel/relief/surface/tangent_normal.hpp"
@@ -28,6 +29,7 @@ struct NormalMap : StageDefaults {
     struct Params {
         std::int32_t encoding = 0, green = 1;
         float range = 1;
+        std::int32_t gradients = 0;
     };
     static constexpr std::array parameters{
         parameter<&Params::encoding>(
@@ -36,7 +38,8 @@ struct NormalMap : StageDefaults {
         parameter<&Params::green>("green", "1", "1: y leans towards growing v; -1: decreasing", -1,
                                   1, 1),
         parameter<&Params::range>("range", "1/tile", "encoding 3: slope of a texel of 1", 0, 1e6,
-                                  1)};
+                                  1),
+        gradients_parameter<&Params::gradients>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -44,7 +47,7 @@ struct NormalMap : StageDefaults {
         const vec3<F> N = io.template load<Value::frame_normal>();
         const SampledTexture* map = io.template texture<TextureSlot::normal>();
         if (!map) return io.template store<Value::N>(N);
-        vec3<F> t = signed_texel(io, *map, io.template load<Value::hit_uv>());
+        vec3<F> t = signed_texel(io, *map, io.template load<Value::hit_uv>(), params.gradients);
         if (params.encoding == 4) return store_normal(io, object_to_eye<F>(io, t), Mask<F>(true));
         t.y = t.y * F(static_cast<float>(params.green < 0 ? -1 : 1));
         if (params.encoding == 3) {

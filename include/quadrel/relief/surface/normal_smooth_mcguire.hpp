@@ -21,12 +21,13 @@ struct NormalSmoothMcGuire : StageDefaults {
     static constexpr auto textures = slots(TextureSlot::normal);
     struct Params {
         float distance = 1;
-        std::int32_t green = 1;
+        std::int32_t green = 1, gradients = 0;
     };
     static constexpr std::array parameters{
         parameter<&Params::distance>("distance", "texel", "step to the second look-up", 0, 64, 1),
         parameter<&Params::green>("green", "1", "1: y leans towards growing v; -1: decreasing", -1,
-                                  1, 1)};
+                                  1, 1),
+        gradients_parameter<&Params::gradients>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -35,10 +36,10 @@ struct NormalSmoothMcGuire : StageDefaults {
         if (!map) return io.template store<Value::N>(io.template load<Value::frame_normal>());
         const vec3<F> green(F(1), F(static_cast<float>(params.green < 0 ? -1 : 1)), F(1));
         const vec2<F> uv = io.template load<Value::hit_uv>();
-        const vec3<F> here = signed_texel(io, *map, uv) * green;
+        const vec3<F> here = signed_texel(io, *map, uv, params.gradients) * green;
         const vec2<F> step = TexelSize<F>(*map).step * F(params.distance);
         const vec2<F> downhill = uv + vec2<F>(here.x, here.y) * step;
-        const vec3<F> sum = signed_texel(io, *map, downhill) * green + here;
+        const vec3<F> sum = signed_texel(io, *map, downhill, params.gradients) * green + here;
         const EyeNormal<F> eye = tangent_to_eye(io, sum);
         store_normal(io, eye.n, eye.valid);
     }

@@ -17,13 +17,16 @@
 #include "quadrel/relief/surface/none.hpp"
 #include "quadrel/relief/surface/normal_map.hpp"
 #include "quadrel/relief/surface/normal_map_flightgear.hpp"
+#include "quadrel/relief/surface/normal_mcguire_published.hpp"
 #include "quadrel/relief/surface/normal_smooth_mcguire.hpp"
+#include "quadrel/relief/surface/normal_welsh_published.hpp"
 
 namespace quadrel {
 
 using SurfaceStages =
     StageList<SurfaceNone, H2nThesis, H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap,
               H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, BumpBlinn, BumpNoise,
-              BumpNoisePublished, NormalMap, NormalMapFlightGear, NormalSmoothMcGuire>;
+              BumpNoisePublished, NormalMap, NormalMapFlightGear, NormalSmoothMcGuire,
+              NormalMcGuirePublished, NormalWelshPublished>;
 
 }  // namespace quadrel

@@ -12,6 +12,7 @@
 // is not.
 #pragma once
 
+#include "quadrel/relief/map_gradients.hpp"
 #include "quadrel/relief/surface/relief_normal.hpp"
 
 namespace quadrel {
@@ -20,13 +21,17 @@ namespace quadrel {
 inline constexpr auto tangent_normal_inputs = values(
     Value::frame_normal, Value::J, Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
 
-/// 2 c - 1 of the normal map at uv, with the gradients of the undisplaced one.
-template <class Io, class F = typename Io::Number>
-vec3<F> signed_texel(const Io& io, const SampledTexture& map, const vec2<F>& uv) {
-    const vec4<F> c =
-        texture_grad(map, io.template context<TextureSlot::normal>(), uv,
-                     io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>());
+/// 2 c - 1 of a texel.
+template <Number F>
+vec3<F> signed_texel(const vec4<F>& c) {
     return vec3<F>(c.x, c.y, c.z) * F(2) - vec3<F>(F(1));
+}
+
+/// 2 c - 1 of the normal map at uv, with the footprint that `gradients` says.
+template <class Io, class F = typename Io::Number>
+vec3<F> signed_texel(const Io& io, const SampledTexture& map, const vec2<F>& uv,
+                     std::int32_t gradients) {
+    return signed_texel(texel_at<TextureSlot::normal>(io, map, uv, gradients));
 }
 
 /// A normal of tangent space (green +1) in eye space, and where the frame has directions for it.

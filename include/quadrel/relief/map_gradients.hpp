@@ -1,0 +1,47 @@
+// The footprint with which maps are filtered at the hit.
+//
+// texture(map, hit_uv) in a fragment shader takes implicit derivatives: the differences of the
+// displaced coordinate over the quad. Where the relief hides a part of itself that coordinate
+// jumps, and a line of fragments along each such edge is filtered from a level far too coarse.
+// textureGrad with the differences of the undisplaced coordinate has no seams, and a footprint that
+// is off where the surface tilts. Shaders of users do either. Rows with a parameter `gradients`
+// take the second unless told otherwise, as searches do: neighbours' hits cannot change a fragment.
+// Published rows do what their listing does.
+#pragma once
+
+#include "quadrel/quad/stage.hpp"
+#include "quadrel/texture/sampler.hpp"
+
+namespace quadrel {
+
+/// Parameters of a stage that has no others: `gradients` 0 those of the undisplaced UV, 1 those of
+/// the displaced one.
+struct MapParams {
+    std::int32_t gradients = 0;
+};
+
+template <auto member>
+constexpr ParameterText gradients_parameter() {
+    return parameter<member>("gradients", "1",
+                             "footprint of maps, 0: of the undisplaced UV; 1: of the displaced one",
+                             0, 1, 0);
+}
+
+inline constexpr std::array map_parameters{gradients_parameter<&MapParams::gradients>()};
+
+/// texture(map, uv): the differences of `uv` itself. All four lanes of a quad must have one.
+template <TextureSlot slot, class Io, class F = typename Io::Number>
+vec4<F> implicit_texel(const Io& io, const SampledTexture& map, const vec2<F>& uv) {
+    return texture(map, io.template context<slot>(), uv, io.frame().derivatives);
+}
+
+/// The map at `uv` with the footprint that `gradients` says. The stage loads dUVdx and dUVdy.
+template <TextureSlot slot, class Io, class F = typename Io::Number>
+vec4<F> texel_at(const Io& io, const SampledTexture& map, const vec2<F>& uv,
+                 std::int32_t gradients) {
+    if (gradients != 0) return implicit_texel<slot>(io, map, uv);
+    return texture_grad(map, io.template context<slot>(), uv, io.template load<Value::dUVdx>(),
+                        io.template load<Value::dUVdy>());
+}
+
+}  // namespace quadrel
