@@ -103,9 +103,9 @@ struct Planted {
     float bump_scale = 0.08f;
 };
 
-testing::AssertionResult mcguire_equals(const Planted& planted) {
+testing::AssertionResult mcguire_equals(const Planted& planted, int batches = 8) {
     int normals_off = 0, shadows_off = 0, dark = 0, marched = 0, lanes = 0;
-    for (int seed = 0; seed < 24; ++seed) {
+    for (int seed = 0; seed < batches; ++seed) {
         Inputs inputs(seed);
         Batch<float>& batch = inputs.batch;
         Random random(static_cast<std::uint64_t>(seed) + 900);
@@ -143,7 +143,7 @@ testing::AssertionResult mcguire_equals(const Planted& planted) {
     return testing::AssertionSuccess();
 }
 
-TEST(SteepListing, NormalsAndShadowsAreThePages) { EXPECT_TRUE(mcguire_equals({})); }
+TEST(SteepListing, NormalsAndShadowsAreThePages) { EXPECT_TRUE(mcguire_equals({}, 24)); }
 
 TEST(SteepListing, ErrorsAreCaught) {
     EXPECT_FALSE(mcguire_equals({.final_footprint = true}));

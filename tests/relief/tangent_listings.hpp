@@ -68,6 +68,14 @@ inline void random_object(Random& random, PrimitiveVertices& row) {
     }
 }
 
+/// Moves the vertices apart and their axes away from each other's, further than a mesh would.
+inline void bend(PrimitiveVertices& row, Random& random) {
+    for (float(*attribute)[3] : {row.position, row.tangent, row.binormal, row.normal})
+        for (int v = 0; v < 3; ++v)
+            for (int c = 0; c < 3; ++c)
+                attribute[v][c] += static_cast<float>(random.uniform(-0.5, 0.5));
+}
+
 /// A frame that is neither unit nor perpendicular, nor the same in two lanes.
 inline void skew_frame(Batch<float>& batch, int lane, Random& random) {
     for (const Value v : {Value::T, Value::B, Value::frame_normal})
@@ -103,7 +111,10 @@ struct Inputs {
         random_material(random, batch.material);
         fill_surface(batch, random, {0.2, 0.1, 1, 0.0005, 0.05, true});
         bend_vertices(batch, random);
-        for (PrimitiveVertices& row : batch.vertices) random_object(random, row);
+        for (PrimitiveVertices& row : batch.vertices) {
+            bend(row, random);
+            random_object(random, row);
+        }
         batch.frame.light_count = 2;
         for (LightUniforms& light : batch.frame.lights) random_light(random, light);
         for (int lane = 0; lane < batch.lanes; ++lane) fill_lane(lane, random);
