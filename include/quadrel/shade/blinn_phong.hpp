@@ -20,12 +20,15 @@ struct ShadeBlinnPhong : LitDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LitPoint<F> at = lit_point(io, params.gradients);
-        shade_lit(io, params.gradients, at.N, [&](const vec3<F>& L, F) {
-            const vec3<F> sum = L + at.V;
-            const F squared = dot(sum, sum);
-            const F cosine = dot(at.N, sum) * inversesqrt(squared);
-            return pow(select(squared > F(0), max(cosine, F(0)), F(0)), at.shininess);
-        });
+        shade_lit(
+            io, at.N,
+            [&](const vec3<F>& L, F) {
+                const vec3<F> sum = L + at.V;
+                const F squared = dot(sum, sum);
+                const F cosine = dot(at.N, sum) * inversesqrt(squared);
+                return pow(select(squared > F(0), max(cosine, F(0)), F(0)), at.shininess);
+            },
+            params.gradients);
     }
 };
 

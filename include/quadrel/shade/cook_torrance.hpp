@@ -62,8 +62,9 @@ struct ShadeCookTorrance : LitDefaults {
         const LitPoint<F> at = lit_point(io, params.gradients);
         const F given(params.roughness * params.roughness);
         const F m2 = params.roughness > 0 ? max(given, F(1e-6f)) : F(2) / (at.shininess + F(2));
-        shade_lit(io, params.gradients, at.N,
-                  [&](const vec3<F>& L, F NL) { return specular<F>(io, at, m2, L, NL); });
+        shade_lit(
+            io, at.N, [&](const vec3<F>& L, F NL) { return specular<F>(io, at, m2, L, NL); },
+            params.gradients);
     }
 
   private:

@@ -15,8 +15,9 @@ struct ShadeLambert : LitDefaults {
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        shade_lit(io, params.gradients, io.template load<Value::N>(),
-                  [](const vec3<F>&, F) { return F(0); });
+        shade_lit(
+            io, io.template load<Value::N>(), [](const vec3<F>&, F) { return F(0); },
+            params.gradients);
     }
 };
 

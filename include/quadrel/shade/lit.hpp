@@ -34,21 +34,21 @@ struct LitPoint {
 };
 
 template <class Io, class F = typename Io::Number>
-LitPoint<F> lit_point(Io& io, std::int32_t gradients) {
+LitPoint<F> lit_point(Io& io, std::int32_t gradients = 0) {
     const F shininess(io.material().shininess / 255.0f);
     const vec4<F> gloss =
-        map_at_hit<TextureSlot::gloss>(io, gradients, vec4<F>(shininess, F(0), F(0), F(0)));
+        map_at_hit<TextureSlot::gloss>(io, vec4<F>(shininess, F(0), F(0), F(0)), gradients);
     return {io.template load<Value::N>(), to_viewer(io.template load<Value::P>(), io.frame()),
             F(255) * gloss.x};
 }
 
 /// Lights the point with the model's `specular` and stores everything.
 template <class Io, class Specular>
-void shade_lit(Io& io, std::int32_t gradients, const vec3<typename Io::Number>& N,
-               const Specular& specular) {
+void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular,
+               std::int32_t gradients = 0) {
     using F = typename Io::Number;
-    const vec4<F> base = map_at_hit<TextureSlot::color>(io, gradients, vec4<F>(F(1)));
-    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, gradients, vec4<F>(F(0)));
+    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
+    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)), gradients);
     const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
     const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
     io.template store<Value::light_ambient>(sum.ambient);

@@ -10,7 +10,7 @@ namespace quadrel {
 /// The map at the displaced UV, filtered with the footprint that `gradients` says
 /// (map_gradients.hpp); `absent` where no map is bound.
 template <TextureSlot slot, class Io, class F = typename Io::Number>
-vec4<F> map_at_hit(Io& io, std::int32_t gradients, const vec4<F>& absent) {
+vec4<F> map_at_hit(Io& io, const vec4<F>& absent, std::int32_t gradients = 0) {
     const SampledTexture* map = io.template texture<slot>();
     if (!map) return absent;
     return texel_at<slot>(io, *map, io.template load<Value::hit_uv>(), gradients);

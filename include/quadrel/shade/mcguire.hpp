@@ -19,10 +19,13 @@ struct ShadeMcGuire : LitDefaults {
         using F = typename Io::Number;
         const vec3<F> N = io.template load<Value::N>();
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
-        shade_lit(io, params.gradients, N, [&](const vec3<F>& L, F cosine) {
-            const F NdotH = max(F(0), dot(N, normalize(L + V)));
-            return select(cosine > F(0), NdotH * NdotH, F(0));
-        });
+        shade_lit(
+            io, N,
+            [&](const vec3<F>& L, F cosine) {
+                const F NdotH = max(F(0), dot(N, normalize(L + V)));
+                return select(cosine > F(0), NdotH * NdotH, F(0));
+            },
+            params.gradients);
     }
 };
 

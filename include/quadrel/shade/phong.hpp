@@ -18,9 +18,12 @@ struct ShadePhong : LitDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LitPoint<F> at = lit_point(io, params.gradients);
-        shade_lit(io, params.gradients, at.N, [&](const vec3<F>& L, F) {
-            return pow(max(dot(reflect(-L, at.N), at.V), F(0)), at.shininess);
-        });
+        shade_lit(
+            io, at.N,
+            [&](const vec3<F>& L, F) {
+                return pow(max(dot(reflect(-L, at.N), at.V), F(0)), at.shininess);
+            },
+            params.gradients);
     }
 };
 

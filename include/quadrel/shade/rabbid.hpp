@@ -23,10 +23,13 @@ struct ShadeRabbid : LitDefaults {
         const LitPoint<F> at = lit_point(io, params.gradients);
         const F two_pi(static_cast<Scalar<F>>(6.28318530717958648));
         const F scale = (at.shininess + F(2)) / two_pi;
-        shade_lit(io, params.gradients, at.N, [&](const vec3<F>& L, F NdotL) {
-            const F NdotH = max(F(0), dot(at.N, normalize(L + at.V)));
-            return select(NdotL > F(0), scale * pow(NdotH, at.shininess) * NdotL, F(0));
-        });
+        shade_lit(
+            io, at.N,
+            [&](const vec3<F>& L, F NdotL) {
+                const F NdotH = max(F(0), dot(at.N, normalize(L + at.V)));
+                return select(NdotL > F(0), scale * pow(NdotH, at.shininess) * NdotL, F(0));
+            },
+            params.gradients);
     }
 };
 

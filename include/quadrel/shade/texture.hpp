@@ -16,7 +16,7 @@ struct ShadeTexture : StageDefaults {
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const vec4<F> texel = map_at_hit<TextureSlot::color>(io, params.gradients, vec4<F>(F(1)));
+        const vec4<F> texel = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), params.gradients);
         io.template store<Value::color>(rgb(texel));
         io.template store<Value::opacity>(texel.w);
     }

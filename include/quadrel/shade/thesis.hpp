@@ -33,11 +33,11 @@ struct ShadeThesis : StageDefaults {
         using F = typename Io::Number;
         const F zero(0), one(1);
         const vec4<F> base =
-            map_at_hit<TextureSlot::color>(io, params.gradients, vec4<F>(one, one, one, one));
+            map_at_hit<TextureSlot::color>(io, vec4<F>(one, one, one, one), params.gradients);
         const F default_shininess(io.material().shininess / 255.0f);
         const vec4<F> gloss = map_at_hit<TextureSlot::gloss>(
-            io, params.gradients, vec4<F>(default_shininess, F(0.5f), zero, one));
-        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, params.gradients, vec4<F>(zero));
+            io, vec4<F>(default_shininess, F(0.5f), zero, one), params.gradients);
+        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero), params.gradients);
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
         const F shininess = F(255) * gloss.x;

@@ -25,7 +25,7 @@ struct ShadeWelsh : StageDefaults {
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
-        const vec4<F> base = map_at_hit<TextureSlot::color>(io, params.gradients, vec4<F>(F(1)));
+        const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), params.gradients);
         const vec3<F> N = io.template load<Value::N>(), P = io.template load<Value::hit_P>();
         const MaterialUniforms& material = io.material();
         vec3<F> total(F(0)), ambient(F(0));

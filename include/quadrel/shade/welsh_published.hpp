@@ -20,8 +20,7 @@ namespace quadrel {
 struct ShadeWelshPublished : StageDefaults {
     static constexpr StageText text{"shade-welsh@published", "shade", "two saturating matte lights",
                                     "Welsh, Parallax Mapping with Offset Limiting (2004)"};
-    static constexpr const char* not_reproduced =
-        "the colour's fourth component: A is coverage";
+    static constexpr const char* not_reproduced = "the colour's fourth component: A is coverage";
     static constexpr auto inputs =
         values_and(tangent_light_inputs, Value::hit_uv, Value::occlusion);
     static constexpr auto outputs = values(Value::color, Value::opacity);
