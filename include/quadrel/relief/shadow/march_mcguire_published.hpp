@@ -4,12 +4,12 @@
 // is that of the vertices, interpolated (tangent_light.hpp) and normalised; the bump scale is a UV
 // length, as in steep@published; the height starts from the texel that the view search ended on.
 // Not reproduced: the page's vertex shader, which it does not show; vertex_frame.hpp names the one
-// that is taken. Kept: dark where N.L <= 0, N being the map's normal, and for that alone: a light below the plane
-// of the polygon marches away from where it stands; the height starts a tenth of a step up, the
-// coordinate does not; heights are accumulated; the number of steps is cut to an integer; the last
-// test may lie above the top plane; nothing bounds the loop (here: 65536 steps). Visible where the
-// march left the field. texture2D in the loop takes implicit derivatives.
-// Without a frame or depth nothing is searched.
+// that is taken. Kept: dark where N.L <= 0, N being the map's normal, and for that alone: a light
+// below the plane of the polygon marches away from where it stands; the height starts a tenth of a
+// step up, the coordinate does not; heights are accumulated; the number of steps is cut to an
+// integer; the last test may lie above the top plane; nothing bounds the loop (here: 65536 steps).
+// Visible where the march left the field. texture2D in the loop takes implicit derivatives. Without
+// a frame or depth nothing is searched.
 #pragma once
 
 #include "quadrel/relief/tangent_light.hpp"

@@ -8,9 +8,9 @@
 // neighbours were when its own march ended: their final coordinates if they had ended before, the
 // step of the same number if not. That is what it is after a march in equal steps (hit.steps
 // look-ups, the first at the undisplaced coordinate, the last at the hit), as steep@published makes
-// them; after other searches it is not reproduced, but about that. Handed on along the frame's T, B and normal as they are.
-// The page keeps heights and normals in one map; here give the same file as height and normal.
-// Without a map: the frame's normal.
+// them; after other searches it is not reproduced, but about that. Handed on along the frame's T, B
+// and normal as they are. The page keeps heights and normals in one map; here give the same file as
+// height and normal. Without a map: the frame's normal.
 #pragma once
 
 #include "quadrel/relief/surface/normal_welsh_published.hpp"
