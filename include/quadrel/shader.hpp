@@ -91,10 +91,10 @@ class PieceVaryings {
     }
 
     Fragments<F, n> fragments(const QuadCoverage& quad) const {
-        const PerVertex<F> e = edges(quad);
+        const EdgeValues<F> e = edges(quad);
         const PerVertex<F> w{F(screen_.vertex[0].w), F(screen_.vertex[1].w),
                              F(screen_.vertex[2].w)};
-        const PerVertex<F> b = perspective_barycentrics(e, w);
+        const Barycentrics<F> b = perspective_barycentrics(e, w);
         Fragments<F, n> in{
             coordinates(quad, interpolate_w(e, w)), {}, covered(quad), screen_.front_facing};
         for (std::size_t i = 0; i < n; ++i)
@@ -104,10 +104,10 @@ class PieceVaryings {
     }
 
   private:
-    PerVertex<F> edges(const QuadCoverage& quad) const {
-        Scalar<F> e[3][4];
+    EdgeValues<F> edges(const QuadCoverage& quad) const {
+        double e[3][4];
         attribute_edges(screen_, quad_centres(quad.x, quad.y), e[0], e[1], e[2]);
-        return {load<F>(e[0]), load<F>(e[1]), load<F>(e[2])};
+        return {load_wide<F>(e[0]), load_wide<F>(e[1]), load_wide<F>(e[2])};
     }
     vec4<F> coordinates(const QuadCoverage& quad, F w) const {
         const QuadPoints centres = quad_centres(quad.x, quad.y);

@@ -32,29 +32,6 @@ void snapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* 
     }
 }
 
-/// The edge from p to q, with the sign that all three edges of a triangle share: barycentrics are
-/// ratios of edge values.
-template <class T>
-void unsnapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* const* out) {
-    for (int i = 0; i < 3; ++i) {
-        const ScreenVertex& p = triangle.vertex[(i + 1) % 3];
-        const ScreenVertex& q = triangle.vertex[(i + 2) % 3];
-        const double dx = q.unsnapped_x - p.unsnapped_x, dy = q.unsnapped_y - p.unsnapped_y;
-        for (int lane = 0; lane < 4; ++lane)
-            out[i][lane] = static_cast<T>(dx * (points.y[lane] - p.unsnapped_y) -
-                                          dy * (points.x[lane] - p.unsnapped_x));
-    }
-}
-
-template <class T>
-void any_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* e0, T* e1, T* e2) {
-    T* const out[3] = {e0, e1, e2};
-    if (triangle.attributes_from_snapped)
-        snapped_edges(triangle, points, out);
-    else
-        unsnapped_edges(triangle, points, out);
-}
-
 template <class Place>
 QuadPoints for_lanes(int x, int y, Place place) {
     QuadPoints points;
@@ -83,14 +60,10 @@ QuadEdges edge_values(const ScreenTriangle& triangle, const QuadPoints& points) 
     return edges;
 }
 
-void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, float* e0, float* e1,
-                     float* e2) {
-    any_edges(triangle, points, e0, e1, e2);
-}
-
 void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, double* e0,
                      double* e1, double* e2) {
-    any_edges(triangle, points, e0, e1, e2);
+    double* const out[3] = {e0, e1, e2};
+    snapped_edges(triangle, points, out);
 }
 
 }  // namespace quadrel

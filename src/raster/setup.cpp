@@ -1,17 +1,28 @@
 #include "quadrel/raster/setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quadrel {
 namespace {
+
+/// As a vertex pipeline in float32 has it (Mesa's draw module): the divide, then one fused
+/// multiply-add.
+void set_float_position(const glm::dvec4& clip, const Viewport& viewport, ScreenVertex& vertex) {
+    const float inverse_w = 1.0f / static_cast<float>(clip.w);
+    const float half_width = viewport.width * 0.5f, half_height = viewport.height * 0.5f;
+    const float y_scale = viewport.conventions == Conventions::d3d ? -half_height : half_height;
+    vertex.clip_y = static_cast<float>(clip.y);
+    vertex.window_x = std::fma(static_cast<float>(clip.x) * inverse_w, half_width, half_width);
+    vertex.window_y = std::fma(vertex.clip_y * inverse_w, y_scale, half_height);
+}
 
 ScreenVertex screen_vertex(const glm::dvec4& clip, const RasterState& state) {
     const WindowPoint point = to_window(state.viewport, clip);
     ScreenVertex vertex;
     vertex.x = snap(point.x, state.subpixel_bits, state.snap_rounding);
     vertex.y = snap(point.y, state.subpixel_bits, state.snap_rounding);
-    vertex.unsnapped_x = point.x * subpixel_units;
-    vertex.unsnapped_y = point.y * subpixel_units;
+    set_float_position(clip, state.viewport, vertex);
     vertex.depth = point.z;
     vertex.w = static_cast<float>(clip.w);
     return vertex;
@@ -60,8 +71,7 @@ bool is_culled(bool front, Cull cull) {
 }  // namespace
 
 RasterState raster_state(const Viewport& viewport, const HardwareModel& hardware, Cull cull) {
-    return {viewport, hardware.subpixel_bits, hardware.snap_rounding,
-            hardware.attributes_from_snapped, cull};
+    return {viewport, hardware.subpixel_bits, hardware.snap_rounding, cull};
 }
 
 SetupOutcome set_up_triangle(const std::array<glm::dvec4, 3>& clip, const RasterState& state,
@@ -74,7 +84,6 @@ SetupOutcome set_up_triangle(const std::array<glm::dvec4, 3>& clip, const Raster
     triangle.bounds = intersect(pixel_bounds(triangle.vertex), frame_rect(state.viewport));
     if (triangle.bounds.empty()) return SetupOutcome::off_frame;
 
-    triangle.attributes_from_snapped = state.attributes_from_snapped;
     triangle.area2 = area2 < 0 ? -area2 : area2;
     set_edges(triangle, area2 < 0 ? -1 : 1);
     const double area = static_cast<double>(triangle.area2);

@@ -12,13 +12,12 @@ namespace {
 constexpr std::align_val_t alignment{64};
 constexpr int padding_quads = 4;  // the widest packet
 
-template <class T>
-void load_edges(const QuadCoverage& quad, const ScreenTriangle& triangle, int samples,
-                bool centroid, void* const (&edges)[3], int lane) {
-    const QuadPoints points =
-        centroid ? quad_centroids(triangle, quad.x, quad.y, samples) : quad_centres(quad.x, quad.y);
-    attribute_edges(triangle, points, static_cast<T*>(edges[0]) + lane,
-                    static_cast<T*>(edges[1]) + lane, static_cast<T*>(edges[2]) + lane);
+/// The evaluation point of each lane, in pixels.
+void load_window(const QuadPoints& points, float* const (&window)[2], int lane) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        window[0][lane + static_cast<int>(k)] = static_cast<float>(points.x[k]) / subpixel_units;
+        window[1][lane + static_cast<int>(k)] = static_cast<float>(points.y[k]) / subpixel_units;
+    }
 }
 
 }  // namespace
@@ -32,7 +31,8 @@ void Batch::prepare(const MaterialPlan& plan) {
     const ValueSet& values = plan.values;
     // One size for every array, whatever its kind: alignment stays simple.
     const std::size_t array_bytes = std::size_t(batch_lanes) * scalar_bytes_;
-    std::size_t arrays = 5;
+    const std::size_t arrays_an_edge = sizeof(double) / static_cast<std::size_t>(scalar_bytes_);
+    std::size_t arrays = 4 + 3 * arrays_an_edge;
     for (std::size_t v = 0; v < values.size(); ++v)
         if (values[v]) arrays += arrays_of(static_cast<Value>(v));
     if (arrays * array_bytes > capacity_) {
@@ -40,12 +40,13 @@ void Batch::prepare(const MaterialPlan& plan) {
         memory_.reset(static_cast<std::byte*>(::operator new[](capacity_, alignment)));
     }
     std::byte* next = memory_.get();
-    const auto take = [&] {
+    const auto take = [&](std::size_t count = 1) {
         std::byte* array = next;
-        next += array_bytes;
+        next += count * array_bytes;
         return array;
     };
-    for (void*& edge : edges_) edge = take();
+    for (double*& edge : edges_) edge = reinterpret_cast<double*>(take(arrays_an_edge));
+    for (float*& window : window_) window = reinterpret_cast<float*>(take());
     primitive_ = reinterpret_cast<std::int32_t*>(take());
     active_ = reinterpret_cast<std::uint32_t*>(take());
     std::fill(values_.begin(), values_.end(), nullptr);
@@ -68,10 +69,10 @@ void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
         // Padding repeats the last quad, inactive: every address that it computes is valid.
         const QuadCoverage& quad = quads[std::min(q, count - 1)];
         const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
-        if (scalar_bytes_ == sizeof(float))
-            load_edges<float>(quad, triangle, samples, centroid, edges_, 4 * q);
-        else
-            load_edges<double>(quad, triangle, samples, centroid, edges_, 4 * q);
+        const QuadPoints points = centroid ? quad_centroids(triangle, quad.x, quad.y, samples)
+                                           : quad_centres(quad.x, quad.y);
+        attribute_edges(triangle, points, edges_[0] + 4 * q, edges_[1] + 4 * q, edges_[2] + 4 * q);
+        if (!geometry.planes.empty()) load_window(points, window_, 4 * q);
         for (int lane = 0; lane < 4; ++lane) {
             primitive_[4 * q + lane] = static_cast<std::int32_t>(quad.triangle);
             active_[4 * q + lane] = q < count ? 0xffffffffu : 0u;
@@ -85,6 +86,8 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.active = active_;
     call.lanes = lanes_;
     for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
+    for (int i = 0; i < 2; ++i) call.window[i] = geometry.planes.empty() ? nullptr : window_[i];
+    call.planes = geometry.planes.empty() ? nullptr : geometry.planes.data();
     call.primitive = primitive_;
     call.primitives = geometry.data.data();
     call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();

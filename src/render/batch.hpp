@@ -81,7 +81,8 @@ class Batch {
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t capacity_ = 0;
     std::vector<void*> values_;
-    void* edges_[3]{};
+    double* edges_[3]{};
+    float* window_[2]{};
     std::int32_t* primitive_ = nullptr;
     std::uint32_t* active_ = nullptr;
 };

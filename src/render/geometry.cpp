@@ -189,6 +189,7 @@ FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware) 
     frame.depth_scale = symmetric ? 0.5f : 1.0f;
     frame.depth_offset = symmetric ? 0.5f : 0.0f;
     frame.derivatives = hardware.derivatives;
+    frame.interpolation = hardware.interpolation;
     frame.light_count = static_cast<std::int32_t>(scene.lights.size());
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         frame.lights[i] = light_uniforms(scene.lights[i], scene.camera.view);
@@ -224,6 +225,10 @@ Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
         const Cull cull = scene.materials[object.material].cull;
         assemble_object(scene, i, raster_state(viewport, hardware, cull), parts, geometry);
     }
+    if (hardware.interpolation != Interpolation::exact)
+        for (const DrawnTriangle& triangle : geometry.triangles)
+            geometry.planes.push_back(
+                plane_setup(hardware.interpolation, triangle.screen, scene.samples));
     return geometry;
 }
 

@@ -24,6 +24,7 @@ struct Geometry {
     std::vector<PrimitiveData> data;
     std::vector<PrimitiveFrame> frames;  ///< as long as `data`, or empty where nothing reads them
     std::vector<PrimitiveVertices> vertices;  ///< likewise
+    std::vector<PlaneSetup> planes;  ///< likewise; empty if attributes are interpolated exactly
     PrimitiveCounts counts;
 };
 

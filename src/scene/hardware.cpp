@@ -21,17 +21,19 @@ HardwareModel vulkan_min() {
     return {.subpixel_bits = 4, .weight_bits = 4, .lod_bits = 4, .scale_first = true};
 }
 
-// FIXED_ORDER 8 with cvtps (half to even); attribute set-up reads the unsnapped vertices; every
+// FIXED_ORDER 8 with cvtps (half to even); attribute planes of the unsnapped vertices; every
 // derivative is the fine one; float weights; exact rho^2 with a piecewise linear log2.
 HardwareModel llvmpipe() {
-    return {.attributes_from_snapped = false, .lod_form = LodForm::linear_log2};
+    return {.interpolation = Interpolation::llvmpipe, .lod_form = LodForm::linear_log2};
 }
 
 // 8 bits from RoundInt, attribute planes from the same fixed positions; unqualified derivatives
 // are coarse; rho^4's bits read as an integer for log2; float texel weights on the
 // high-precision path.
 HardwareModel swiftshader() {
-    return {.derivatives = DerivativeMode::coarse, .lod_form = LodForm::quartic_log2};
+    return {.interpolation = Interpolation::swiftshader,
+            .derivatives = DerivativeMode::coarse,
+            .lod_form = LodForm::quartic_log2};
 }
 
 }  // namespace

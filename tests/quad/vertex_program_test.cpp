@@ -105,7 +105,7 @@ testing::AssertionResult interpolates(StageFunction stage, const Piece& piece,
         return v == 0 ? lane - 2.0 : v == 1 ? 7.0 - lane / 2 : 3.0 + lane % 4;
     };
     for (std::size_t v = 0; v < 3; ++v)
-        for (int lane = 0; lane < 16; ++lane) bench.edges[v][std::size_t(lane)] = T(edge(v, lane));
+        for (int lane = 0; lane < 16; ++lane) bench.edges[v][std::size_t(lane)] = edge(v, lane);
     bench.call().primitives = &data;
     bench.call().vertices = &vertices;
     stage(&bench.call());

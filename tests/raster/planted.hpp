@@ -30,8 +30,10 @@ enum class Planted {
     clip_weights_in_window,   ///< noperspective values take the clip-space weights
     linear_interpolation,     ///< no perspective correction
     planes_from_origin,       ///< float planes anchored at the window's origin
+    float_weights,            ///< barycentrics in float32
+    weighted_sum,             ///< sum of b_i v_i, so that constants are not kept
     clamped_helpers,          ///< helper lanes do not extrapolate
-    unsnapped_attributes,     ///< attribute planes from unsnapped positions
+    unsnapped_attributes,     ///< attributes from unsnapped positions
 };
 
 }  // namespace quadrel::test

@@ -90,7 +90,7 @@ class Batch {
         for (const FetchCounters& slot : counters) sum += slot.fetches;
         return sum;
     }
-    std::array<std::vector<T>, 3> edges;  ///< what `interpolate` reads, with:
+    std::array<std::vector<double>, 3> edges;  ///< what `interpolate` reads, with:
     std::vector<std::int32_t> primitive;
     std::vector<PrimitiveData> primitives;
     std::vector<PrimitiveFrame> frames;       ///< parallel to `primitives`, or empty

@@ -85,7 +85,7 @@ inline Batch<double> in_double(Batch<float>& from) {
     to.primitives = from.primitives;
     to.frames = from.frames;
     to.vertices = from.vertices;
-    for (int i = 0; i < 3; ++i) to.edges[i].assign(from.edges[i].begin(), from.edges[i].end());
+    to.edges = from.edges;
     for (int slot = 0; slot < texture_slot_count; ++slot) {
         const auto* map = from.bound(static_cast<TextureSlot>(slot));
         if (map) to.bind(static_cast<TextureSlot>(slot), *map);

@@ -87,6 +87,13 @@ inline Triangle random_triangle(Random& random, double lean) {
     }
 }
 
+/// Distance from the float at or below |x| to the next.
+inline double float_ulp(double x) {
+    int exponent;
+    std::frexp(x, &exponent);
+    return std::ldexp(1.0, std::max(exponent - 24, -149));
+}
+
 /// An attribute's exact value at a lane, and the bound of interpolation.hpp for its error.
 template <int size>
 struct Interpolated {
@@ -103,12 +110,16 @@ Interpolated<size> interpolate_exactly(const Batch<float>& batch, int lane, cons
         absolute += std::abs(q[i]);
     }
     Interpolated<size> result;
+    vec<size, double> largest(0.0);
     for (int i = 0; i < 3; ++i) {
-        const vec<size, double> term = vec<size, double>(at_vertex[i]) * (q[i] / s);
-        result.value += term;
-        result.error += abs(term);
+        const vec<size, double> at(at_vertex[i]);
+        result.value += at * (q[i] / s);
+        largest = max(largest, abs(at));
     }
-    result.error *= interpolation_error_factor * float_roundoff * absolute / std::abs(s);
+    for (int c = 0; c < size; ++c)
+        result.error[c] =
+            (interpolation_ulps * float_ulp(result.value[c]) + interpolation_unit * largest[c]) *
+            (absolute / std::abs(s));
     return result;
 }
 
@@ -158,7 +169,7 @@ void fill_quads_of(Batch<T>& batch, const Triangle& t, Random& random) {
             const dvec2 centre = corner + dvec2(k % 2, k / 2);
             batch.primitive[4 * quad + k] = 0;
             for (int i = 0; i < 3; ++i) {
-                batch.edges[i][4 * quad + k] = static_cast<float>(t.edge(i, centre));
+                batch.edges[i][4 * quad + k] = t.edge(i, centre);
             }
         }
     }

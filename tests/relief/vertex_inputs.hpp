@@ -44,8 +44,8 @@ void set_quad_vertices(Batch<T>& batch, int quad, const dvec3& P,
     batch.vertices[q] = vertex_row({P + a * 2.0, P + b * 2.0, P - a - b}, axes);
     for (int lane = 4 * quad; lane < 4 * quad + 4; ++lane) {
         batch.primitive[lane] = quad;
-        batch.edges[0][lane] = batch.edges[1][lane] = T(0.25);
-        batch.edges[2][lane] = T(0.5);
+        batch.edges[0][lane] = batch.edges[1][lane] = 0.25;
+        batch.edges[2][lane] = 0.5;
     }
 }
 

@@ -32,11 +32,11 @@ TEST(Hardware, VulkanMinimumIsTheMinimum) {
 
 TEST(Hardware, RenderersDifferWhereTheirSourcesDo) {
     const HardwareModel llvmpipe = hardware_model(Hardware::llvmpipe);
-    EXPECT_FALSE(llvmpipe.attributes_from_snapped);
+    EXPECT_EQ(llvmpipe.interpolation, Interpolation::llvmpipe);
     EXPECT_EQ(llvmpipe.lod_form, LodForm::linear_log2);
     EXPECT_EQ(llvmpipe.derivatives, DerivativeMode::fine);
     const HardwareModel swiftshader = hardware_model(Hardware::swiftshader);
-    EXPECT_TRUE(swiftshader.attributes_from_snapped);
+    EXPECT_EQ(swiftshader.interpolation, Interpolation::swiftshader);
     EXPECT_EQ(swiftshader.lod_form, LodForm::quartic_log2);
     EXPECT_EQ(swiftshader.derivatives, DerivativeMode::coarse);
     EXPECT_EQ(hardware_model(Hardware::d3d).lod_form, LodForm::ellipse);
@@ -45,6 +45,7 @@ TEST(Hardware, RenderersDifferWhereTheirSourcesDo) {
 TEST(Hardware, ExactIsExact) {
     const HardwareModel model = hardware_model(Hardware::exact);
     EXPECT_EQ(model.subpixel_bits, 8);
+    EXPECT_EQ(model.interpolation, Interpolation::exact);
     EXPECT_EQ(model.weight_bits, 0);
     EXPECT_EQ(model.lod_bits, 0);
     EXPECT_EQ(model.lod_form, LodForm::sqrt_max);

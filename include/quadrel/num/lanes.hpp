@@ -270,6 +270,55 @@ struct PacketOps<Lanes> {
     }
 };
 
+/// A double a lane, in two registers: the lower and the upper half of the lanes.
+class LanesWide {
+    using Tag = hn::ScalableTag<double>;
+    using HalfTag = hn::Half<simd::FloatTag>;
+    using Vector = hn::Vec<Tag>;
+
+  public:
+    LanesWide() = default;
+    LanesWide(double all) : low(hn::Set(Tag(), all)), high(low) {}
+
+    friend LanesWide operator+(LanesWide a, LanesWide b) {
+        return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+    }
+    friend LanesWide operator-(LanesWide a, LanesWide b) {
+        return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+    }
+    friend LanesWide operator*(LanesWide a, LanesWide b) {
+        return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+    }
+    friend LanesWide operator/(LanesWide a, LanesWide b) {
+        return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
+    }
+
+  private:
+    friend struct WideOps<Lanes>;
+    LanesWide(Vector lower, Vector upper) : low(lower), high(upper) {}
+
+    Vector low, high;
+};
+
+template <>
+struct WideOps<Lanes> {
+    using Type = LanesWide;
+    static LanesWide widen(Lanes a) {
+        const LanesWide::HalfTag half;
+        return {hn::PromoteTo(LanesWide::Tag(), hn::LowerHalf(half, a.v)),
+                hn::PromoteTo(LanesWide::Tag(), hn::UpperHalf(half, a.v))};
+    }
+    static LanesWide load(const double* from) {
+        return {hn::LoadU(LanesWide::Tag(), from),
+                hn::LoadU(LanesWide::Tag(), from + simd::lanes / 2)};
+    }
+    static Lanes narrow(LanesWide a) {
+        const LanesWide::HalfTag half;
+        return Lanes(
+            hn::Combine(simd::FloatTag(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+    }
+};
+
 }  // namespace quadrel
 
 /// GLM refuses types that are not floating-point by this trait.

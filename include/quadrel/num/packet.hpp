@@ -45,6 +45,20 @@ void gather4(const float* base, Int<F> index, F out[4]) {
     PacketOps<F>::gather4(base, index, out);
 }
 
+/// F's lanes as doubles, exactly; consecutive doubles; doubles rounded to F.
+template <class F>
+Wide<F> widen(F a) {
+    return WideOps<F>::widen(a);
+}
+template <class F>
+Wide<F> load_wide(const double* from) {
+    return WideOps<F>::load(from);
+}
+template <class F>
+F narrow(Wide<F> a) {
+    return WideOps<F>::narrow(a);
+}
+
 /// The value of the neighbour in x, in y, and across the diagonal of the quad.
 template <class F>
 F swap_horizontal(F v) {

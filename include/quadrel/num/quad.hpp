@@ -246,6 +246,18 @@ struct PacketOps<Quad<T>> {
     }
 };
 
+template <class T>
+struct WideOps<Quad<T>> {
+    using Type = Quad<double>;
+    static Quad<double> widen(Quad<T> a) {
+        return map_lanes<Quad<double>>([](T x) { return static_cast<double>(x); }, a);
+    }
+    static Quad<double> load(const double* from) { return PacketOps<Quad<double>>::load(from); }
+    static Quad<T> narrow(Quad<double> a) {
+        return map_lanes<Quad<T>>([](double x) { return static_cast<T>(x); }, a);
+    }
+};
+
 }  // namespace quadrel
 
 /// GLM refuses types that are not floating-point by this trait.

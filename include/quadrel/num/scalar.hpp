@@ -27,6 +27,14 @@ struct NumberTraits<T> {
     static constexpr int lanes = 1;
 };
 
+template <PlainFloat T>
+struct WideOps<T> {
+    using Type = double;
+    static double widen(T a) { return a; }
+    static double load(const double* from) { return *from; }
+    static T narrow(double a) { return static_cast<T>(a); }
+};
+
 template <std::same_as<bool> B>
 bool any(B m) {
     return m;

@@ -47,4 +47,14 @@ concept Packet = Number<F> && lanes_of<F>
 template <class F>
 struct PacketOps;
 
+/// As many doubles as F has lanes, beside each number type as well: for what has to come out within
+/// a rounding of the exact value. `Type` has + - * / and is made from a double; use the functions
+/// of packet.hpp.
+///   widen(F), load(const double*)   to Type
+///   narrow(Type)                    to F, rounded to nearest even
+template <class F>
+struct WideOps;
+template <class F>
+using Wide = typename WideOps<F>::Type;
+
 }  // namespace quadrel

@@ -56,6 +56,61 @@ class PrimitiveReader {
     bool uniform_ = true;
 };
 
+/// The value of a varying in each lane of a packet, from its values at the vertices: exactly
+/// (raster/interpolation.hpp) or as the frame's hardware does it (raster/planes.hpp).
+template <Number F>
+class Interpolator {
+  public:
+    Interpolator(const StageCall& call, int first_lane, const PerVertex<F>& w)
+        : call_(call), first_lane_(first_lane), b_(perspective_barycentrics(edges(), w)) {}
+
+    const Barycentrics<F>& barycentrics() const { return b_; }
+
+    F operator()(const PerVertex<F>& value) const {
+        return call_.planes == nullptr ? interpolate(b_, value) : by_planes(value);
+    }
+    template <glm::length_t n>
+    glm::vec<n, F, glm::defaultp> operator()(
+        const PerVertex<glm::vec<n, F, glm::defaultp>>& value) const {
+        glm::vec<n, F, glm::defaultp> result;
+        for (glm::length_t i = 0; i < n; ++i)
+            result[i] = (*this)(PerVertex<F>{value.v0[i], value.v1[i], value.v2[i]});
+        return result;
+    }
+
+  private:
+    EdgeValues<F> edges() const {
+        return {load_wide<F>(call_.edges[0] + first_lane_),
+                load_wide<F>(call_.edges[1] + first_lane_),
+                load_wide<F>(call_.edges[2] + first_lane_)};
+    }
+    /// Not inline: it would be many times as long as the exact way beside it.
+    [[gnu::noinline]] F by_planes(const PerVertex<F>& value) const {
+        const PrimitiveReader<F> row(call_, first_lane_, call_.planes);
+        const auto at = [&](int offset) { return row.at(offset); };
+        const F x = load<F>(call_.window[0] + first_lane_),
+                y = load<F>(call_.window[1] + first_lane_);
+        if (call_.frame->interpolation == Interpolation::llvmpipe)
+            return llvmpipe_value(value, x, y, at);
+        const F zero(0), one(1);
+        return swiftshader_value(value, x, y, select(lane_is_right<F>(), one, zero),
+                                 select(lane_is_below<F>(), one, zero), at);
+    }
+
+    const StageCall& call_;
+    int first_lane_;
+    Barycentrics<F> b_;
+};
+
+/// Of the packet that a stage sees.
+template <class Io>
+Interpolator<typename Io::Number> interpolator(const Io& io) {
+    using F = typename Io::Number;
+    const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
+    constexpr int w = static_cast<int>(offsetof(PrimitiveData, w) / sizeof(float));
+    return {io.call(), io.first_lane(), data.per_vertex(w, 1)};
+}
+
 struct Interpolate : StageDefaults {
     static constexpr StageText text{"interpolate", "quad", "perspective-correct varyings",
                                     "Vulkan specification, basic polygon rasterization"};
@@ -72,11 +127,9 @@ struct Interpolate : StageDefaults {
             return static_cast<int>(bytes / sizeof(float));
         };
         const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
-        const PerVertex<F> edges{edge<F>(io, 0), edge<F>(io, 1), edge<F>(io, 2)};
-        const auto b = perspective_barycentrics(
-            edges, data.per_vertex(offset_of(offsetof(PrimitiveData, w)), 1));
+        const Interpolator<F> interpolated = interpolator(io);
         const auto vector = [&](std::size_t bytes) {
-            return interpolate(b, data.per_vertex3(offset_of(bytes)));
+            return interpolated(data.per_vertex3(offset_of(bytes)));
         };
         constexpr int ng = offset_of(offsetof(PrimitiveData, face_normal));
 
@@ -86,18 +139,18 @@ struct Interpolate : StageDefaults {
         }
         if (io.template wanted<Value::uv>()) {
             io.template store<Value::uv>(
-                interpolate(b, data.per_vertex2(offset_of(offsetof(PrimitiveData, uv)))));
+                interpolated(data.per_vertex2(offset_of(offsetof(PrimitiveData, uv)))));
         }
         io.template store<Value::Ng>(vec3<F>(data.at(ng), data.at(ng + 1), data.at(ng + 2)));
-        io.template store<Value::bary>(vec3<F>(b.v0, b.v1, b.v2));
-        if (io.call().frames != nullptr) store_frame(io, b);
+        const Barycentrics<F>& b = interpolated.barycentrics();
+        io.template store<Value::bary>(vec3<F>(narrow<F>(b.b0), narrow<F>(b.b1), narrow<F>(b.b2)));
+        if (io.call().frames != nullptr) store_frame(io, interpolated);
     }
 
   private:
     /// Tangents, and what is the same over a whole triangle.
-    template <class Io, class B>
-    static void store_frame(Io& io, const B& b) {
-        using F = typename Io::Number;
+    template <class Io, class F>
+    static void store_frame(Io& io, const Interpolator<F>& interpolated) {
         const PrimitiveReader<F> row(io.call(), io.first_lane(), io.call().frames);
         const auto at = [](std::size_t bytes) { return static_cast<int>(bytes / sizeof(float)); };
         const auto constant = [&](int offset) {
@@ -106,21 +159,16 @@ struct Interpolate : StageDefaults {
         constexpr std::size_t J = offsetof(PrimitiveFrame, J);
         constexpr std::size_t axes = offsetof(PrimitiveFrame, object_axes);
         io.template store<Value::vertex_tangent>(
-            interpolate(b, row.per_vertex3(at(offsetof(PrimitiveFrame, tangent)))));
+            interpolated(row.per_vertex3(at(offsetof(PrimitiveFrame, tangent)))));
         io.template store<Value::tangent_sign>(
-            interpolate(b, row.per_vertex(at(offsetof(PrimitiveFrame, tangent_sign)), 1)));
+            interpolated(row.per_vertex(at(offsetof(PrimitiveFrame, tangent_sign)), 1)));
         io.template store<Value::vertex_bitangent>(
-            interpolate(b, row.per_vertex3(at(offsetof(PrimitiveFrame, bitangent)))));
+            interpolated(row.per_vertex3(at(offsetof(PrimitiveFrame, bitangent)))));
         io.template store<Value::face_J>(
             std::array<vec3<F>, 2>{constant(at(J)), constant(at(J) + 3)});
         io.template store<Value::object_x>(constant(at(axes)));
         io.template store<Value::object_y>(constant(at(axes) + 3));
         io.template store<Value::object_z>(constant(at(axes) + 6));
-    }
-
-    template <class F, class Io>
-    static F edge(Io& io, int i) {
-        return load<F>(static_cast<const Scalar<F>*>(io.call().edges[i]) + io.first_lane());
     }
 };
 

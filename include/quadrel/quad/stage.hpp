@@ -19,6 +19,7 @@
 #include "quadrel/num/functions.hpp"
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/quad/value.hpp"
+#include "quadrel/raster/planes.hpp"
 #include "quadrel/texture/sampler.hpp"
 
 namespace quadrel {
@@ -54,11 +55,13 @@ struct StageCall {
     FetchCounters* counters;                             ///< an array, one a texture slot; or null
     StageLog* log;                                       ///< null but in a probe
     // What the interpolation reads instead of values.
-    const void* edges[3];           ///< edge functions at the evaluation point, per lane
+    const double* edges[3];         ///< edge functions at the evaluation point, per lane
+    const float* window[2];         ///< the evaluation point in pixels; null where `planes` is
     const std::int32_t* primitive;  ///< index into `primitives`, per lane
     const PrimitiveData* primitives;
     const PrimitiveFrame* frames;       ///< parallel to `primitives`; null where no stage asks
     const PrimitiveVertices* vertices;  ///< likewise, for stages with a vertex program
+    const PlaneSetup* planes;           ///< likewise; null if the frame's interpolation is exact
 };
 
 using StageFunction = void (*)(const StageCall*);

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "quadrel/num/derivative.hpp"
+#include "quadrel/scene/settings.hpp"
 #include "quadrel/texture/view.hpp"
 
 namespace quadrel {
@@ -58,6 +59,7 @@ struct FrameUniforms {
     float projection[16];             ///< eye to clip space, rows
     float depth_scale, depth_offset;  ///< window depth = scale * (clip z / clip w) + offset
     DerivativeMode derivatives;
+    Interpolation interpolation;
     std::int32_t light_count;
     LightUniforms lights[8];
 };

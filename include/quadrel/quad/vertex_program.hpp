@@ -38,17 +38,6 @@ struct Vertex {
 namespace detail {
 /// Bytes of a row as an offset in floats.
 constexpr int floats(std::size_t bytes) { return static_cast<int>(bytes / sizeof(float)); }
-
-/// Perspective-correct barycentrics of the lanes, as the stage `interpolate` has them.
-template <class Io, class F = typename Io::Number>
-auto barycentrics(const Io& io) {
-    const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
-    const auto edge = [&](int i) {
-        return load<F>(static_cast<const Scalar<F>*>(io.call().edges[i]) + io.first_lane());
-    };
-    return perspective_barycentrics(PerVertex<F>{edge(0), edge(1), edge(2)},
-                                    data.per_vertex(floats(offsetof(PrimitiveData, w)), 1));
-}
 }  // namespace detail
 
 /// A packet's view of the vertices of its triangles.
@@ -60,8 +49,7 @@ class VertexProgram {
     using F = typename Io::Number;
 
     explicit VertexProgram(const Io& io)
-        : row_(io.call(), io.first_lane(), io.call().vertices),
-          barycentrics_(detail::barycentrics(io)) {}
+        : row_(io.call(), io.first_lane(), io.call().vertices), interpolated_(interpolator(io)) {}
 
     /// The object's transforms: model view for points and vectors, the transpose of its inverse for
     /// normals, and back. Linear in float; nothing is normalised.
@@ -80,7 +68,7 @@ class VertexProgram {
         using Output = std::decay_t<decltype(a)>;
         const PerVertex<Output> piece{weigh(0, a, b, c, a), weigh(1, a, b, c, b),
                                       weigh(2, a, b, c, c)};
-        return interpolate(barycentrics_, piece);
+        return interpolated_(piece);
     }
 
   private:
@@ -117,7 +105,7 @@ class VertexProgram {
     }
 
     PrimitiveReader<F> row_;
-    decltype(detail::barycentrics(std::declval<const Io&>())) barycentrics_;
+    Interpolator<F> interpolated_;
 };
 
 template <class Io>

@@ -1,63 +1,89 @@
-// Attribute interpolation from edge values, lane by lane, over any number type.
+// Attribute interpolation from edge values, lane by lane, over any number type, each value within a
+// rounding of the exact one.
 //
-// With edge values e_i, clip w_i and values v_i at the three vertices, q_i = e_i / w_i and
-// s = q_0 + q_1 + q_2, the perspective-correct value is sum(q_i v_i) / s (Vulkan, "Basic Polygon
-// Rasterization"). Helper lanes evaluate the same text outside of the triangle: their e_i are
-// partly negative, s can vanish or change its sign, and the value may be huge or NaN; nothing
-// traps.
+// With edge values e_i, clip w_i and values v_i at the three vertices, q_i = e_i w_j w_k (j, k the
+// other two vertices: e_i / w_i times what all three share), s = q_0 + q_1 + q_2 and b_i = q_i / s,
+// the perspective-correct value is sum(b_i v_i) (Vulkan, "Basic Polygon Rasterization"), evaluated
+// as v_0 + b_1 (v_1 - v_0) + b_2 (v_2 - v_0) in double and rounded once to F. Values that are equal
+// at all vertices stay that value, bit for bit. Helper lanes evaluate the same text outside of the
+// triangle: their e_i are partly negative, s can vanish or change its sign, and the value may be
+// huge or NaN; nothing traps.
 //
-// Error. Let u be the unit roundoff (2^-24 in float), v^ the computed value and v the exact one of
-// the same w_i and v_i, with integer e_i rounded to F. Then
+// Error. Let v be the exact value of the same w_i, v_i (floats) and integer e_i, M = max|v_i| and
+// kappa = sum|q_i| / |s|, which is 1 on covered lanes. Then the computed value v^ is within
 //
-//     |v^ - v| <= c u kappa sum|q_i v_i| / |s|,   kappa = sum|q_i| / |s|,   c = 11,
+//     |v^ - v| <= (0.51 ulp(v) + 2^-48 M) kappa     in float, and
+//     |v^ - v| <= 2^-48 (|v| + M) kappa             in double,
 //
-// as long as nothing under- or overflows and u kappa < 1/64. On covered lanes kappa = 1.
-// Derivation: a computed q_i has two roundings (e_i to F, the division), s two more (the
-// additions), so s^ = s (1 + t), |t| <= 4 u kappa to first order. The product of b_i^ = q_i^ / s^
-// and v_i adds two roundings and the sum two, so v^ = sum(q_i v_i (1 + t_i)) / s^ with |t_i| <= 6u.
-// Hence |v^ - v| <= (6u sum|q_i v_i| + 4 u kappa |v| |s|) / |s^|, and |v s| <= sum|q_i v_i|: 10 u
-// kappa to first order; the eleventh covers the rest. Noperspective values are the case w_i = 1.
+// as long as nothing overflows and kappa < 2^40. Derivation, u = 2^-53, to first order: q_i has two
+// roundings (e_i to double, the product; w_j w_k is exact), which moves the weighted mean by at
+// most 2u kappa (M + |v|). The roundings of s and 1/s are shared by b_1 and b_2: (2 kappa + 2) u of
+// |v - v_0| <= M + |v|. The product q_i (1/s), the difference of the values and the product with it
+// are 3u of |b_i (v_i - v_0)|, summed at most 6u kappa M; the two sums are at most 3u kappa M and
+// u |v|. Together 15u kappa M + 7u kappa |v|, and |v| < 2^24 ulp(v).
 #pragma once
 
 #include "quadrel/num/functions.hpp"
+#include "quadrel/num/packet.hpp"
 
 namespace quadrel {
 
-/// The constant c above.
-inline constexpr double interpolation_error_factor = 11;
+/// The constants above: parts of an ulp of the result, and of max|v_i|.
+inline constexpr double interpolation_ulps = 0.51;
+inline constexpr double interpolation_unit = 0x1p-48;
 
-/// One F for each vertex of the triangle: edge values, clip w, an attribute, or barycentrics.
+/// One F for each vertex of the triangle: an attribute, clip w, or edge values.
 template <class F>
 struct PerVertex {
     F v0, v1, v2;
 };
 
-/// v0, then v1, then v2.
+/// Edge values at the lanes: any positive multiple of them serves.
 template <Number F>
+using EdgeValues = PerVertex<Wide<F>>;
+
+/// v0, then v1, then v2.
+template <class F>
 F sum(const PerVertex<F>& a) {
     return a.v0 + a.v1 + a.v2;
 }
 
-/// Barycentric coordinates in the window (for noperspective values): e_i / (e_0 + e_1 + e_2).
+/// Weights of the three vertices in a lane: sum 1.
 template <Number F>
-PerVertex<F> window_barycentrics(const PerVertex<F>& e) {
-    const F area = sum(e);
-    return {e.v0 / area, e.v1 / area, e.v2 / area};
+struct Barycentrics {
+    Wide<F> b0, b1, b2;
+};
+
+/// For noperspective values: e_i / (e_0 + e_1 + e_2).
+template <Number F>
+Barycentrics<F> window_barycentrics(const EdgeValues<F>& e) {
+    const Wide<F> r = Wide<F>(1.0) / sum(e);
+    return {e.v0 * r, e.v1 * r, e.v2 * r};
 }
 
-/// Perspective-correct barycentric coordinates: (e_i / w_i) / sum(e_j / w_j).
+/// Edge values times the w of the other two vertices: e_i / w_i but for a common factor.
 template <Number F>
-PerVertex<F> perspective_barycentrics(const PerVertex<F>& e, const PerVertex<F>& w) {
-    return window_barycentrics(PerVertex<F>{e.v0 / w.v0, e.v1 / w.v1, e.v2 / w.v2});
+EdgeValues<F> perspective_edges(const EdgeValues<F>& e, const PerVertex<F>& w) {
+    const Wide<F> w0 = widen(w.v0), w1 = widen(w.v1), w2 = widen(w.v2);
+    return {e.v0 * (w1 * w2), e.v1 * (w2 * w0), e.v2 * (w0 * w1)};
 }
 
-/// b_0 v_0 + b_1 v_1 + b_2 v_2, in this order, for a scalar or a vector over F.
+/// Perspective-correct: (e_i / w_i) / sum(e_j / w_j).
 template <Number F>
-F interpolate(const PerVertex<F>& b, const PerVertex<F>& value) {
-    return b.v0 * value.v0 + b.v1 * value.v1 + b.v2 * value.v2;
+Barycentrics<F> perspective_barycentrics(const EdgeValues<F>& e, const PerVertex<F>& w) {
+    return window_barycentrics<F>(perspective_edges(e, w));
+}
+
+/// The value in a lane, of a scalar or a vector over F.
+template <Number F>
+F interpolate(const Barycentrics<F>& b, const PerVertex<F>& value) {
+    const Wide<F> v0 = widen(value.v0);
+    const F mixed = narrow<F>(v0 + b.b1 * (widen(value.v1) - v0) + b.b2 * (widen(value.v2) - v0));
+    // Keeps -0, infinities, and constants where s vanishes.
+    return select((value.v0 == value.v1) & (value.v0 == value.v2), value.v0, mixed);
 }
 template <glm::length_t n, Number F>
-glm::vec<n, F, glm::defaultp> interpolate(const PerVertex<F>& b,
+glm::vec<n, F, glm::defaultp> interpolate(const Barycentrics<F>& b,
                                           const PerVertex<glm::vec<n, F, glm::defaultp>>& value) {
     glm::vec<n, F, glm::defaultp> result;
     for (glm::length_t i = 0; i < n; ++i)
@@ -67,8 +93,9 @@ glm::vec<n, F, glm::defaultp> interpolate(const PerVertex<F>& b,
 
 /// Clip w at the lane: the perspective-correct w, (e_0 + e_1 + e_2) / sum(e_i / w_i).
 template <Number F>
-F interpolate_w(const PerVertex<F>& e, const PerVertex<F>& w) {
-    return sum(e) / sum(PerVertex<F>{e.v0 / w.v0, e.v1 / w.v1, e.v2 / w.v2});
+F interpolate_w(const EdgeValues<F>& e, const PerVertex<F>& w) {
+    const Wide<F> product = widen(w.v0) * widen(w.v1) * widen(w.v2);
+    return narrow<F>(sum(e) * product / sum(perspective_edges(e, w)));
 }
 
 /// Which vertex of the original primitive gives flat values.

@@ -26,11 +26,8 @@ QuadPoints quad_centroids(const ScreenTriangle& triangle, int x, int y, int samp
 using QuadEdges = std::array<std::array<std::int64_t, 4>, 3>;
 QuadEdges edge_values(const ScreenTriangle& triangle, const QuadPoints& points);
 
-/// The attribute edge values as the interpolation takes them, four lanes of each edge, rounded to
-/// nearest: from the snapped edge functions, or (attributes_from_snapped == false) in double from
-/// the unsnapped positions.
-void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, float* e0, float* e1,
-                     float* e2);
+/// The same as the interpolation takes them, four lanes of each edge, rounded to double (exact
+/// within 4096 pixels of the window's origin).
 void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, double* e0,
                      double* e1, double* e2);
 

@@ -19,7 +19,6 @@ struct RasterState {
     Viewport viewport;
     int subpixel_bits = 8;
     SnapRounding snap_rounding = SnapRounding::half_even;
-    bool attributes_from_snapped = true;  ///< false: attribute planes from unsnapped positions
     Cull cull = Cull::none;
 };
 
@@ -39,10 +38,11 @@ struct EdgeFunction {
 };
 
 struct ScreenVertex {
-    std::int32_t x = 0, y = 0;                ///< snapped, 1/256 pixel
-    double unsnapped_x = 0, unsnapped_y = 0;  ///< 1/256 pixel
-    double depth = 0;                         ///< window depth, unclamped
-    float w = 1;                              ///< clip w, > 0
+    std::int32_t x = 0, y = 0;         ///< snapped, 1/256 pixel
+    float window_x = 0, window_y = 0;  ///< unsnapped, pixels, by float32 arithmetic
+    float clip_y = 0;
+    double depth = 0;  ///< window depth, unclamped
+    float w = 1;       ///< clip w, > 0
 };
 
 /// A triangle of positive area, ready to be rasterized; vertices in the order they were given.
@@ -51,7 +51,6 @@ struct ScreenTriangle {
     std::array<EdgeFunction, 3> edge;
     std::int64_t area2 = 0;  ///< twice the area in (1/256 pixel)^2, > 0
     bool front_facing = true;
-    bool attributes_from_snapped = true;
     PixelRect bounds;  ///< pixels that can have covered samples, within the frame; not empty
     double depth1 = 0, depth2 = 0;  ///< depth = depth0 + (E1 depth1 + E2 depth2)
 };

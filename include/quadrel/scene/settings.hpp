@@ -16,13 +16,17 @@ enum class Conventions : std::int32_t { gl, vulkan, d3d };
 /// their sources).
 enum class Hardware : std::int32_t { exact, d3d, vulkan_min, llvmpipe, swiftshader };
 
+/// How attributes get from the vertices to the fragments: within a rounding of the exact value
+/// (interpolation.hpp), or in the float arithmetic of an implementation (planes.hpp).
+enum class Interpolation : std::int32_t { exact, llvmpipe, swiftshader };
+
 enum class SnapRounding : std::int32_t { half_even, half_away };
 
 /// What a Hardware means, term by term.
 struct HardwareModel {
     int subpixel_bits = 8;
     SnapRounding snap_rounding = SnapRounding::half_even;
-    bool attributes_from_snapped = true;  ///< attribute planes from snapped positions
+    Interpolation interpolation = Interpolation::exact;
     DerivativeMode derivatives = DerivativeMode::fine;
     LodForm lod_form = LodForm::sqrt_max;
     int weight_bits = 0;  ///< 0: exact

@@ -1,0 +1,187 @@
+// Attribute planes of implementations, judged by what the implementations themselves drew.
+#include "quadrel/raster/planes.hpp"
+
+#include "raster/exact_interpolation.hpp"
+
+namespace quadrel::test {
+namespace {
+
+using Pair = std::array<float, 2>;
+
+struct DrawnVertex {
+    glm::vec4 clip;
+    Pair value;
+};
+struct DrawnPixel {
+    int x, y;
+    Pair value;
+};
+/// A triangle on 64x64 pixels, window y up, and what was read back of its two varyings.
+struct Drawn {
+    std::array<DrawnVertex, 3> vertex;
+    std::array<DrawnPixel, 6> pixel;
+};
+
+/// By llvmpipe (Mesa 22.3.6, LLVM 15, 256-bit vectors), OpenGL 4.5, into RGBA32F.
+const Drawn by_llvmpipe[] = {
+    {{{
+         {{0x1.33af2p-1f, 0x1.99112p-2f, 0x1.db3036p-2f, 0x1.28fe22p+1f},
+          {0x1.2f6aa8p+0f, 0x1.3385dep+1f}},
+         {{0x1.97f08ep-1f, -0x1.e5ceb2p-1f, 0x1.9b7a66p-2f, 0x1.012c8p+1f},
+          {-0x1.fd37b6p+1f, 0x1.31ca5p+3f}},
+         {{-0x1.51a328p-4f, 0x1.3e6d16p-4f, 0x1.ba736ep-4f, 0x1.148826p-1f},
+          {-0x1.332a88p+3f, 0x1.287156p+1f}},
+     }},
+     {{
+         {44, 17, {-0x1.fa8a1cp+1f, 0x1.290058p+3f}},
+         {42, 25, {-0x1.65dc4cp+1f, 0x1.9e6128p+2f}},
+         {38, 29, {-0x1.92fc1cp+2f, 0x1.fc8676p+1f}},
+         {35, 32, {-0x1.e2be1cp+2f, 0x1.8a8794p+1f}},
+         {40, 34, {-0x1.cd094ep-1f, 0x1.b99548p+1f}},
+         {40, 36, {0x1.c49136p-1f, 0x1.66d3b4p+1f}},
+     }}},
+    {{{
+         {{-0x1.d04ddep-4f, 0x1.d96cc4p-2f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.eb765ap-6f, -0x1.90424ap-1f}},
+         {{-0x1.143374p-1f, -0x1.389612p-1f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.76dc62p-8f, 0x1.981f0ep-2f}},
+         {{0x1.131556p-2f, -0x1.6811bcp-2f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.23977ap-4f, 0x1.0744e6p-1f}},
+     }},
+     {{
+         {15, 13, {-0x1.e3a21ap-8f, 0x1.7a0044p-2f}},
+         {19, 20, {-0x1.fd97e4p-7f, 0x1.3374fp-3f}},
+         {32, 23, {-0x1.904978p-5f, 0x1.06aca8p-2f}},
+         {36, 27, {-0x1.dba25cp-5f, 0x1.4b55cp-3f}},
+         {29, 33, {-0x1.335d02p-5f, -0x1.b01cp-3f}},
+         {28, 46, {-0x1.f29fep-6f, -0x1.88dac8p-1f}},
+     }}},
+    {{{
+         {{0x1.a8b1e4p+0f, -0x1.87536ep-1f, 0x1.b40064p-2f, 0x1.10803ep+1f},
+          {-0x1.4008ecp+2f, -0x1.2bc204p+2f}},
+         {{-0x1.3f7ffap+0f, 0x1.1edff6p-1f, 0x1.5d824ep-2f, 0x1.b4e2e2p+0f},
+          {0x1.2c54c4p+3f, 0x1.d85c0ap+0f}},
+         {{-0x1.f05d14p-2f, -0x1.5cdb1ep-1f, 0x1.4e9716p-3f, 0x1.a23cdap-1f},
+          {-0x1.1d79ep+3f, 0x1.8b09bep+1f}},
+     }},
+     {{
+         {13, 5, {-0x1.1cc55ep+3f, 0x1.86b1cep+1f}},
+         {41, 15, {-0x1.c9dd12p+2f, -0x1.66014ap-3f}},
+         {28, 20, {-0x1.21422ap+2f, 0x1.127d22p+0f}},
+         {27, 24, {-0x1.3cc8cap+1f, 0x1.ad95ep-1f}},
+         {29, 29, {0x1.d1ad14p-1f, -0x1.110c44p-4f}},
+         {10, 41, {0x1.18fc52p+3f, 0x1.a69df8p+0f}},
+     }}},
+};
+
+template <Number F, class Value>
+std::array<F, 2> both(const Drawn& drawn, Value value) {
+    std::array<F, 2> out;
+    for (std::size_t i = 0; i < 2; ++i)
+        out[i] = value(PerVertex<F>{F(drawn.vertex[0].value[i]), F(drawn.vertex[1].value[i]),
+                                    F(drawn.vertex[2].value[i])});
+    return out;
+}
+
+ScreenTriangle set_up(const Drawn& drawn) {
+    RasterState state;
+    state.viewport = {64, 64, Conventions::gl};
+    std::vector<AssembledTriangle> pieces;
+    PrimitiveCounts counts;
+    assemble_triangle({drawn.vertex[0].clip, drawn.vertex[1].clip, drawn.vertex[2].clip}, state,
+                      pieces, counts);
+    EXPECT_EQ(pieces.size(), 1u);
+    return pieces.at(0).screen;
+}
+
+/// The float at offset i of a set-up, in every lane.
+auto reader(const PlaneSetup& setup) {
+    const auto floats = std::bit_cast<std::array<float, 16>>(setup);
+    return [floats](int i) { return Quad<float>(floats[std::size_t(i)]); };
+}
+
+enum class PlantedPlane {
+    none,
+    rotated,          ///< anchored at another vertex
+    centre_of_pixel,  ///< pixel coordinates at centres
+    snapped           ///< planes of the snapped vertices
+};
+
+/// Every value that was read back, bit for bit.
+testing::AssertionResult equals_llvmpipe(PlantedPlane planted) {
+    using F = Quad<float>;
+    for (Drawn drawn : by_llvmpipe) {
+        if (planted == PlantedPlane::rotated)
+            std::rotate(drawn.vertex.begin(), drawn.vertex.begin() + 1, drawn.vertex.end());
+        ScreenTriangle triangle = set_up(drawn);
+        if (planted == PlantedPlane::snapped)
+            for (ScreenVertex& v : triangle.vertex) {
+                v.window_x = float(v.x) / 256;
+                v.window_y = float(v.y) / 256;
+            }
+        PlaneSetup setup = plane_setup(Interpolation::llvmpipe, triangle, 1);
+        if (planted == PlantedPlane::centre_of_pixel)
+            setup = plane_setup(Interpolation::llvmpipe, triangle, 4);
+        for (const DrawnPixel& pixel : drawn.pixel) {
+            const F x(float(pixel.x) + 0.5f), y(float(pixel.y) + 0.5f);
+            const auto got = both<F>(drawn, [&](const PerVertex<F>& value) {
+                return llvmpipe_value(value, x, y, reader(setup));
+            });
+            for (std::size_t i = 0; i < 2; ++i)
+                if (got[i].lane[0] != pixel.value[i])
+                    return testing::AssertionFailure()
+                           << pixel.x << ", " << pixel.y << ": " << got[i].lane[0] << " for "
+                           << pixel.value[i];
+        }
+    }
+    return testing::AssertionSuccess();
+}
+
+/// How far the planes lie from the exact values at all pixels of the frame that are covered, in
+/// ulps of the largest value at a vertex.
+double largest_error(Interpolation form, const Drawn& drawn) {
+    using F = Quad<float>;
+    const ScreenTriangle t = set_up(drawn);
+    const PlaneSetup setup = plane_setup(form, t, 1);
+    const Values v{drawn.vertex[0].value[0], drawn.vertex[1].value[0], drawn.vertex[2].value[0]};
+    double worst = 0;
+    for (int y = 0; y < 64; y += 2)
+        for (int x = 0; x < 64; x += 2) {
+            const F px(float(x) + 0.5f, float(x) + 1.5f, float(x) + 0.5f, float(x) + 1.5f);
+            const F py(float(y) + 0.5f, float(y) + 0.5f, float(y) + 1.5f, float(y) + 1.5f);
+            const F right(0, 1, 0, 1), lower(0, 0, 1, 1);
+            const PerVertex<F> value{F(v[0]), F(v[1]), F(v[2])};
+            const F got = form == Interpolation::llvmpipe
+                              ? llvmpipe_value(value, px, py, reader(setup))
+                              : swiftshader_value(value, px, py, right, lower, reader(setup));
+            const QuadEdges edges = edge_values(t, quad_centres(x, y));
+            for (std::size_t k = 0; k < 4; ++k) {
+                if (!coverage_mask(t, x + int(k & 1), y + int(k >> 1), 1)) continue;
+                const auto exact = exact_value(t, edges, k, v);
+                if (exact)
+                    worst =
+                        std::max(worst, error_of(*exact, got.lane[k]) / float_ulp(exact->largest));
+            }
+        }
+    return worst;
+}
+
+TEST(Planes, LlvmpipesBits) {
+    EXPECT_TRUE(equals_llvmpipe(PlantedPlane::none));
+    for (PlantedPlane planted :
+         {PlantedPlane::rotated, PlantedPlane::centre_of_pixel, PlantedPlane::snapped})
+        EXPECT_FALSE(equals_llvmpipe(planted)) << int(planted);
+}
+
+/// The planes follow what they interpolate: llvmpipe's from the unsnapped vertices, SwiftShader's
+/// within roundings.
+TEST(Planes, FollowTheExactValues) {
+    for (const Drawn& drawn : by_llvmpipe) {
+        EXPECT_LT(largest_error(Interpolation::swiftshader, drawn), 100);
+        EXPECT_GT(largest_error(Interpolation::swiftshader, drawn), 0.51);
+        EXPECT_GT(largest_error(Interpolation::llvmpipe, drawn), 100);
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::test
