@@ -45,7 +45,7 @@ class StageBench {
 
     MaterialUniforms material{};
     FrameUniforms frame{};
-    std::array<std::array<T, lanes>, 3> edges{};
+    std::array<std::array<double, lanes>, 3> edges{};
     std::array<std::int32_t, lanes> primitive{};
 
   private:
