@@ -6,6 +6,7 @@
 
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/raster/assemble.hpp"
+#include "quadrel/raster/planes.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel {
