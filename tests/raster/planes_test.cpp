@@ -1,6 +1,10 @@
 // Attribute planes of implementations, judged by what the implementations themselves drew.
 #include "quadrel/raster/planes.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <span>
+
 #include "raster/exact_interpolation.hpp"
 
 namespace quadrel::test {
@@ -74,6 +78,58 @@ const Drawn by_llvmpipe[] = {
      }}},
 };
 
+/// By SwiftShader (5.0, Subzero, as Chromium ships it: 4 sub-pixel bits), Vulkan, the same.
+const Drawn by_swiftshader[] = {
+    {{{
+         {{0x1.33af2p-1f, 0x1.99112p-2f, 0x1.db3036p-2f, 0x1.28fe22p+1f},
+          {0x1.2f6aa8p+0f, 0x1.3385dep+1f}},
+         {{0x1.97f08ep-1f, -0x1.e5ceb2p-1f, 0x1.9b7a66p-2f, 0x1.012c8p+1f},
+          {-0x1.fd37b6p+1f, 0x1.31ca5p+3f}},
+         {{-0x1.51a328p-4f, 0x1.3e6d16p-4f, 0x1.ba736ep-4f, 0x1.148826p-1f},
+          {-0x1.332a88p+3f, 0x1.287156p+1f}},
+     }},
+     {{
+         {44, 17, {-0x1.f9260ap+1f, 0x1.29170ap+3f}},
+         {42, 25, {-0x1.6737f6p+1f, 0x1.9dcfap+2f}},
+         {38, 29, {-0x1.9378a2p+2f, 0x1.fc2906p+1f}},
+         {35, 32, {-0x1.e3296cp+2f, 0x1.8a7012p+1f}},
+         {40, 34, {-0x1.e40bd6p-1f, 0x1.b88adcp+1f}},
+         {40, 36, {0x1.a1efc6p-1f, 0x1.65efeep+1f}},
+     }}},
+    {{{
+         {{-0x1.d04ddep-4f, 0x1.d96cc4p-2f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.eb765ap-6f, -0x1.90424ap-1f}},
+         {{-0x1.143374p-1f, -0x1.389612p-1f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.76dc62p-8f, 0x1.981f0ep-2f}},
+         {{0x1.131556p-2f, -0x1.6811bcp-2f, 0x1.99999ap-3f, 0x1p+0f},
+          {-0x1.23977ap-4f, 0x1.0744e6p-1f}},
+     }},
+     {{
+         {15, 13, {-0x1.e0ec48p-8f, 0x1.78bea6p-2f}},
+         {18, 20, {-0x1.a5f3ccp-7f, 0x1.0d71dap-3f}},
+         {32, 23, {-0x1.8fd834p-5f, 0x1.063ec8p-2f}},
+         {36, 27, {-0x1.db31acp-5f, 0x1.4b09d8p-3f}},
+         {29, 33, {-0x1.332122p-5f, -0x1.b006b8p-3f}},
+         {28, 46, {-0x1.f29bcp-6f, -0x1.88808p-1f}},
+     }}},
+    {{{
+         {{0x1.a8b1e4p+0f, -0x1.87536ep-1f, 0x1.b40064p-2f, 0x1.10803ep+1f},
+          {-0x1.4008ecp+2f, -0x1.2bc204p+2f}},
+         {{-0x1.3f7ffap+0f, 0x1.1edff6p-1f, 0x1.5d824ep-2f, 0x1.b4e2e2p+0f},
+          {0x1.2c54c4p+3f, 0x1.d85c0ap+0f}},
+         {{-0x1.f05d14p-2f, -0x1.5cdb1ep-1f, 0x1.4e9716p-3f, 0x1.a23cdap-1f},
+          {-0x1.1d79ep+3f, 0x1.8b09bep+1f}},
+     }},
+     {{
+         {13, 5, {-0x1.1cd0bcp+3f, 0x1.869ec6p+1f}},
+         {40, 15, {-0x1.c68c4p+2f, -0x1.dd92p-6f}},
+         {27, 20, {-0x1.20796p+2f, 0x1.31654p+0f}},
+         {26, 24, {-0x1.3ee7bap+1f, 0x1.f2c6c8p-1f}},
+         {29, 29, {0x1.d41614p-1f, -0x1.0c636ep-4f}},
+         {10, 41, {0x1.190142p+3f, 0x1.a77868p+0f}},
+     }}},
+};
+
 template <Number F, class Value>
 std::array<F, 2> both(const Drawn& drawn, Value value) {
     std::array<F, 2> out;
@@ -83,9 +139,15 @@ std::array<F, 2> both(const Drawn& drawn, Value value) {
     return out;
 }
 
-ScreenTriangle set_up(const Drawn& drawn) {
+RasterState drawn_by(Interpolation form) {
     RasterState state;
-    state.viewport = {64, 64, Conventions::gl};
+    const bool llvmpipe = form == Interpolation::llvmpipe;
+    state.viewport = {64, 64, llvmpipe ? Conventions::gl : Conventions::vulkan};
+    state.subpixel_bits = llvmpipe ? 8 : 4;
+    return state;
+}
+
+ScreenTriangle set_up(const Drawn& drawn, const RasterState& state) {
     std::vector<AssembledTriangle> pieces;
     PrimitiveCounts counts;
     assemble_triangle({drawn.vertex[0].clip, drawn.vertex[1].clip, drawn.vertex[2].clip}, state,
@@ -104,28 +166,43 @@ enum class PlantedPlane {
     none,
     rotated,          ///< anchored at another vertex
     centre_of_pixel,  ///< pixel coordinates at centres
-    snapped           ///< planes of the snapped vertices
+    snapped,          ///< planes of the snapped vertices
+    fine_grid         ///< vertices snapped to another grid
 };
 
-/// Every value that was read back, bit for bit.
-testing::AssertionResult equals_llvmpipe(PlantedPlane planted) {
+/// The set-up of a triangle, with an error planted.
+PlaneSetup set_up_planes(Interpolation form, const Drawn& drawn, PlantedPlane planted) {
+    RasterState state = drawn_by(form);
+    if (planted == PlantedPlane::fine_grid) state.subpixel_bits = 7;
+    ScreenTriangle triangle = set_up(drawn, state);
+    if (planted == PlantedPlane::snapped)
+        for (ScreenVertex& v : triangle.vertex) {
+            v.window_x = float(v.x) / 256;
+            v.window_y = float(v.y) / 256;
+        }
+    return plane_setup(form, triangle, planted == PlantedPlane::centre_of_pixel ? 4 : 1);
+}
+
+/// At a pixel, whose quad's lane it is.
+Quad<float> value_at(Interpolation form, const PlaneSetup& setup, const PerVertex<Quad<float>>& v,
+                     int x, int y) {
     using F = Quad<float>;
-    for (Drawn drawn : by_llvmpipe) {
+    const F px(float(x) + 0.5f), py(float(y) + 0.5f), right(float(x & 1)), lower(float(y & 1));
+    return form == Interpolation::llvmpipe
+               ? llvmpipe_value(v, px, py, reader(setup))
+               : swiftshader_value(v, px, py, right, lower, reader(setup));
+}
+
+/// Every value that was read back, bit for bit.
+testing::AssertionResult has_the_bits(Interpolation form, std::span<const Drawn> all,
+                                      PlantedPlane planted) {
+    for (Drawn drawn : all) {
         if (planted == PlantedPlane::rotated)
             std::rotate(drawn.vertex.begin(), drawn.vertex.begin() + 1, drawn.vertex.end());
-        ScreenTriangle triangle = set_up(drawn);
-        if (planted == PlantedPlane::snapped)
-            for (ScreenVertex& v : triangle.vertex) {
-                v.window_x = float(v.x) / 256;
-                v.window_y = float(v.y) / 256;
-            }
-        PlaneSetup setup = plane_setup(Interpolation::llvmpipe, triangle, 1);
-        if (planted == PlantedPlane::centre_of_pixel)
-            setup = plane_setup(Interpolation::llvmpipe, triangle, 4);
+        const PlaneSetup setup = set_up_planes(form, drawn, planted);
         for (const DrawnPixel& pixel : drawn.pixel) {
-            const F x(float(pixel.x) + 0.5f), y(float(pixel.y) + 0.5f);
-            const auto got = both<F>(drawn, [&](const PerVertex<F>& value) {
-                return llvmpipe_value(value, x, y, reader(setup));
+            const auto got = both<Quad<float>>(drawn, [&](const auto& value) {
+                return value_at(form, setup, value, pixel.x, pixel.y);
             });
             for (std::size_t i = 0; i < 2; ++i)
                 if (got[i].lane[0] != pixel.value[i])
@@ -137,44 +214,45 @@ testing::AssertionResult equals_llvmpipe(PlantedPlane planted) {
     return testing::AssertionSuccess();
 }
 
-/// How far the planes lie from the exact values at all pixels of the frame that are covered, in
-/// ulps of the largest value at a vertex.
+/// How far the planes lie from the exact values at covered pixels, in ulps of the largest value
+/// at a vertex.
 double largest_error(Interpolation form, const Drawn& drawn) {
-    using F = Quad<float>;
-    const ScreenTriangle t = set_up(drawn);
+    const ScreenTriangle t = set_up(drawn, drawn_by(form));
     const PlaneSetup setup = plane_setup(form, t, 1);
     const Values v{drawn.vertex[0].value[0], drawn.vertex[1].value[0], drawn.vertex[2].value[0]};
+    const PerVertex<Quad<float>> value{v[0], v[1], v[2]};
     double worst = 0;
-    for (int y = 0; y < 64; y += 2)
-        for (int x = 0; x < 64; x += 2) {
-            const F px(float(x) + 0.5f, float(x) + 1.5f, float(x) + 0.5f, float(x) + 1.5f);
-            const F py(float(y) + 0.5f, float(y) + 0.5f, float(y) + 1.5f, float(y) + 1.5f);
-            const F right(0, 1, 0, 1), lower(0, 0, 1, 1);
-            const PerVertex<F> value{F(v[0]), F(v[1]), F(v[2])};
-            const F got = form == Interpolation::llvmpipe
-                              ? llvmpipe_value(value, px, py, reader(setup))
-                              : swiftshader_value(value, px, py, right, lower, reader(setup));
-            const QuadEdges edges = edge_values(t, quad_centres(x, y));
-            for (std::size_t k = 0; k < 4; ++k) {
-                if (!coverage_mask(t, x + int(k & 1), y + int(k >> 1), 1)) continue;
-                const auto exact = exact_value(t, edges, k, v);
-                if (exact)
-                    worst =
-                        std::max(worst, error_of(*exact, got.lane[k]) / float_ulp(exact->largest));
-            }
-        }
+    for (int i = 0; i < 64 * 64; ++i) {
+        const int x = i % 64, y = i / 64;
+        if (!coverage_mask(t, x, y, 1)) continue;
+        const float got = value_at(form, setup, value, x, y).lane[0];
+        const std::size_t lane = std::size_t((y & 1) * 2 + (x & 1));
+        const auto exact = exact_value(t, edge_values(t, quad_centres(x & ~1, y & ~1)), lane, v);
+        if (exact) worst = std::max(worst, error_of(*exact, got) / float_ulp(exact->largest));
+    }
     return worst;
 }
 
 TEST(Planes, LlvmpipesBits) {
-    EXPECT_TRUE(equals_llvmpipe(PlantedPlane::none));
+    const auto check = [](PlantedPlane planted) {
+        return has_the_bits(Interpolation::llvmpipe, by_llvmpipe, planted);
+    };
+    EXPECT_TRUE(check(PlantedPlane::none));
     for (PlantedPlane planted :
          {PlantedPlane::rotated, PlantedPlane::centre_of_pixel, PlantedPlane::snapped})
-        EXPECT_FALSE(equals_llvmpipe(planted)) << int(planted);
+        EXPECT_FALSE(check(planted)) << int(planted);
 }
 
-/// The planes follow what they interpolate: llvmpipe's from the unsnapped vertices, SwiftShader's
-/// within roundings.
+TEST(Planes, SwiftShadersBits) {
+    const auto check = [](PlantedPlane planted) {
+        return has_the_bits(Interpolation::swiftshader, by_swiftshader, planted);
+    };
+    EXPECT_TRUE(check(PlantedPlane::none));
+    EXPECT_FALSE(check(PlantedPlane::fine_grid));
+}
+
+/// llvmpipe's planes follow the unsnapped vertices, SwiftShader's the snapped ones within
+/// roundings.
 TEST(Planes, FollowTheExactValues) {
     for (const Drawn& drawn : by_llvmpipe) {
         EXPECT_LT(largest_error(Interpolation::swiftshader, drawn), 100);

@@ -8,10 +8,12 @@
 // window's origin, evaluated by fused multiply-adds, as on every CPU that has them. (Mesa 26
 // anchors them at a vertex.)
 //
-// SwiftShader. Source: SetupRoutine.cpp (generate, setupGradient), QuadRasterizer.cpp,
-// SpirvShaderGLSLstd450.cpp (Interpolate): planes of the snapped vertices, anchored at one of them.
-// Its reciprocal of w starts from the CPU's approximation, which differs between makers; here it is
-// the correctly rounded one.
+// SwiftShader. Source: SetupRoutine.cpp (generate, setupGradient), QuadRasterizer.cpp (rasterize,
+// interpolate): planes of the snapped vertices, anchored at one of them. Its reciprocal of w is the
+// correctly rounded one, as with Subzero; its LLVM backend may start from the CPU's approximation.
+// (Chromium's build has 4 sub-pixel bits, the default is 8.)
+//
+// Both were held to what the implementations drew, bit for bit.
 #pragma once
 
 #include "quadrel/raster/interpolation.hpp"
@@ -105,7 +107,7 @@ F swiftshader_value(const PerVertex<F>& value, F x, F y, F right, F lower, const
     const AttributePlane<F> v = swiftshader_plane(ordered_values(value, at), at);
     const F w = (at(inverse_w_at) + py * (at(slope_at + 1) + at(slope_at + 3) + at(slope_at + 5))) +
                 px * (at(slope_at) + at(slope_at + 2) + at(slope_at + 4));
-    return (v.c + (px * v.a + py * v.b)) * (F(1) / w);
+    return ((v.c + py * v.b) + px * v.a) * (F(1) / w);
 }
 
 }  // namespace quadrel
