@@ -128,7 +128,7 @@ inline Vec3 interpolated(const Batch<float>& batch, int lane,
     const PrimitiveVertices& row = batch.vertices[primitive];
     const auto& w = batch.primitives[primitive].w;
     const auto edge = [&](int i) { return batch.edges[i][lane]; };
-    const auto b = perspective_barycentrics(PerVertex<float>{edge(0), edge(1), edge(2)},
+    const auto b = perspective_barycentrics(EdgeValues<float>{edge(0), edge(1), edge(2)},
                                             PerVertex<float>{w[0], w[1], w[2]});
     return interpolate(b, PerVertex<Vec3>{program(row, 0), program(row, 1), program(row, 2)});
 }
