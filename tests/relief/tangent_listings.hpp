@@ -44,7 +44,7 @@ Vec3 varying(const Batch<float>& batch, int quad, const Program& program) {
     const auto& w = batch.primitives[primitive].w;
     const auto edge = [&](std::size_t i) { return load<Float>(&batch.edges[i][first]); };
     const auto b =
-        perspective_barycentrics(PerVertex<Float>{edge(0), edge(1), edge(2)},
+        perspective_barycentrics(EdgeValues<Float>{edge(0), edge(1), edge(2)},
                                  PerVertex<Float>{Float(w[0]), Float(w[1]), Float(w[2])});
     const PrimitiveVertices& row = batch.vertices[primitive];
     return interpolate(
