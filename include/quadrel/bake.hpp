@@ -6,8 +6,10 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -119,12 +121,21 @@ struct BakeOptions {
     int threads = 0;                           ///< 0: one a core. The result is the same
     /// Called with the finished part, in (0, 1], never decreasing; from any thread, one at a time.
     std::function<void(double)> progress;
+    /// Wall time after which a bake stops: BakeStopped.
+    double seconds_limit = std::numeric_limits<double>::infinity();
+};
+
+/// A bake that took longer than it might.
+struct BakeStopped : std::runtime_error {
+    explicit BakeStopped(double share) : std::runtime_error("a bake took too long"), done(share) {}
+
+    double done;  ///< part of the work that was finished, 0 to 1
 };
 
 /// Derives a map. Its id() is baked_id().
 /// Throws UsageError for parameters that the kind has not or that are out of range, InputError for
 /// a map that would be too large, and, for kinds that measure slopes, for heights that are NaN or
-/// infinite (pyramids have NaN wherever a NaN is below).
+/// infinite (pyramids have NaN wherever a NaN is below), BakeStopped after seconds_limit.
 std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
                                     const SamplerState& sampler, const BakeOptions& options = {});
 
@@ -137,7 +148,8 @@ std::string height_id(const Texture& height);
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options = {});
 
-/// How long a bake of this size takes at most on one core, roughly.
+/// How long a bake of this size takes on one core, roughly, where the heights are easy: those of a
+/// wall of bricks. Others take many times as long.
 double bake_seconds_estimate(BakeKind kind, int width, int height);
 
 }  // namespace quadrel

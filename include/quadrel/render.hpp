@@ -24,6 +24,9 @@ struct RenderOptions {
     RenderStats* stats = nullptr;       ///< receives what the render did and took
     int tile = 64;                      ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
+    /// The same before the first tile, while a map that no cache has is derived from heights; `map`
+    /// is what to call it.
+    std::function<void(const std::string& map, double share)> baking;
 };
 
 /// Renders. The film's bits depend on scene, channels and number type only: not on window (beyond

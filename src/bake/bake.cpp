@@ -104,7 +104,7 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     require_size(height, sampler);
     const HeightPlane plane(height, sampler);
     if (row.heights == Heights::finite) require_finite(plane, row.info);
-    Progress progress(options.progress);
+    Progress progress(options.progress, options.seconds_limit);
     const BakeJob job{plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;
     // More threads than cores would only make TBB complain.

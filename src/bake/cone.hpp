@@ -38,8 +38,11 @@ void for_each_apex(const BakeJob& job, double share, Images images, Texture& map
     const HeightPlane& plane = job.plane;
     const int channels = map.view().channels;
     float* const texels = map.level_texels(0, 0);
+    // In a large map even a row takes minutes.
+    constexpr int texels_between_checks = 16;
     job.rows(plane.height, share, [&](int row) {
         for (int column = 0; column < plane.width; ++column) {
+            if (column % texels_between_checks == 0) job.progress.check_time();
             const Apex apex(plane, column - plane.grid.u.first, row - plane.grid.v.first, images);
             set(apex, texels + (static_cast<std::size_t>(row) * plane.width + column) * channels);
         }

@@ -85,6 +85,8 @@ std::optional<DiskCache> DiskCache::of_user() {
     return DiskCache(*folder, limit);
 }
 
+bool DiskCache::is_switched_off() { return user_limit() == 0; }
+
 std::filesystem::path DiskCache::file_of(const std::string& id) const {
     return folder_ / (id + suffix);
 }
@@ -92,7 +94,13 @@ std::filesystem::path DiskCache::file_of(const std::string& id) const {
 std::shared_ptr<const Texture> DiskCache::load(const std::string& id) const {
     const std::filesystem::path file = file_of(id);
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return nullptr;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        // Writing would wait for a pipe's reader, and follow a link.
+        const auto status = std::filesystem::symlink_status(file, error);
+        if (std::filesystem::exists(status) && !std::filesystem::is_directory(status))
+            std::filesystem::remove(file, error);
+        return nullptr;
+    }
     std::string bytes;
     try {
         bytes = read_whole_file(file);
@@ -108,19 +116,33 @@ std::shared_ptr<const Texture> DiskCache::load(const std::string& id) const {
     return map;
 }
 
-void DiskCache::store(const Texture& map) const {
+std::optional<std::string> DiskCache::store(const Texture& map) const {
     const std::string bytes = encode_entry(map);
-    if (bytes.size() > most_bytes_) return;
+    if (bytes.size() > most_bytes_)
+        return fmt::format("the map has {} bytes, and QUADREL_CACHE_MIB allows {}", bytes.size(),
+                           most_bytes_);
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     try {
         AtomicFile file(file_of(map.id()));
         file.write(bytes.data(), bytes.size());
-        file.commit();
-    } catch (const OutputError&) {
-        return;
+        file.commit_alone();
+    } catch (const OutputError& failure) {
+        return failure.reason;
     }
     remove_oldest();
+    return std::nullopt;
+}
+
+std::optional<std::string> DiskCache::reason_not_to_write(const std::string& id) const {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    try {
+        check_writable(file_of(id));
+    } catch (const OutputError& failure) {
+        return failure.reason;
+    }
+    return std::nullopt;
 }
 
 void DiskCache::remove_oldest() const {

@@ -19,13 +19,20 @@ class DiskCache {
     /// if QUADREL_CACHE_MIB is not a number.
     static std::optional<DiskCache> of_user();
 
+    /// Whether QUADREL_CACHE_MIB is 0.
+    static bool is_switched_off();
+
     /// The entry of this id, or null if there is none, or none that is whole: such a one is
-    /// removed.
+    /// removed, and so is what is no file at all (a pipe, a link to nowhere), but for folders.
     std::shared_ptr<const Texture> load(const std::string& id) const;
 
-    /// Writes an entry under the texture's id and removes what is too much. Failing is no error.
-    void store(const Texture& map) const;
+    /// Writes an entry under the texture's id and removes what is too much. Returns why it could
+    /// not, or nothing.
+    std::optional<std::string> store(const Texture& map) const;
+    /// Whether storing would fail now, and why: for finding out before long work.
+    std::optional<std::string> reason_not_to_write(const std::string& id) const;
 
+    const std::filesystem::path& folder() const { return folder_; }
     std::filesystem::path file_of(const std::string& id) const;
 
   private:

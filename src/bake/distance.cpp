@@ -36,9 +36,14 @@ class VectorSweep {
                     if (k <= 1 || k < plane.at(i, j) * slices) at(i, j, k) = {0, 0, 0};
     }
 
-    void run() {
-        for (int k = 0; k < slices_; ++k) sweep_slice(k, k - 1);
-        for (int k = slices_ - 1; k >= 0; --k) sweep_slice(k, k + 1);
+    /// As the next `share` of the whole work.
+    void run(Progress& progress, double share) {
+        for (int n = 0; n < 2 * slices_; ++n) {
+            const bool up = n < slices_;
+            const int k = up ? n : 2 * slices_ - 1 - n;
+            sweep_slice(k, up ? k - 1 : k + 1);
+            progress.add(share / (2 * slices_));
+        }
     }
 
     /// In voxels, of stored texel (i, j).
@@ -103,8 +108,8 @@ std::shared_ptr<Texture> bake_distance(const BakeJob& job) {
     const int slices = job.whole("slices");
     const auto map = job.make(1, slices, {{plane.width, plane.height}});
     VectorSweep sweep(plane, slices);
-    sweep.run();
-    job.rows(slices, 1, [&](int k) {
+    sweep.run(job.progress, 0.9);
+    job.rows(slices, 0.1, [&](int k) {
         float* out = map->level_texels(0, k);
         for (int j = 0; j < plane.height; ++j) {
             for (int i = 0; i < plane.width; ++i) {

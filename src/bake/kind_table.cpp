@@ -8,16 +8,17 @@ namespace quadrel {
 
 namespace {
 
-// Seconds of one core at most, about twice what bench/bake measures on the worst of its fields.
-double linear_time(double texels) { return 1e-7 * texels; }
-double logarithmic_time(double texels) { return 2e-6 * texels; }
-double layered_time(double texels) { return 1e-5 * texels; }
-double table_time(double texels) { return 2e-6 * texels; }
-double ray_time(double texels) { return 1.2e-7 * texels * std::sqrt(texels); }
-double sampled_ray_time(double texels) { return 4e-7 * texels * std::sqrt(texels); }
-double pair_time(double texels) { return 2.5e-9 * texels * texels; }
-double sector_time(double texels) { return 1.5e-8 * texels * texels; }
-double relaxed_time(double texels) { return 4e-8 * texels * texels; }
+// Seconds of one core where the heights are easy: about half of what the walls of data/textures take
+// (bench/bake has harder fields).
+double linear_time(double texels) { return 2e-8 * texels; }
+double logarithmic_time(double texels) { return 4e-7 * texels; }
+double layered_time(double texels) { return 2e-6 * texels; }
+double table_time(double texels) { return 4e-7 * texels; }
+double ray_time(double texels) { return 2.5e-8 * texels * std::sqrt(texels); }
+double sampled_ray_time(double texels) { return 2.5e-8 * texels * std::sqrt(texels); }
+double pair_time(double texels) { return 3e-11 * texels * texels; }
+double sector_time(double texels) { return 1e-10 * texels * texels; }
+double relaxed_time(double texels) { return 1e-10 * texels * texels; }
 
 const BakeParameter c_max{"c_max", 1, 0x1p-20, 16, false, "widest cone: tiles at unit height"};
 const BakeParameter bits{"bits", 0,    0,

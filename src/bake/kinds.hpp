@@ -13,7 +13,7 @@ struct BakeKindRow {
     BakeKindInfo info;
     Generator generate;
     Heights heights;
-    double (*seconds)(double texels);  ///< at most, on one core; `texels` stored
+    double (*seconds)(double texels);  ///< on one core where heights are easy; `texels` stored
 };
 
 /// In the order of the enumeration.

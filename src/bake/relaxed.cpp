@@ -35,7 +35,7 @@ class RelaxedSearch {
                 const double rise = plane_.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
                 // The exit lies further out and deeper than q.
                 if (!(rise > 0) || hopeless(metric_(di, dj), rise, best)) return;
-                const float ratio = listed_ratio(apex, di, dj);
+                const float ratio = listed_ratio(apex, di, dj, best);
                 if (!(ratio > best)) best = ratio;
             });
         return best;
@@ -60,7 +60,8 @@ class RelaxedSearch {
         return depth_of(plane_.texel(texel(u, plane_.width), texel(v, plane_.height)));
     }
 
-    float listed_ratio(const Apex& apex, int di, int dj) const {
+    /// The ratio that texel q gives, or any that is not below `best`.
+    float listed_ratio(const Apex& apex, int di, int dj, float best) const {
         const auto [width, height] = std::pair(float(plane_.width), float(plane_.height));
         const float u = (float(apex.i + plane_.grid.u.first) + 0.5f) / width;
         const float v = (float(apex.j + plane_.grid.v.first) + 0.5f) / height;
@@ -68,19 +69,32 @@ class RelaxedSearch {
         const float z = depth_at(to_u, to_v);
         const float apex_depth = depth_of(apex.height);
         const DepthPoint exit =
-            z == 0 ? DepthPoint{to_u, to_v, z} : leave({to_u, to_v, z}, {to_u - u, to_v - v, z});
+            z == 0 ? DepthPoint{to_u, to_v, z}
+                   : leave({to_u, to_v, z}, {to_u - u, to_v - v, z}, {u, v, apex_depth}, best);
         if (exit.z >= apex_depth) return 1;
         const float x = exit.u - u, y = exit.v - v;
         return std::sqrt(x * x + y * y) / (apex_depth - exit.z);
     }
 
-    /// Where the ray that comes along `to` is outside again below texel q, by samples.
-    DepthPoint leave(const DepthPoint& q, const DepthPoint& to) const {
+    /// Whether the ratio at a point of the ray is not below `best`. It only grows along the ray:
+    /// each of its operations is monotonic, rounding included. The slack is what these roundings
+    /// are of those of listed_ratio.
+    static bool is_wider(const DepthPoint& at, const DepthPoint& apex, float best) {
+        const float x = at.u - apex.u, y = at.v - apex.v;
+        const float radius = best * (apex.z - at.z);
+        return radius <= 0 || x * x + y * y > radius * radius * 1.0001f;
+    }
+
+    /// Where the ray that comes along `to` is outside again below texel q, by samples; or where it
+    /// cannot matter any more.
+    DepthPoint leave(const DepthPoint& q, const DepthPoint& to, const DepthPoint& apex,
+                     float best) const {
         const float rest = 1.0f - q.z, count = static_cast<float>(steps_);
         const auto step_of = [&](float component) { return component / to.z * rest / count; };
         const DepthPoint step{step_of(to.u), step_of(to.v), step_of(to.z)};
         DepthPoint at{q.u + step.u, q.v + step.v, q.z + step.z};
         for (int i = 1; i < steps_; ++i) {
+            if (is_wider(at, apex, best)) break;
             if (!(depth_at(at.u, at.v) <= at.z)) break;  // and stays there for the other turns
             at = {at.u + step.u, at.v + step.v, at.z + step.z};
         }

@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "bake/wrap_names.hpp"
+#include "cli/command_files.hpp"
 #include "cli/console.hpp"
 #include "cli/verbs.hpp"
-#include "io/atomic_file.hpp"
+#include "io/output_group.hpp"
 #include "quadrel/baked_file.hpp"
 #include "quadrel/baked_texture.hpp"
+#include "quadrel/error.hpp"
 #include "quadrel/packed_map.hpp"
 #include "texture/swizzle.hpp"
 #include "texture/texel_format.hpp"
@@ -65,47 +67,57 @@ BakedTextureOptions make_options(const Arguments& arguments) {
         options.parameters.insert(parse_parameter(text));
     options.threads = arguments.threads;
     options.disk = !arguments.no_cache;
+    options.must_keep = arguments.output.empty() && arguments.packed.empty();
+    options.not_kept = [](const std::string& reason) {
+        say("quadrel: the map is not kept in the cache: " + reason);
+    };
     options.seconds_limit = std::numeric_limits<double>::infinity();
     return options;
 }
 
 /// Before long work.
-void check_outputs(const Arguments& arguments, BakeKind kind) {
+void check_arguments(const Arguments& arguments, BakeKind kind) {
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
     if (!arguments.packed.empty() && !is_packable(kind))
         throw UsageError(fmt::format("{} maps have no packing of their source", arguments.kind));
-    for (const std::string& output : {arguments.output, arguments.packed})
-        if (!output.empty()) check_writable(output);
 }
 
-void say_written(const std::string& file) {
-    fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
+void check_files(const Arguments& arguments) {
+    CommandFiles files;
+    files.add_input(arguments.image);
+    files.add_output("-o", arguments.output);
+    files.add_output("--packed", arguments.packed);
+    files.check_writable();
+}
+
+std::shared_ptr<const Texture> bake_with_bar(const Texture& height, BakeKind kind,
+                                             const SamplerState& sampler,
+                                             BakedTextureOptions options) {
+    ProgressBar bar;
+    options.progress = [&bar](double share) { bar.show(share); };
+    return baked_texture(height, kind, sampler, options);
 }
 
 ExitCode run_bake(const Arguments& arguments) {
     const BakeKind kind = bake_kind_from_name(arguments.kind);
-    BakedTextureOptions options = make_options(arguments);
+    const BakedTextureOptions options = make_options(arguments);
     const Packing packing = packing_from_name(arguments.packing);
-    check_outputs(arguments, kind);
+    check_arguments(arguments, kind);
+    check_files(arguments);
     const auto height = load_heights(arguments);
     const SamplerState sampler = make_sampler(arguments);
-    std::shared_ptr<const Texture> map;
-    {
-        ProgressBar bar;
-        options.progress = [&bar](double share) { bar.show(share); };
-        map = baked_texture(*height, kind, sampler, options);
-    }
-    if (!arguments.output.empty()) {
+    const auto map = bake_with_bar(*height, kind, sampler, options);
+    OutputGroup outputs;
+    if (!arguments.output.empty())
         write_baked(arguments.output, *map, *height, kind, sampler, options);
-        say_written(arguments.output);
-    }
-    if (!arguments.packed.empty()) {
+    if (!arguments.packed.empty())
         write_packed(
             arguments.packed, *map, *height, sampler, packing,
             arguments.rounding == "nearest" ? PackRounding::nearest : PackRounding::conservative);
-        say_written(arguments.packed);
-    }
+    outputs.commit();
+    for (const std::string& output : {arguments.output, arguments.packed})
+        if (!output.empty()) say_written(output);
     return ExitCode::ok;
 }
 

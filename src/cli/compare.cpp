@@ -2,10 +2,10 @@
 #include "quadrel/compare.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/command_files.hpp"
 #include "cli/compare_arguments.hpp"
 #include "cli/compare_blame.hpp"
 #include "cli/console.hpp"
@@ -109,6 +109,10 @@ ExitCode run_compare(const Arguments& arguments) {
         throw UsageError("-D: expected with --blame only");
     if (arguments.blame.empty() && !arguments.plugins.empty())
         throw UsageError("--plugin: expected with --blame only");
+    CommandFiles files;
+    for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
+    files.add_output("--heatmap", arguments.heatmap);
+    files.check_writable();
     load_plugins(arguments.plugins);
     const Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
@@ -116,6 +120,7 @@ ExitCode run_compare(const Arguments& arguments) {
         scene = open_probed_scene(arguments.blame, arguments.overrides);
         scene->plugins = arguments.plugins;
     }
+    files.check();
     const Film &reference = images.reference.film, &test = images.test.film;
     CompareReport report = compare(reference, test, images.rules);
     report.preparation = images.preparation;
@@ -123,13 +128,13 @@ ExitCode run_compare(const Arguments& arguments) {
         report.blame = find_blame(reference, test, images.rules, report);
         if (report.blame) point_at_probe(*report.blame, *scene, images.reference);
     }
-    print(arguments.json ? to_json(report) : to_text(report));
+    arguments.json ? print_json(to_json(report)) : print(to_text(report));
     if (!arguments.heatmap.empty()) {
         if (reference.window == test.window)
             write_png(arguments.heatmap,
                       heatmap(reference, without_left_out(reference, test, images.rules.left_out)));
         else
-            std::fputs("quadrel: no heat map: the windows differ\n", stderr);
+            say("quadrel: no heat map: the windows differ");
     }
     return report.equal() ? ExitCode::ok : ExitCode::difference;
 }

@@ -1,20 +1,35 @@
 // What people and pipes see: data on standard output, progress on standard error.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace quadrel::cli {
 
-/// Writes data to standard output. Throws OutputError.
+/// Writes text to standard output, line by line printable. Throws OutputError; but a reader that
+/// has gone has all that it wants: from then on nothing is written, and that is no error.
 void print(std::string_view text);
 
-/// Throws OutputError if anything printed did not get out.
+/// The same with JSON, which stays JSON.
+void print_json(std::string_view json);
+
+/// Throws OutputError if anything printed did not get out, unless its reader has gone.
 void flush_output();
 
 /// Prints notes (Scene::notes) on standard error, each text once in the life of the process.
 void say_notes(const std::vector<std::string>& notes);
+/// A message for people on standard error, printable and with a line break. One that does not get
+/// out is no error.
+void say(std::string_view message);
+
+/// Says where an output is now.
+void say_written(const std::filesystem::path& file);
+
+/// Makes descriptors 0 to 2 be open, so that no output gets one of them and with it what is
+/// printed: what was closed becomes one that cannot be read, or written.
+void occupy_standard_descriptors();
 
 /// A bar on standard error, drawn only if that is a terminal; without colour where NO_COLOR
 /// (no-color.org) is set or the terminal is dumb.
@@ -25,14 +40,15 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `share` done, 0 to 1. Not for several threads at once.
-    void show(double share);
+    /// `share` done, 0 to 1, and of what. Not for several threads at once.
+    void show(double share, std::string_view what = "");
     /// Off the terminal, for other text.
     void clear();
 
   private:
     bool terminal_, color_;
     int percent_ = -1;
+    std::string what_;
 };
 
 }  // namespace quadrel::cli

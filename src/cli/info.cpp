@@ -6,12 +6,14 @@
 #include "cli/console.hpp"
 #include "cli/file_info.hpp"
 #include "cli/verbs.hpp"
+#include "io/printable.hpp"
 
 namespace quadrel::cli {
 namespace {
 
 std::string inline_text(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
+    if (value.is_string()) return printable(value.get<std::string>());
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 /// Objects of plain values on one line: "name=R type=float min=0".
@@ -32,7 +34,7 @@ std::string to_text(const Json& info) {
         } else if (value.is_object()) {
             text += key + "\n";
             for (const auto& [name, entry] : value.items())
-                text += fmt::format("  {} = {}\n", name, inline_text(entry));
+                text += fmt::format("  {} = {}\n", printable(name), inline_text(entry));
         } else {
             text += fmt::format("{:<12}{}\n", key, inline_text(value));
         }
@@ -56,7 +58,10 @@ void add_info(CLI::App& app, Action& action) {
     verb->callback([a, &action] {
         action = [a] {
             const Json info = file_info(a->file);
-            print(a->json ? info.dump(2) + "\n" : to_text(info));
+            if (a->json)
+                print_json(info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+            else
+                print(to_text(info));
             return ExitCode::ok;
         };
     });

@@ -17,7 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_json(const Json& json) { print(json.dump(2) + "\n"); }
+void print_table(const Json& json) {
+    // Names of scenes are names of files, which may be no UTF-8.
+    print_json(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
 
 Json value_names(std::span<const Value> values) {
     Json names = Json::array();
@@ -57,7 +60,7 @@ void list_algorithms(bool json) {
     if (json) {
         Json all = Json::array();
         for (const StageInfo& stage : all_stages()) all.push_back(stage_json(stage));
-        return print_json(all);
+        return print_table(all);
     }
     for (const StageInfo& stage : all_stages()) {
         print(fmt::format("{:<9}{:<26} {}\n", stage.text.room, stage.text.id, stage.text.summary));
@@ -83,11 +86,11 @@ void list_channels(bool json) {
                               channel.unit));
         }
     }
-    if (json) print_json(all);
+    if (json) print_table(all);
 }
 
 void list_scenes(bool json) {
-    if (json) return print_json(Json(installed_scenes()));
+    if (json) return print_table(Json(installed_scenes()));
     for (const std::string& scene : installed_scenes()) print(scene + "\n");
 }
 
@@ -102,7 +105,7 @@ Json preset_json(const Preset& preset) {
 void list_presets(bool json) {
     Json all = Json::array();
     for (const Preset& preset : all_presets()) all.push_back(preset_json(preset));
-    if (json) return print_json(all);
+    if (json) return print_table(all);
     for (const Preset& preset : all_presets()) {
         print(fmt::format("{:<22} {}\n", preset.name, preset.summary));
         std::string trace = preset.trace;

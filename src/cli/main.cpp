@@ -5,7 +5,8 @@
 
 #include "cli/console.hpp"
 #include "cli/verbs.hpp"
-#include "io/atomic_file.hpp"
+#include "io/printable.hpp"
+#include "io/temporary_registry.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -17,7 +18,8 @@ constexpr const char* exit_codes =
 /// Exactly one line.
 int complain(std::string message, ExitCode code) {
     std::replace(message.begin(), message.end(), '\n', ' ');
-    std::fprintf(stderr, "quadrel: %s\n", message.c_str());
+    constexpr std::size_t most = 6000;  // a path alone may have 4096
+    say("quadrel: " + shortened(message, most));
     return static_cast<int>(code);
 }
 
@@ -70,6 +72,7 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace quadrel::cli
 
 int main(int argc, char** argv) {
+    quadrel::cli::occupy_standard_descriptors();
     quadrel::install_signal_cleanup();
     return quadrel::cli::parse_and_run(argc, argv);
 }

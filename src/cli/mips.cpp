@@ -6,9 +6,10 @@
 #include <map>
 #include <memory>
 
+#include "cli/command_files.hpp"
 #include "cli/console.hpp"
 #include "cli/verbs.hpp"
-#include "io/atomic_file.hpp"
+#include "io/output_group.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
 #include "texture/texel_format.hpp"
@@ -52,15 +53,26 @@ Film to_film(const Image& level) {
     return film;
 }
 
+std::vector<std::string> level_files(const Arguments& arguments, int levels) {
+    std::vector<std::string> files;
+    for (int level = 0; level < levels; ++level)
+        files.push_back(fmt::format("{}.{}.exr", arguments.prefix, level));
+    return files;
+}
+
 ExitCode run_mips(const Arguments& arguments) {
+    CommandFiles all;
     const auto texture = make_texture(load_image(arguments.image), texture_options(arguments));
-    for (int level = 0; level < texture->view().levels; ++level) {
-        const std::string file = fmt::format("{}.{}.exr", arguments.prefix, level);
+    const std::vector<std::string> files = level_files(arguments, texture->view().levels);
+    for (const std::string& file : files) all.add_output("-o", file);
+    all.check_writable();
+    OutputGroup outputs;
+    for (int level = 0; level < texture->view().levels; ++level)
         write_exr(
-            file, to_film(texture_level(*texture, level)),
+            files[static_cast<std::size_t>(level)], to_film(texture_level(*texture, level)),
             {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}});
-        fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
-    }
+    outputs.commit();
+    for (const std::string& file : files) say_written(file);
     return ExitCode::ok;
 }
 

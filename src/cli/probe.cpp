@@ -25,7 +25,7 @@ ExitCode run_probe(const Arguments& arguments) {
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     say_notes(scene.notes);
     const ProbeReport report = probe(scene, pixel.x, pixel.y, arguments.number, arguments.isa);
-    print(arguments.json ? to_json(report) : to_text(report));
+    arguments.json ? print_json(to_json(report)) : print(to_text(report));
     return ExitCode::ok;
 }
 

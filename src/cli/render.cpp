@@ -6,10 +6,11 @@
 #include <memory>
 
 #include "cli/arguments.hpp"
+#include "cli/command_files.hpp"
 #include "cli/console.hpp"
 #include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
-#include "io/atomic_file.hpp"
+#include "io/output_group.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/film/preview.hpp"
@@ -41,17 +42,11 @@ RenderOptions parse_options(const Arguments& arguments) {
     return options;
 }
 
-/// Before minutes of rendering, not after.
-void check_outputs(const std::filesystem::path& output, const Arguments& arguments) {
-    check_writable(output);
-    for (const auto& [option, other] :
-         {std::pair{"--preview", arguments.preview}, {"--stats", arguments.stats}}) {
-        if (other.empty()) continue;
-        check_writable(other);
-        if (std::filesystem::absolute(other).lexically_normal() ==
-            std::filesystem::absolute(output).lexically_normal())
-            throw UsageError(std::string(option) + " and the output have the same name");
-    }
+void add_outputs(CommandFiles& files, const Arguments& arguments) {
+    if (arguments.explain) return;
+    files.add_output("-o", output_name(arguments));
+    files.add_output("--preview", arguments.preview);
+    files.add_output("--stats", arguments.stats);
 }
 
 void check_window(const RenderOptions& options, const Scene& scene) {
@@ -65,8 +60,10 @@ void check_window(const RenderOptions& options, const Scene& scene) {
 Film render_with_bar(const Scene& scene, RenderOptions& options) {
     ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
+    options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
     Film film = render(scene, options);
     options.progress = nullptr;
+    options.baking = nullptr;
     return film;
 }
 
@@ -76,16 +73,28 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     out.commit();
 }
 
-void say_written(const std::filesystem::path& file) {
-    fmt::print(stderr, "{}\n", std::filesystem::absolute(file).lexically_normal().string());
+void write_outputs(const Arguments& arguments, const Scene& scene, const RenderOptions& options,
+                   const Film& film) {
+    const std::filesystem::path output = output_name(arguments);
+    Attributes attributes;
+    for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
+    OutputGroup outputs;
+    write_exr(output, film, attributes);
+    if (!arguments.preview.empty()) write_png(arguments.preview, preview(film));
+    if (!arguments.stats.empty()) write_text(arguments.stats, to_json(*options.stats));
+    outputs.commit();
+    say_written(output);
+    if (!arguments.preview.empty()) say_written(arguments.preview);
 }
 
 ExitCode run_render(const Arguments& arguments) {
+    CommandFiles files;
+    add_outputs(files, arguments);
     load_plugins(arguments.plugins);
-    const std::filesystem::path output = output_name(arguments);
     RenderOptions options = parse_options(arguments);
-    if (!arguments.explain) check_outputs(output, arguments);
+    files.check_writable();
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
+    files.check();
     say_notes(scene.notes);
     check_window(options, scene);
     if (arguments.explain) {
@@ -95,15 +104,7 @@ ExitCode run_render(const Arguments& arguments) {
     RenderStats stats;
     if (!arguments.stats.empty()) options.stats = &stats;
     const Film film = render_with_bar(scene, options);
-    Attributes attributes;
-    for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
-    write_exr(output, film, attributes);
-    say_written(output);
-    if (!arguments.preview.empty()) {
-        write_png(arguments.preview, preview(film));
-        say_written(arguments.preview);
-    }
-    if (!arguments.stats.empty()) write_text(arguments.stats, to_json(stats));
+    write_outputs(arguments, scene, options, film);
     return ExitCode::ok;
 }
 

@@ -4,12 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "cli/arguments.hpp"
+#include "cli/command_files.hpp"
 #include "cli/console.hpp"
 #include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
-#include "io/atomic_file.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/film/preview.hpp"
@@ -47,56 +48,81 @@ bool is_image(const std::filesystem::path& file) { return file.extension() == ".
 std::vector<std::filesystem::path> expand(const std::vector<std::string>& inputs) {
     std::vector<std::filesystem::path> files;
     for (const std::filesystem::path input : inputs) {
-        if (!std::filesystem::is_directory(input)) {
+        std::error_code error;
+        if (!std::filesystem::is_directory(input, error)) {
             files.push_back(input);
             continue;
         }
         const std::size_t first = files.size();
-        for (const auto& entry : std::filesystem::directory_iterator(input))
-            if (entry.path().extension() == ".json") files.push_back(entry.path());
+        for (std::filesystem::directory_iterator i(input, error), end; !error && i != end;
+             i.increment(error))
+            if (i->path().extension() == ".json") files.push_back(i->path());
+        if (error) throw InputError(input.string(), "", error.message(), "a readable folder");
         std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
     }
     return files;
 }
 
-void render_variants(const std::filesystem::path& scene_file, const Arguments& arguments,
-                     const Variants& variants, std::vector<SheetEntry>& entries,
-                     std::vector<std::string>& notes) {
-    for (const std::string& value : variants.values) {
-        std::vector<std::string> overrides = with_size(arguments.overrides, arguments.size);
-        std::string label = scene_file.stem().string();
-        if (!variants.key.empty()) {
-            overrides.push_back(variants.key + "=" + value);
-            label += " " + value;
+/// A picture that is there, or a scene to be rendered.
+struct SheetInput {
+    std::string label;
+    std::filesystem::path file;
+    std::optional<Scene> scene;
+};
+
+/// Everything that is to be seen; scenes are loaded, so that their inputs are known and their
+/// errors come before the first render.
+std::vector<SheetInput> open_inputs(const Arguments& arguments, const Variants& variants,
+                                    CommandFiles& command) {
+    std::vector<SheetInput> inputs;
+    for (const std::filesystem::path& file : expand(arguments.inputs)) {
+        const std::string label = file.stem().string();
+        command.add_input(file);
+        if (is_image(file)) {
+            inputs.push_back({label, file, {}});
+            continue;
         }
-        RenderOptions options;
-        options.channels = {"R", "G", "B", "A"};
-        const Scene scene = load_scene(scene_file, overrides);
-        notes.insert(notes.end(), scene.notes.begin(), scene.notes.end());
-        entries.push_back({label, preview(render(scene, options))});
+        for (const std::string& value : variants.values) {
+            std::vector<std::string> overrides = with_size(arguments.overrides, arguments.size);
+            if (!variants.key.empty()) overrides.push_back(variants.key + "=" + value);
+            inputs.push_back({variants.key.empty() ? label : label + " " + value, file,
+                              load_scene(file, overrides)});
+        }
     }
+    return inputs;
+}
+
+Picture picture_of(const SheetInput& input, const RenderOptions& options) {
+    if (!input.scene) return preview(read_exr(input.file).film);
+    return preview(render(*input.scene, options));
+}
+
+std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs) {
+    std::vector<SheetEntry> entries;
+    ProgressBar bar;
+    RenderOptions options;
+    options.channels = {"R", "G", "B", "A"};
+    options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
+    for (const SheetInput& input : inputs) {
+        entries.push_back({input.label, picture_of(input, options)});
+        bar.show(static_cast<double>(entries.size()) / static_cast<double>(inputs.size()));
+    }
+    return entries;
 }
 
 ExitCode run_sheet(const Arguments& arguments) {
+    CommandFiles files;
     const Variants variants = parse_variants(arguments.each);
+    files.add_output("-o", arguments.output);
+    files.check_writable();
     load_plugins(arguments.plugins);
-    check_writable(arguments.output);
-    std::vector<SheetEntry> entries;
-    std::vector<std::string> notes;  // printed when the bar is through
-    ProgressBar bar;
-    const auto files = expand(arguments.inputs);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (is_image(files[i]))
-            entries.push_back({files[i].stem().string(), preview(read_exr(files[i]).film)});
-        else
-            render_variants(files[i], arguments, variants, entries, notes);
-        bar.show(static_cast<double>(i + 1) / static_cast<double>(files.size()));
-    }
-    bar.clear();
-    say_notes(notes);
+    const std::vector<SheetInput> inputs = open_inputs(arguments, variants, files);
+    files.check();
+    const auto entries = make_entries(inputs);
+    for (const SheetInput& input : inputs)
+        if (input.scene) say_notes(input.scene->notes);
     write_png(arguments.output, contact_sheet(entries, arguments.columns));
-    fmt::print(stderr, "{}\n",
-               std::filesystem::absolute(arguments.output).lexically_normal().string());
+    say_written(arguments.output);
     return ExitCode::ok;
 }
 

@@ -2,27 +2,21 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
+#include "io/output_group.hpp"
+#include "io/temporary_file.hpp"
 #include "io/temporary_registry.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
 namespace {
-
-/// Not derived from the target's name, which may already be as long as names can be.
-std::filesystem::path temporary_name(const std::filesystem::path& target) {
-    std::uint64_t random = 0;
-    const ssize_t size = getrandom(&random, sizeof random, 0);
-    QUADREL_CHECK(size == ssize_t{sizeof random}, size);
-    return target.parent_path() / fmt::format(".quadrel-{:016x}.tmp", random);
-}
 
 /// Whether a rename may replace this name: a regular file, or nothing.
 bool replaceable(const std::filesystem::path& target) {
@@ -50,18 +44,29 @@ void sync_folder(const std::filesystem::path& folder) {
 
 AtomicFile::AtomicFile(const std::filesystem::path& target) {
     if (target.empty()) throw OutputError("", "empty file name");
-    target_ = std::filesystem::absolute(target);
+    std::error_code error;
+    target_ = std::filesystem::absolute(target, error);
+    if (error) throw OutputError(target, "the working directory is gone");
     if (!target_.has_filename()) throw OutputError(target_, "is a directory");
-    std::error_code ignored;
-    if (std::filesystem::is_directory(target_, ignored))
-        throw OutputError(target_, "is a directory");
+    if (std::filesystem::is_directory(target_, error)) throw OutputError(target_, "is a directory");
     through_ = !replaceable(target_);
     through_ ? open_through() : open_temporary();
 }
 
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      lock_(std::exchange(other.lock_, -1)),
+      slot_(std::exchange(other.slot_, -1)),
+      through_(other.through_),
+      spool_(std::move(other.spool_)),
+      position_(other.position_) {}
+
 AtomicFile::~AtomicFile() {
-    if (descriptor_ >= 0) close(descriptor_);
     if (!temporary_.empty()) unlink(temporary_.c_str());
+    if (descriptor_ >= 0) close(descriptor_);
+    if (lock_ >= 0) close(lock_);
     forget_temporary(slot_);
 }
 
@@ -71,21 +76,32 @@ void check_writable(const std::filesystem::path& target) {
     if (directory || replaceable(target)) AtomicFile probe(target);
 }
 
+std::filesystem::path full_name(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::path full = std::filesystem::absolute(file, error);
+    return error ? file : full.lexically_normal();
+}
+
 void AtomicFile::open_temporary() {
     // rename() needs no permission on the file that it replaces; an existing read-only file is
     // nevertheless meant to stay.
     if (access(target_.c_str(), F_OK) == 0 && access(target_.c_str(), W_OK) != 0) fail("open");
-    const std::filesystem::path name = temporary_name(target_);
-    slot_ = register_temporary(name.c_str());
-    descriptor_ = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ >= 0) {
-        temporary_ = name;
-        return;
+    remove_abandoned_once(target_.parent_path());
+    constexpr int most_tries = 100;
+    for (int tries = 0; tries < most_tries; ++tries) {
+        // Not derived from the target's name, which may already be as long as names can be.
+        const std::filesystem::path name = target_.parent_path() / temporary_name();
+        slot_ = register_temporary(name.c_str());
+        descriptor_ = create_locked(name);
+        if (descriptor_ >= 0) {
+            temporary_ = name;
+            return;
+        }
+        const int error = errno;
+        forget_temporary(std::exchange(slot_, -1));
+        errno = error;
+        if (error != EEXIST) break;
     }
-    const int error = errno;
-    forget_temporary(slot_);
-    slot_ = -1;
-    errno = error;
     fail("create a file beside it");
 }
 
@@ -113,21 +129,37 @@ void AtomicFile::write(const void* data, std::size_t size) {
 }
 
 void AtomicFile::commit() {
-    QUADREL_CHECK(descriptor_ >= 0, descriptor_);
-    through_ ? commit_through() : commit_temporary();
+    OutputGroup* const group = OutputGroup::current();
+    if (group == nullptr) return commit_alone();
+    finish();
+    group->files_.push_back(std::move(*this));
 }
 
-void AtomicFile::commit_temporary() {
+void AtomicFile::commit_alone() {
+    finish();
+    publish();
+}
+
+void AtomicFile::finish() {
+    QUADREL_CHECK(descriptor_ >= 0, descriptor_);
+    if (through_) return;
     keep_mode(descriptor_, target_);
     if (fsync(descriptor_) != 0) fail("sync");
+    // A lock belongs to all duplicates of a descriptor.
+    lock_ = fcntl(descriptor_, F_DUPFD_CLOEXEC, 3);
     close_checked();
+}
+
+void AtomicFile::publish() {
+    if (through_) return publish_through();
     if (!replaceable(target_)) throw OutputError(target_, "is no longer a regular file");
     if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("rename");
     temporary_.clear();
+    forget_temporary(std::exchange(slot_, -1));
     sync_folder(target_.parent_path());
 }
 
-void AtomicFile::commit_through() {
+void AtomicFile::publish_through() {
     struct stat status = {};
     const bool regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
     if (regular && ftruncate(descriptor_, 0) != 0) fail("truncate");

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <new>
 
 #include "io/exr_attributes.hpp"
 #include "io/exr_limits.hpp"
+#include "io/out_of_memory.hpp"
 #include "io/read_file.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
@@ -131,9 +131,8 @@ ExrFile read_exr(const std::filesystem::path& file, const std::string& layer) {
         return read_part(file, layer);
     } catch (const InputError&) {
         throw;
-    } catch (const std::bad_alloc&) {
-        reject(file, "", "an image that does not fit into memory", "a smaller image");
     } catch (const std::exception& error) {
+        rethrow_out_of_memory(error);
         reject(file, "", std::string("a damaged file (") + error.what() + ")", "a whole EXR file");
     }
 }

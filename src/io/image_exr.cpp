@@ -10,6 +10,7 @@
 
 #include "io/exr_limits.hpp"
 #include "io/image_readers.hpp"
+#include "io/out_of_memory.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -144,6 +145,7 @@ Image read_exr_image(const std::string& file, const std::string& key) {
     } catch (const InputError&) {
         throw;
     } catch (const std::exception& error) {
+        rethrow_out_of_memory(error);
         throw InputError(file, key, error.what(), "a complete EXR image");
     }
 }

@@ -12,6 +12,7 @@
 
 #include "io/image_readers.hpp"
 #include "io/module_path.hpp"
+#include "io/out_of_memory.hpp"
 #include "modules/oiio/oiio_module.hpp"
 #include "quadrel/error.hpp"
 
@@ -145,6 +146,7 @@ void decode_values(const Read& read, Image& image) {
 Image read_other_image(const std::string& file, const std::string& key) {
     const Module& module = image_module();
     if (module.read == nullptr) {
+        if (says_out_of_memory(module.problem)) throw std::bad_alloc();
         throw InputError(file, key,
                          fmt::format("a file other than EXR, and no reader: {}", module.problem),
                          fmt::format("an EXR file, or an installation with {}", module_name));
@@ -153,6 +155,7 @@ Image read_other_image(const std::string& file, const std::string& key) {
     QuadrelOiioRequest request{quadrel_oiio_version, &read, allocate, {}};
     const int result = read_quietly(module, file, request);
     if (read.exception) std::rethrow_exception(read.exception);
+    if (result != 0 && says_out_of_memory(request.error)) throw std::bad_alloc();
     if (result != 0) throw InputError(file, key, request.error, "a complete image file");
     Image image;
     image.width = read.info.width;

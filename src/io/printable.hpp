@@ -1,24 +1,23 @@
-// Text out of files, for terminals.
+// Text that a terminal does not obey: what files and arguments hold gets into messages and reports.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace quadrel {
 
-/// `text` as part of a message: it stays one line, and no terminal obeys it.
-inline std::string printable(std::string text) {
-    for (char& c : text) {
-        if (c == '\n' || c == '\t') c = ' ';
-        if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
-    }
-    return text;
-}
+/// One line: control characters (C0, DEL, C1) and bytes that are no UTF-8 become \xNN, a line break
+/// \n and a tab \t.
+std::string printable(std::string_view text);
 
-/// The beginning of a text that may be as long as a file.
-inline std::string shortened(const std::string& text) {
-    constexpr std::size_t most = 400;
-    return text.size() > most ? text.substr(0, most) + "..." : text;
-}
+/// The same, line by line: line breaks stay.
+std::string printable_lines(std::string_view text);
+
+/// JSON as nlohmann writes it, with the control characters that it leaves (DEL, C1) as \u00NN.
+std::string printable_json(std::string_view text);
+
+/// The beginning of a text that may be as long as a file, at most `most` bytes and "...".
+std::string shortened(std::string_view text, std::size_t most = 400);
 
 /// A note (Scene::notes) about a file.
 inline std::string file_note(const std::string& file, const std::string& text) {

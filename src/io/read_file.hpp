@@ -6,13 +6,16 @@
 #include <iterator>
 #include <string>
 
+#include "io/input_record.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
 
 /// Why `file` cannot be an input that is read more than once, or null: a device may go on for ever,
-/// and a pipe gives its bytes only once.
+/// and a pipe gives its bytes only once. Whatever asks is going to read it: it counts as an input
+/// of the command.
 inline const char* reason_not_to_read(const std::filesystem::path& file) {
+    note_input(file);
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) return "no such file";

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <variant>
 
+#include "io/printable.hpp"
 #include "io/scene_keys.hpp"
 #include "io/scene_value.hpp"
 #include "quadrel/error.hpp"
@@ -13,7 +14,8 @@ namespace {
 using Step = std::variant<std::string, std::size_t>;  // a key, or an index
 
 [[noreturn]] void malformed(const std::string& assignment) {
-    throw UsageError("-D " + assignment +
+    constexpr std::size_t most = 80;
+    throw UsageError("-D " + shortened(assignment, most) +
                      ": expected KEY=VALUE, the key as in camera.eye or objects[0].mesh");
 }
 

@@ -8,8 +8,6 @@
 #include <csignal>
 #include <cstring>
 
-#include "io/atomic_file.hpp"
-
 namespace quadrel {
 namespace {
 
@@ -20,13 +18,24 @@ struct Slot {
     std::atomic<int> state{vacant};
     char path[PATH_MAX] = {};
 };
-constexpr int slot_count = 16;
+constexpr int slot_count = 64;
 std::array<Slot, slot_count> slots;
 static_assert(std::atomic<int>::is_always_lock_free);
+
+// The number of holds, or less than 0 once a signal ends the process.
+std::atomic<int> holds{0};
+std::atomic<int> waiting{0};
+constexpr int ending = INT_MIN / 2;
 
 void clean_up_and_exit(int signal) {
     remove_temporaries();
     _exit(128 + signal);
+}
+
+void handle(int signal) {
+    waiting.store(signal);
+    int none = 0;
+    if (holds.compare_exchange_strong(none, ending)) clean_up_and_exit(signal);
 }
 
 }  // namespace
@@ -53,9 +62,20 @@ void remove_temporaries() {
         if (slot.state.load() == filled) unlink(slot.path);
 }
 
+SignalHold::SignalHold() {
+    // Another thread removes the temporaries: there is nothing left to do.
+    if (holds.fetch_add(1) < 0)
+        while (true) pause();
+}
+
+SignalHold::~SignalHold() {
+    if (holds.fetch_sub(1) > 1) return;
+    if (const int signal = waiting.load(); signal != 0) clean_up_and_exit(signal);
+}
+
 void install_signal_cleanup() {
     struct sigaction action = {};
-    action.sa_handler = clean_up_and_exit;
+    action.sa_handler = handle;
     sigfillset(&action.sa_mask);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction old = {};

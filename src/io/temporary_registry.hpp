@@ -13,4 +13,18 @@ void forget_temporary(int slot);
 /// Removes every remembered file. Async-signal-safe.
 void remove_temporaries();
 
+/// Makes SIGINT, SIGTERM and SIGHUP remove the temporaries of unfinished outputs and end the
+/// process with 128 + the signal's number (130, 143, 129); a closed pipe becomes a write error
+/// instead of SIGPIPE. For programs; the library itself never calls it.
+void install_signal_cleanup();
+
+/// While one lives, such a signal waits; the last one's end obeys it.
+class SignalHold {
+  public:
+    SignalHold();
+    ~SignalHold();
+    SignalHold(const SignalHold&) = delete;
+    SignalHold& operator=(const SignalHold&) = delete;
+};
+
 }  // namespace quadrel

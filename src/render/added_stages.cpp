@@ -119,10 +119,13 @@ void load_plugin(const fs::path& file) {
     AddedStages& stages = added();
     const std::lock_guard lock(stages.mutex);
     std::error_code error;
-    const fs::path path = fs::weakly_canonical(fs::absolute(file), error);
+    const fs::path full = fs::absolute(file, error);
+    const fs::path path = error ? file : fs::weakly_canonical(full, error);
     for (const Plugin& plugin : stages.plugins)
         if (plugin.file == path) return;
     Plugin plugin{path, "", rows_of(*open_plugin(file, "scalar")), {}};
+    // Loaded when a render first needs them.
+    for (const std::string& isa : isa_names()) note_input(part_file(plugin, isa));
     plugin.hash = sha256_hex(read_whole_file(path));
     if (const auto fault = first_fault(plugin.rows))
         throw InputError(file.string(), fmt::format("stage \"{}\"", fault->stage), fault->found,

@@ -1,8 +1,10 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "io/read_file.hpp"
 #include "quadrel/error.hpp"
 #include "render/added_stages.hpp"
+#include "render/elf_check.hpp"
 
 namespace quadrel {
 namespace {
@@ -27,8 +29,10 @@ std::string loader_message(const std::filesystem::path& file) {
 const PluginTable* open_plugin(const std::filesystem::path& file, std::string_view isa) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) refuse(file, "no such file");
+    if (const auto fault = elf_fault(read_whole_file(file))) refuse(file, *fault);
     // With a slash in it, so that the loader does not look anywhere else.
-    const std::filesystem::path path = std::filesystem::absolute(file);
+    const std::filesystem::path path = std::filesystem::absolute(file, error);
+    if (error) refuse(file, "no working directory", "a full path");
     void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (module == nullptr) refuse(file, fmt::format("\"{}\"", loader_message(path)));
     const auto function = reinterpret_cast<PluginFunction>(dlsym(module, plugin_symbol));

@@ -173,7 +173,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels) {
     PreparedRender prepared = plan_render(scene, options, kernels);
-    load_plan_textures(scene, prepared.used, prepared.plan);
+    load_plan_textures(scene, prepared.used, prepared.plan, options.baking);
     return prepared;
 }
 
@@ -239,7 +239,7 @@ Film render(const Scene& scene, const RenderOptions& options) {
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
     stats.plan = watch.lap();
-    load_plan_textures(scene, prepared.used, prepared.plan);
+    load_plan_textures(scene, prepared.used, prepared.plan, options.baking);
     stats.load = watch.lap();
     DrawRecord record;
     Film film = draw(prepared, options, &record);

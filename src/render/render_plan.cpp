@@ -101,12 +101,13 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
     return used;
 }
 
-void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan) {
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
+                        const BakingProgress& baking) {
     TextureCache cache;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         if (!used[m]) continue;
         const SlotSet slots = plan.materials[m].textures | plan.discard[m].textures;
-        plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache);
+        plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache, baking);
         if (may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
     }
 }

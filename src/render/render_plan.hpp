@@ -39,8 +39,9 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
                                  const PixelRect& area);
 
 /// Loads the textures that the plan reads, of the materials in `used`, and measures the heights of
-/// those whose stages leave out steps by them.
-void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan);
+/// those whose stages leave out steps by them. Tells `baking` of maps that are derived.
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
+                        const BakingProgress& baking);
 
 /// The same plan, storing the step counts of the searches that it runs, too. What they leave out
 /// stays left out.

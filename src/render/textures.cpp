@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "io/shell_word.hpp"
 #include "quadrel/baked_texture.hpp"
 #include "quadrel/error.hpp"
 #include "texture/swizzle.hpp"
@@ -45,7 +46,7 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
 
 /// The height map as arguments of `quadrel bake`.
 std::string bake_arguments(const TextureReference& reference) {
-    std::string arguments = reference.file.string() + " --channel ";
+    std::string arguments = shell_word(reference.file.string()) + " --channel ";
     arguments += reference.swizzle.empty() ? height_swizzle : reference.swizzle;
     if (reference.format) arguments += fmt::format(" --format {}", format_name(*reference.format));
     if (reference.flip_v) arguments += " --flip-v";
@@ -53,9 +54,9 @@ std::string bake_arguments(const TextureReference& reference) {
 }
 
 /// Binds what is derived from a material's height map, under the wrap modes that this is sampled
-/// with; nothing where it has none. Throws InputError for a map that would take too long.
+/// with; nothing where it has none. Throws InputError for a map that takes too long.
 void load_baked(const Scene& scene, const Material& material, TextureSlot slot, TextureCache& cache,
-                MaterialTextures& out) {
+                const BakingProgress& baking, MaterialTextures& out) {
     const auto found = material.textures.find(std::string(slot_name(TextureSlot::height)));
     if (found == material.textures.end()) return;
     // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
@@ -65,6 +66,10 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
     BakedTextureOptions options;
     options.input = bake_arguments(reference);
     options.key = reference.key;
+    if (baking)
+        options.progress = [&, map = fmt::format("{} map", slot_name(slot))](double share) {
+            baking(map, share);
+        };
     const auto i = static_cast<std::size_t>(slot);
     try {
         out.owned[i] = baked_texture(*height, bake_kind_from_name(slot_name(slot)),
@@ -78,7 +83,7 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
 }  // namespace
 
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache) {
+                               TextureCache& cache, const BakingProgress& baking) {
     MaterialTextures out;
     for (int i = 0; i < texture_slot_count; ++i) {
         const auto slot = static_cast<TextureSlot>(i);
@@ -88,7 +93,7 @@ MaterialTextures load_textures(const Scene& scene, const Material& material, con
             continue;
         }
         if (slot >= first_baked_slot) {
-            load_baked(scene, material, slot, cache, out);
+            load_baked(scene, material, slot, cache, baking, out);
             continue;
         }
         const auto found = material.textures.find(std::string(slot_name(slot)));

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "quadrel/texture/texture_cache.hpp"
@@ -19,8 +21,11 @@ struct MaterialTextures {
     const SampledTexture* bound(int slot) const { return owned[slot] ? &sampled[slot] : nullptr; }
 };
 
+/// Told what is derived from heights and how much of it is done; may be none.
+using BakingProgress = std::function<void(const std::string& map, double share)>;
+
 /// Loads those of the material's textures that are in `slots`.
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache);
+                               TextureCache& cache, const BakingProgress& baking);
 
 }  // namespace quadrel

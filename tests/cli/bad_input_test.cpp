@@ -126,7 +126,7 @@ TEST_F(BadInputs, SceneFiles) {
         {"no such name", {"none"}, 3, {"none", "no installed scene"}},
         {"a long name", {std::string(300, 'n')}, 3, {"no installed scene"}},
         {"a long file", {std::string(300, 'n') + ".json"}, 3, {"no such file"}},
-        {"control characters", {"a\n\x1b[2J.json"}, 3, {"a ?[2J.json: ", "no such file"}},
+        {"control characters", {"a\n\x1b[2J.json"}, 3, {"a \\x1b[2J.json: ", "no such file"}},
         {"a directory", {"./"}, 3, {"a directory"}},
         {"a device", {"/dev/zero"}, 3, {"/dev/zero: ", "a device"}},
         {"empty", {"empty.exr"}, 3, {"empty.exr:1:1: "}},

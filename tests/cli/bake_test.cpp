@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "cli/process.hpp"
 #include "film/films.hpp"
@@ -82,6 +83,55 @@ TEST(Bake, WithoutAnOutputItFillsTheCache) {
     const CacheFolder cache;
     EXPECT_EQ(run({"bake", heights, "--kind", "max-mip"}).code, 0);
     EXPECT_EQ(cache.entries(), 1u);
+}
+
+/// A map that is written nowhere is no success; one that is in a file only is worth a warning.
+TEST(Bake, WithoutAUsableCache) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    testing_films::write_bytes(cache.folder / "quadrel", "no folder");
+    const std::string out = (folder / "map.exr").string();
+    Outcome outcome = run({"bake", heights, "--kind", "max-mip"});
+    EXPECT_EQ(outcome.code, 5) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    outcome = run({"bake", heights, "--kind", "max-mip", "-o", out});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(out));
+    EXPECT_EQ(outcome.err.compare(0, 9, "quadrel: "), 0) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
+    outcome = run({"bake", heights, "--kind", "max-mip", "-o", out, "--no-cache"});
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    setenv("QUADREL_CACHE_MIB", "0", 1);
+    EXPECT_EQ(run({"bake", heights, "--kind", "max-mip"}).code, 5);
+    outcome = run({"bake", heights, "--kind", "max-mip", "-o", out});
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    unsetenv("QUADREL_CACHE_MIB");
+}
+
+/// Lines of a file that begin with the words.
+std::vector<std::string> lines_with(const std::filesystem::path& file, const std::string& words) {
+    std::istringstream text(file_bytes(file));
+    std::vector<std::string> found;
+    for (std::string line; std::getline(text, line);)
+        if (line.starts_with(words)) found.push_back(line);
+    return found;
+}
+
+/// In a folder where `data` and `build` are those of the source tree.
+TEST(Bake, ReadmesLinesRunAsPrinted) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const std::filesystem::path sources = std::filesystem::path(QUADREL_DATA_DIR).parent_path();
+    std::filesystem::create_directory_symlink(QUADREL_DATA_DIR, folder / "data");
+    std::filesystem::create_directories(folder / "build/release");
+    std::filesystem::create_symlink(QUADREL_EXECUTABLE, folder / "build/release/quadrel");
+    const auto lines = lines_with(sources / "README.md", "build/release/quadrel bake");
+    EXPECT_GE(lines.size(), 2u);
+    for (const std::string& line : lines) {
+        const std::string command = "cd '" + folder.path().string() + "' && " + line + " >log 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << line << "\n" << file_bytes(folder / "log");
+    }
+    EXPECT_TRUE(lines_with(sources / "README.md", "quadrel bake").empty()) << "not of this form";
 }
 
 TEST(Bake, PacksForOtherPrograms) {

@@ -2,12 +2,10 @@
 // temporary unless nothing could be done about it.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <random>
 #include <set>
-#include <sstream>
 
-#include "cli/process.hpp"
+#include "cli/signals.hpp"
 #include "effort.hpp"
 #include "film/films.hpp"
 
@@ -17,28 +15,6 @@ namespace {
 using testing_films::file_bytes;
 using testing_films::TemporaryFolder;
 using testing_films::write_bytes;
-using Clock = std::chrono::steady_clock;
-
-/// Whether the process handles SIGTERM by now: before, every program dies of it without a trace.
-bool handles_signals(pid_t process) {
-    std::ifstream status("/proc/" + std::to_string(process) + "/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.compare(0, 7, "SigCgt:") != 0) continue;
-        std::uint64_t caught = 0;
-        std::istringstream(line.substr(7)) >> std::hex >> caught;
-        return (caught >> (SIGTERM - 1) & 1) != 0;
-    }
-    return false;
-}
-
-void wait_for_handlers(pid_t process) {
-    while (!handles_signals(process)) {
-        siginfo_t ended{};
-        waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT);
-        if (ended.si_pid == process) return;
-        std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-}
 
 class Signals : public testing::Test {
   protected:

@@ -41,7 +41,7 @@ testing::AssertionResult printable(const std::string& message) {
 TEST_F(Hostile, MessagesStayOneLineOfBoundedLength) {
     const InputError error("a\nb", "k\x1b[2J", std::string("\0\r\x7f", 3), "x\ty", 1, 2);
     EXPECT_TRUE(printable(error.what()));
-    EXPECT_STREQ(error.what(), "a b:1:2: k?[2J: found ???, expected x y");
+    EXPECT_STREQ(error.what(), "a b:1:2: k\\x1b[2J: found \\x00\\x0d\\x7f, expected x y");
     EXPECT_EQ(error.key, "k\x1b[2J") << "the parts stay as they are";
     EXPECT_FALSE(printable("a\nb"));
     EXPECT_TRUE(printable(OutputError("a\nb", "c\x1b").what()));
