@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -79,6 +80,8 @@ BakedTextureOptions make_options(const Arguments& arguments) {
 void check_arguments(const Arguments& arguments, BakeKind kind) {
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
+    if (!std::isfinite(arguments.border))
+        throw UsageError(fmt::format("--border: found {}, expected a number", arguments.border));
     if (!arguments.packed.empty() && !is_packable(kind))
         throw UsageError(fmt::format("{} maps have no packing of their source", arguments.kind));
 }

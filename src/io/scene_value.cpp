@@ -20,6 +20,9 @@ std::string describe(const Json& json) {
     if (json.is_object()) return "an object";
     if (json.is_array()) return fmt::format("an array of {}", json.size());
     if (json.is_null()) return "null";
+    // JSON has no word for NaN and infinities, and dump() says null.
+    if (json.is_number_float() && !std::isfinite(json.get<double>()))
+        return fmt::format("the number {}", json.get<double>());
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 57) + "...";
     return (json.is_string() ? "the string " : json.is_number() ? "the number " : "") + text;
