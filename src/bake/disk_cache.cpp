@@ -76,6 +76,15 @@ std::vector<StoredFile> stored_files(const std::filesystem::path& folder) {
     return files;
 }
 
+/// Why there is no such folder, if there is none.
+std::optional<std::string> make_folder(const std::filesystem::path& folder) {
+    std::error_code error, ignored;
+    std::filesystem::create_directories(folder, error);
+    if (std::filesystem::is_directory(folder, ignored)) return std::nullopt;
+    return fmt::format("cannot create the folder {}: {}", folder.string(),
+                       error ? error.message() : "something else is there");
+}
+
 }  // namespace
 
 std::optional<DiskCache> DiskCache::of_user() {
@@ -121,8 +130,7 @@ std::optional<std::string> DiskCache::store(const Texture& map) const {
     if (bytes.size() > most_bytes_)
         return fmt::format("the map has {} bytes, and QUADREL_CACHE_MIB allows {}", bytes.size(),
                            most_bytes_);
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
+    if (auto problem = make_folder(folder_)) return problem;
     try {
         AtomicFile file(file_of(map.id()));
         file.write(bytes.data(), bytes.size());
@@ -135,8 +143,7 @@ std::optional<std::string> DiskCache::store(const Texture& map) const {
 }
 
 std::optional<std::string> DiskCache::reason_not_to_write(const std::string& id) const {
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
+    if (auto problem = make_folder(folder_)) return problem;
     try {
         check_writable(file_of(id));
     } catch (const OutputError& failure) {

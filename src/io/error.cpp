@@ -22,7 +22,7 @@ std::string input_message(const std::string& file, const std::string& key, const
     std::string text = file;
     if (line > 0) text += fmt::format(":{}:{}", line, column);
     if (!key.empty()) text += (text.empty() ? "" : ": ") + shortened(key, most_shown);
-    text += ": found " + shortened(found, most_shown);
+    text += (text.empty() ? "found " : ": found ") + shortened(found, most_shown);
     if (!expected.empty()) text += ", expected " + expected;
     return one_line(text);
 }

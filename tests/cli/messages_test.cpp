@@ -191,7 +191,7 @@ TEST_F(Messages, AVanishedWorkingDirectory) {
     const auto run_in_vanished = [&](const std::vector<std::string>& arguments) {
         const std::filesystem::path place = folder / "gone";
         std::filesystem::create_directory(place);
-        return run_prepared(arguments, folder, [=] {
+        return run_prepared(arguments, folder, [=, this] {
             to_file(2, (folder / "err").string())();
             // Started here, and not in the folder of the test.
             if (chdir(place.c_str()) != 0 || rmdir(place.c_str()) != 0) _exit(126);

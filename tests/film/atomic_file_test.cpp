@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "film/films.hpp"
+#include "io/temporary_registry.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 
