@@ -88,8 +88,9 @@ constexpr const char* gltf = R"({"asset": {"version": "2.0"},
 
 constexpr const char* scene = R"({"quadrel": 1, "size": [8, 8],
     "textures": {"t": {"file": "t.exr"}, "unused": {"file": "u.exr"}},
-    "material": {"color": "t"},
-    "objects": [{"mesh": {"file": "m.gltf"}}, {"mesh": "quad"}]})";
+    "materials": {"textured": {"color": "t"}, "plain": {}},
+    "objects": [{"mesh": {"file": "m.gltf"}, "material": "plain"},
+                {"mesh": "quad", "material": "textured"}]})";
 
 class SameFile : public testing::Test {
   protected:
