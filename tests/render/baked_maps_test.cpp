@@ -1,8 +1,10 @@
 // Maps that a stage asks for are derived from the material's heights, under the wrap modes that
-// these are sampled with; what would take too long is refused.
+// these are sampled with; what is hopeless is refused.
 #include <cstdlib>
 
 #include "effort.hpp"
+#include "film/films.hpp"
+#include "quadrel/film/exr.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/films.hpp"
 #include "scene/support.hpp"
@@ -48,17 +50,41 @@ TEST(BakedMaps, FitTheHeightsAndTheirSampler) {
     }
 }
 
-TEST(BakedMaps, ThatTakeTooLongAreRefused) {
-    const auto render_cones_of = [](const char* file) {
-        Scene scene = row_scene("cone-step", Wrap::repeat);
+/// A map that takes minutes on any machine is refused at once, by the name of what has to be baked.
+TEST(BakedMaps, ThatAreHopelessAreRefused) {
+    const testing_films::TemporaryFolder folder;
+    Film heights{{0, 0, 4096, 2048}, {0, 0, 4096, 2048}, {}};
+    heights.add("Y", ChannelType::float32);
+    write_exr(folder / "large map.exr", heights, {});
+    const auto render_cones_of = [](const std::filesystem::path& file) {
+        Scene scene = row_scene("relaxed-cone", Wrap::repeat);
         TextureReference& height = scene.materials.at(0).textures.at("height");
-        height.file = std::filesystem::path(QUADREL_DATA_DIR) / "textures" / file;
+        height.file = file;
         height.key = "textures.height";
         hits(scene);
     };
-    const Complaint complaint{"textures.height", "512 x 512 texels", "quadrel bake "};
-    EXPECT_TRUE(complains([&] { render_cones_of("bricks_height.exr"); }, complaint));
-    EXPECT_FALSE(complains([&] { render_cones_of("obstacles_height.exr"); }, complaint));
+    const Complaint complaint{"textures.height", "4096 x 2048 texels", "quadrel bake '"};
+    EXPECT_TRUE(complains([&] { render_cones_of(folder / "large map.exr"); }, complaint));
+    const auto small = std::filesystem::path(QUADREL_DATA_DIR) / "textures/spikes_height.exr";
+    EXPECT_FALSE(complains([&] { render_cones_of(small); }, complaint));
+}
+
+/// Who waits is told what for.
+TEST(BakedMaps, TellHowFarTheyAre) {
+    const Scene scene = row_scene("cone-cell", Wrap::repeat);
+    RenderOptions options;
+    options.isa = "scalar";
+    options.channels = {"hit.s"};
+    std::string made;
+    double last = 0;
+    options.baking = [&](const std::string& map, double share) {
+        EXPECT_GE(share, last);
+        made = map;
+        last = share;
+    };
+    render(scene, options);
+    EXPECT_EQ(made, "cone-cell map");
+    EXPECT_EQ(last, 1);
 }
 
 }  // namespace
