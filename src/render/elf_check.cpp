@@ -112,7 +112,7 @@ class ElfCheck {
             if (read_in_memory &&
                 !is_mapped(segment.p_vaddr, segment.p_offset, segment.p_filesz, 0))
                 return "a damaged program header";
-            if (segment.p_type == PT_GNU_RELRO && !is_loaded(segment.p_vaddr, segment.p_filesz))
+            if (segment.p_type == PT_GNU_RELRO && !is_loaded(segment.p_vaddr, segment.p_memsz))
                 return "a damaged program header";
         }
         return check_sections();

@@ -40,7 +40,8 @@ bool loader_survives(const std::filesystem::path& file, const std::string& bytes
 /// Every byte of the headers damaged, and the file cut off at many lengths.
 std::vector<std::string> damaged(const std::string& whole) {
     std::vector<std::string> all;
-    constexpr std::size_t headers = 64 + 12 * 56;
+    // The ELF header, and as many program headers as its byte 56 says.
+    const std::size_t headers = 64 + 56 * static_cast<unsigned char>(whole.at(56));
     for (std::size_t i = 0; i < headers && i < whole.size(); ++i) {
         for (const int flip : {1 << i % 8, 0xff}) {
             all.push_back(whole);
