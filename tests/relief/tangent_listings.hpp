@@ -42,7 +42,7 @@ Vec3 varying(const Batch<float>& batch, int quad, const Program& program) {
     const auto first = static_cast<std::size_t>(4 * quad);
     const auto primitive = static_cast<std::size_t>(batch.primitive[first]);
     const auto& w = batch.primitives[primitive].w;
-    const auto edge = [&](std::size_t i) { return load<Float>(&batch.edges[i][first]); };
+    const auto edge = [&](std::size_t i) { return load_wide<Float>(&batch.edges[i][first]); };
     const auto b =
         perspective_barycentrics(EdgeValues<Float>{edge(0), edge(1), edge(2)},
                                  PerVertex<Float>{Float(w[0]), Float(w[1]), Float(w[2])});
