@@ -6,8 +6,6 @@
 // listing. Differs in leaving out texels that cannot narrow the cone further (the result is the
 // same), and where q is as high as can be (depth 0): the listing divides by 0 there, here q itself
 // counts.
-#include <tbb/enumerable_thread_specific.h>
-
 #include "bake/cone.hpp"
 #include "bake/generators.hpp"
 
@@ -33,36 +31,20 @@ class RelaxedSearch {
     float operator()(const Apex& apex) const {
         float best = 1;
         if (top_ <= apex.height) return best;
-        Decider& decider = deciders_.local();
-        const bool follows = decider.row == apex.j && decider.column == apex.i - 1;
-        const Decider before = follows ? decider : Decider{};
-        decider = {apex.j, apex.i, 0, 0};
-        const auto visit = [&](int di, int dj) {
-            const double rise = plane_.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
-            // The exit lies further out and deeper than q.
-            if (!(rise > 0) || hopeless(metric_(di, dj), rise, best)) return;
-            const float ratio = listed_ratio(apex, di, dj, best);
-            if (ratio > best) return;
-            best = ratio;
-            decider.di = di;
-            decider.dj = dj;
-        };
-        // What decided for the texel before in the row leaves little to look at. Rows start
-        // without, so that threads cannot matter.
-        visit(before.di - 1, before.dj);
-        visit(before.di, before.dj);
         search_rings(
             apex.u, apex.v,
-            [&](int r) { return hopeless(metric_.ring(r), top_ - apex.height, best); }, visit);
+            [&](int r) { return hopeless(metric_.ring(r), top_ - apex.height, best); },
+            [&](int di, int dj) {
+                const double rise = plane_.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
+                // The exit lies further out and deeper than q.
+                if (!(rise > 0) || hopeless(metric_(di, dj), rise, best)) return;
+                const float ratio = listed_ratio(apex, di, dj, best);
+                if (!(ratio > best)) best = ratio;
+            });
         return best;
     }
 
   private:
-    /// The offset to the texel that decided for an apex.
-    struct Decider {
-        int row = -1, column = -1, di = 0, dj = 0;
-    };
-
     /// Whether a point can not give less than `best`, float32 rounding included.
     static bool hopeless(double distance, double rise, float best) {
         return distance > rise * best * 1.0001;
@@ -137,7 +119,6 @@ class RelaxedSearch {
     double top_;
     int steps_;
     std::vector<float> depths_;  ///< as plane_.heights
-    mutable tbb::enumerable_thread_specific<Decider> deciders_;
 };
 
 }  // namespace
