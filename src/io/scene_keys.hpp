@@ -15,14 +15,19 @@ enum class Below {
     names,   ///< an object of freely named objects of that section
 };
 
-/// A key that the format knows. data/scenes/README.md explains each.
+/// A key that the format knows, and what the reference (data/scenes/README.md) and `explain` say of
+/// it, in Markdown.
 struct SceneKey {
     std::string_view section;  ///< the kind of object that has the key
     std::string_view key;
+    std::string_view value;     ///< what may stand there
+    std::string_view standard;  ///< what holds where it is absent; may be empty
+    std::string_view meaning;   ///< may be empty
     Below below = Below::value;
     std::string_view below_section = {};
 };
 
+/// By sections, in the order of the reference.
 std::span<const SceneKey> scene_keys();
 
 /// The row of a key; null if the section does not know it.

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
-#include <set>
+#include <map>
 #include <string>
 
 #include "io/suggest.hpp"
@@ -12,45 +14,74 @@
 namespace quadrel {
 namespace {
 
-using Keys = std::set<std::string>;  // "section key"
+/// Value, default and meaning by "section key".
+using Keys = std::map<std::string, std::array<std::string, 3>>;
 
 Keys keys_in_code() {
     Keys keys;
     for (const SceneKey& row : scene_keys())
-        keys.insert(std::string(row.section) + " " + std::string(row.key));
+        keys[std::string(row.section) + " " + std::string(row.key)] = {
+            std::string(row.value), std::string(row.standard), std::string(row.meaning)};
     return keys;
 }
 
-// Sections are headings "### `section`", keys the first cells "| `key` |" of the rows below.
+/// The cells of "| a | b |", blanks around them dropped.
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    for (std::size_t begin = 1; begin < line.size();) {
+        const std::size_t end = std::min(line.find('|', begin), line.size());
+        const std::string cell = line.substr(begin, end - begin);
+        const std::size_t first = cell.find_first_not_of(' ');
+        cells.push_back(first == std::string::npos
+                            ? ""
+                            : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+        begin = end + 1;
+    }
+    return cells;
+}
+
+// Sections are headings "### `section`", keys the rows "| `key` | value | default | meaning |".
 Keys keys_in_reference(std::istream& text) {
     Keys keys;
     std::string section;
     for (std::string line; std::getline(text, line);) {
         if (line.rfind("#", 0) == 0) section.clear();
         if (line.rfind("### `", 0) == 0) section = line.substr(5, line.find('`', 5) - 5);
-        if (!section.empty() && line.rfind("| `", 0) == 0)
-            keys.insert(section + " " + line.substr(3, line.find('`', 3) - 3));
+        if (section.empty() || line.rfind("| `", 0) != 0) continue;
+        std::vector<std::string> cells = cells_of(line);
+        cells.resize(4);
+        keys[section + " " + cells[0].substr(1, cells[0].size() - 2)] = {cells[1], cells[2],
+                                                                         cells[3]};
     }
     return keys;
 }
 
 testing::AssertionResult agree(const Keys& code, const Keys& reference) {
-    for (const auto& key : code)
-        if (!reference.count(key)) return testing::AssertionFailure() << "not explained: " << key;
-    for (const auto& key : reference)
+    for (const auto& [key, cells] : code) {
+        const auto found = reference.find(key);
+        if (found == reference.end())
+            return testing::AssertionFailure() << "not explained: " << key;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (cells[i] != found->second[i])
+                return testing::AssertionFailure()
+                       << key << ": \"" << cells[i] << "\", explained as \"" << found->second[i];
+    }
+    for (const auto& [key, cells] : reference)
         if (!code.count(key)) return testing::AssertionFailure() << "not known: " << key;
     return testing::AssertionSuccess();
 }
 
 TEST(SceneKeys, TheReferenceExplainsEachKeyAndNoOther) {
     std::ifstream file(QUADREL_DATA_DIR "/scenes/README.md");
-    Keys reference = keys_in_reference(file);
+    const Keys reference = keys_in_reference(file);
     EXPECT_TRUE(agree(keys_in_code(), reference));
-    reference.erase("camera fov_y");
-    EXPECT_FALSE(agree(keys_in_code(), reference));
-    reference.insert("camera fov_y");
-    reference.insert("camera zoom");
-    EXPECT_FALSE(agree(keys_in_code(), reference));
+    Keys missing = reference, added = reference, other = reference;
+    missing.erase("camera fov_y");
+    EXPECT_FALSE(agree(keys_in_code(), missing));
+    added["camera zoom"] = {};
+    EXPECT_FALSE(agree(keys_in_code(), added));
+    other["camera fov_y"][1] = "60";  // another default
+    EXPECT_FALSE(agree(keys_in_code(), other));
 }
 
 TEST(SceneKeys, SectionsBelowExist) {
