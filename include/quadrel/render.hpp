@@ -12,16 +12,18 @@
 
 namespace quadrel {
 
-struct RenderStats;  // stats.hpp
+struct RenderStats;    // stats.hpp
+struct RenderSummary;  // stats.hpp
 
 struct RenderOptions {
     std::vector<std::string> channels;  ///< names or groups; none: R G B A Z
     std::optional<Window> window;       ///< image coordinates; the whole frame if absent
     std::string number = "float";       ///< float | double
     std::string isa = "auto";           ///< auto | scalar | sse4 | avx2 | avx512 | neon
-    int threads = 0;                    ///< 0: as many as the process may use
+    int threads = 0;                    ///< 0: as many as the process may use; more are obeyed
     bool skip = true;                   ///< false: compute and load what no channel asks for, too
     RenderStats* stats = nullptr;       ///< receives what the render did and took
+    RenderSummary* summary = nullptr;   ///< receives the little of it that costs nothing
     int tile = 64;                      ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
     /// The same before the first tile, while a map that no cache has is derived from heights; `map`

@@ -71,4 +71,12 @@ struct RenderStats {
 
 std::string to_json(const RenderStats& stats);
 
+/// What is known of every render without counting.
+struct RenderSummary {
+    std::uint64_t pixels = 0, covered = 0;  ///< of the window; covered: with a visible fragment
+    PrimitiveCounts primitives;
+    std::vector<std::string> left_out;  ///< as RenderStats has it
+    PhaseTime plan, load, draw;         ///< as RenderStats has them
+};
+
 }  // namespace quadrel

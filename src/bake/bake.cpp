@@ -1,9 +1,9 @@
 #include "quadrel/bake.hpp"
 
 #include <fmt/format.h>
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bake/kinds.hpp"
@@ -11,6 +11,7 @@
 #include "io/hash.hpp"
 #include "io/suggest.hpp"
 #include "quadrel/error.hpp"
+#include "render/allowed_threads.hpp"
 
 namespace quadrel {
 
@@ -107,9 +108,8 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     Progress progress(options.progress, options.seconds_limit);
     const BakeJob job{plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;
-    // More threads than cores would only make TBB complain.
-    const int cores = tbb::info::default_concurrency();
-    tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
+    const AllowedThreads allowed(std::max(options.threads, 0));
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
     arena.execute([&] { map = row.generate(job); });
     progress.finish();
     return map;

@@ -13,6 +13,7 @@
 #include <iostream>
 #include <set>
 
+#include "cli/quiet.hpp"
 #include "io/atomic_file.hpp"
 #include "io/printable.hpp"
 #include "quadrel/error.hpp"
@@ -59,6 +60,8 @@ void print(std::string_view text) { write_out(printable_lines(text)); }
 
 void print_json(std::string_view json) { write_out(printable_json(json)); }
 
+void print_bytes(const std::string& bytes) { write_out(bytes); }
+
 void flush_output() {
     // Help comes by way of std::cout, which writes through stdout and may have failed before.
     errno = 0;
@@ -69,7 +72,9 @@ void flush_output() {
 
 void say(std::string_view message) { write_message(printable(message) + "\n"); }
 
-void say_written(const std::filesystem::path& file) { say(full_name(file).string()); }
+void say_written(const std::filesystem::path& file) {
+    if (!is_quiet()) say(full_name(file).string());
+}
 
 void occupy_standard_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
@@ -81,12 +86,14 @@ void occupy_standard_descriptors() {
 }
 
 void say_notes(const std::vector<std::string>& notes) {
+    if (is_quiet()) return;
     static std::set<std::string> said;
     for (const std::string& note : notes)
         if (said.insert(note).second) say("quadrel: " + note);
 }
 
-ProgressBar::ProgressBar() : terminal_(isatty(STDERR_FILENO) != 0), color_(!plain_terminal()) {}
+ProgressBar::ProgressBar()
+    : terminal_(isatty(STDERR_FILENO) != 0 && !is_quiet()), color_(!plain_terminal()) {}
 
 ProgressBar::~ProgressBar() { clear(); }
 

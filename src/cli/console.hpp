@@ -15,6 +15,9 @@ void print(std::string_view text);
 /// The same with JSON, which stays JSON.
 void print_json(std::string_view json);
 
+/// The bytes of a file, as they are.
+void print_bytes(const std::string& bytes);
+
 /// Throws OutputError if anything printed did not get out, unless its reader has gone.
 void flush_output();
 
@@ -24,7 +27,7 @@ void say_notes(const std::vector<std::string>& notes);
 /// out is no error.
 void say(std::string_view message);
 
-/// Says where an output is now.
+/// Says where an output is now; not with --quiet.
 void say_written(const std::filesystem::path& file);
 
 /// Makes descriptors 0 to 2 be open, so that no output gets one of them and with it what is

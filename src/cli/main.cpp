@@ -4,16 +4,15 @@
 #include <new>
 
 #include "cli/console.hpp"
+#include "cli/examples.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/usage.hpp"
 #include "cli/verbs.hpp"
 #include "io/printable.hpp"
 #include "io/temporary_registry.hpp"
 
 namespace quadrel::cli {
 namespace {
-
-constexpr const char* exit_codes =
-    "Exit codes: 0 ok, 1 compare found a difference, 2 usage, 3 bad or missing input,\n"
-    "4 internal check failed, 5 output failed, 75 try again.";
 
 /// Exactly one line.
 int complain(std::string message, ExitCode code) {
@@ -23,13 +22,13 @@ int complain(std::string message, ExitCode code) {
     return static_cast<int>(code);
 }
 
-int run(const Action& action) {
+int run(const Action& action, const SpelledVerb& verb) {
     try {
         const ExitCode code = action();
         flush_output();
         return static_cast<int>(code);
     } catch (const UsageError& error) {
-        return complain(error.what(), ExitCode::usage);
+        return complain(with_help(error.what(), verb), ExitCode::usage);
     } catch (const InputError& error) {
         return complain(error.what(), ExitCode::input);
     } catch (const OutputError& error) {
@@ -45,7 +44,7 @@ int parse_and_run(int argc, char** argv) {
     CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
     app.set_version_flag("--version", "quadrel " QUADREL_VERSION);
     app.require_subcommand(1);
-    app.footer(exit_codes);
+    app.footer(exit_code_help());
     Action action;
     add_render(app, action);
     add_compare(app, action);
@@ -55,17 +54,23 @@ int parse_and_run(int argc, char** argv) {
     add_sheet(app, action);
     add_mips(app, action);
     add_bake(app, action);
+    add_explain(app, action);
+    add_examples(app);
+    const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    const SpelledVerb verb = spelled_verb(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return run([&] {
-            app.exit(help);
-            return ExitCode::ok;
-        });
+        return run(
+            [&] {
+                app.exit(help);
+                return ExitCode::ok;
+            },
+            verb);
     } catch (const CLI::ParseError& error) {
-        return complain(std::string(error.what()) + " (see `quadrel --help`)", ExitCode::usage);
+        return complain(usage_message(error, verb, arguments), ExitCode::usage);
     }
-    return run(action);
+    return run(action, verb);
 }
 
 }  // namespace

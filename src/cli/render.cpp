@@ -2,13 +2,18 @@
 #include "quadrel/render.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/arguments.hpp"
 #include "cli/command_files.hpp"
 #include "cli/console.hpp"
+#include "cli/hints.hpp"
 #include "cli/plugins.hpp"
+#include "cli/quiet.hpp"
+#include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
 #include "quadrel/film/channels.hpp"
@@ -24,6 +29,7 @@ struct Arguments {
     std::string scene, output, preview, stats, channels, size, window;
     std::vector<std::string> overrides, plugins;
     bool explain = false, no_skip = false;
+    bool streams() const { return output == "-"; }  ///< the EXR goes to standard output
     RenderOptions options;
 };
 
@@ -33,18 +39,37 @@ std::filesystem::path output_name(const Arguments& arguments) {
     return std::filesystem::path(arguments.scene).stem().string() + ".exr";
 }
 
+void tell_hint(const std::optional<std::string>& hint) {
+    if (hint) tell("quadrel: " + *hint);
+}
+
 RenderOptions parse_options(const Arguments& arguments) {
     RenderOptions options = arguments.options;
-    if (!arguments.channels.empty())
-        options.channels = expand_channels(parse_list("--channels", arguments.channels));
+    if (!arguments.channels.empty()) {
+        const std::vector<std::string> requests = parse_list("--channels", arguments.channels);
+        options.channels = expand_channels(requests);
+        tell_hint(bitangent_hint(requests));
+    }
+    tell_hint(threads_hint(options.threads));
     if (!arguments.window.empty()) options.window = parse_window("--window", arguments.window);
     options.skip = !arguments.no_skip;
     return options;
 }
 
+/// What the names of the outputs say.
+void check_kinds(const Arguments& arguments) {
+    check_output_kinds({{"-o", ".exr", arguments.output},
+                        {"--preview", ".png", arguments.preview},
+                        {"--stats", ".json", arguments.stats}});
+    if (arguments.preview == "-" || arguments.stats == "-")
+        throw UsageError("--preview and --stats: found -, expected a file; -o - is possible");
+    if (arguments.streams() && !arguments.explain && isatty(STDOUT_FILENO) != 0)
+        throw UsageError("-o -: expected standard output to be a file or a pipe, not a terminal");
+}
+
 void add_outputs(CommandFiles& files, const Arguments& arguments) {
     if (arguments.explain) return;
-    files.add_output("-o", output_name(arguments));
+    if (!arguments.streams()) files.add_output("-o", output_name(arguments));
     files.add_output("--preview", arguments.preview);
     files.add_output("--stats", arguments.stats);
 }
@@ -79,15 +104,25 @@ void write_outputs(const Arguments& arguments, const Scene& scene, const RenderO
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
     OutputGroup outputs;
-    write_exr(output, film, attributes);
+    if (!arguments.streams()) write_exr(output, film, attributes);
     if (!arguments.preview.empty()) write_png(arguments.preview, preview(film));
     if (!arguments.stats.empty()) write_text(arguments.stats, to_json(*options.stats));
+    if (arguments.streams()) {
+        print_bytes(exr_bytes(film, attributes));
+        flush_output();
+    }
     outputs.commit();
-    say_written(output);
+    if (!arguments.streams()) say_written(output);
     if (!arguments.preview.empty()) say_written(arguments.preview);
 }
 
+void say_summary(const RenderSummary& summary) {
+    if (isatty(STDERR_FILENO) != 0) tell(summary_line(summary));
+    if (const auto warning = nothing_in_view(summary)) say("quadrel: warning: " + *warning);
+}
+
 ExitCode run_render(const Arguments& arguments) {
+    check_kinds(arguments);
     CommandFiles files;
     add_outputs(files, arguments);
     load_plugins(arguments.plugins);
@@ -103,15 +138,19 @@ ExitCode run_render(const Arguments& arguments) {
     }
     RenderStats stats;
     if (!arguments.stats.empty()) options.stats = &stats;
+    RenderSummary summary;
+    options.summary = &summary;
     const Film film = render_with_bar(scene, options);
     write_outputs(arguments, scene, options, film);
+    say_summary(summary);
     return ExitCode::ok;
 }
 
 void add_values(CLI::App& verb, Arguments& a) {
     verb.add_option("scene", a.scene, "scene file, or the name of an installed scene")->required();
     verb.add_option("-o,--output", a.output,
-                    "EXR to write (default: the scene's name in the current directory)");
+                    "EXR to write (default: the scene's name in the current directory); "
+                    "-: standard output");
     verb.add_option("-D,--define", a.overrides,
                     "override a value of the scene, as material.relief.steps=256; repeatable")
         ->type_name("KEY=VALUE")
@@ -134,7 +173,8 @@ void add_execution(CLI::App& verb, RenderOptions& options) {
     verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
         ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
         ->capture_default_str();
-    verb.add_option("-t,--threads", options.threads, "threads; 0: as many as there are CPUs")
+    verb.add_option("-t,--threads", options.threads,
+                    "threads; 0: as many as there are CPUs, more are obeyed")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     verb.add_option("--tile", options.tile, "side of a tile in pixels, even")
@@ -151,6 +191,7 @@ void add_render(CLI::App& app, Action& action) {
     add_plugin_option(*verb, arguments->plugins);
     verb->add_flag("--no-skip", arguments->no_skip,
                    "compute and load what no channel asks for, too; the bits are the same");
+    add_quiet_option(*verb);
     add_execution(*verb, arguments->options);
     verb->callback(
         [arguments, &action] { action = [arguments] { return run_render(*arguments); }; });

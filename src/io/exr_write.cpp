@@ -45,6 +45,26 @@ void add_film_slices(Imf::FrameBuffer& buffer, const Film& film) {
 
 namespace {
 
+/// A file in memory.
+class MemoryStream : public Imf::OStream {
+  public:
+    MemoryStream() : Imf::OStream("memory") {}
+
+    void write(const char bytes[], int size) override {
+        const auto count = static_cast<std::size_t>(size);
+        if (bytes_.size() < position_ + count) bytes_.resize(position_ + count);
+        std::copy_n(bytes, count, bytes_.begin() + static_cast<std::ptrdiff_t>(position_));
+        position_ += count;
+    }
+    uint64_t tellp() override { return position_; }
+    void seekp(uint64_t position) override { position_ = position; }
+    std::string take() { return std::move(bytes_); }
+
+  private:
+    std::string bytes_;
+    std::size_t position_ = 0;
+};
+
 bool is_canonical(const Plane& plane) {
     return plane.type == ChannelType::uint32 ||
            std::all_of(plane.bits.begin(), plane.bits.end(),
@@ -57,6 +77,16 @@ void write_pixels(Imf::OStream& stream, const Film& film, const Attributes& attr
     add_film_slices(buffer, film);
     output.setFrameBuffer(buffer);
     output.writePixels(film.window.height());
+}
+
+/// The film with its NaNs canonical: itself, or `copy`.
+const Film& canonical(const Film& film, Film& copy) {
+    QUADREL_CHECK(film.window.width() > 0 && film.window.height() > 0, film.window.width());
+    QUADREL_CHECK(!film.planes.empty(), film.planes.size());
+    if (std::all_of(film.planes.begin(), film.planes.end(), is_canonical)) return film;
+    copy = film;
+    canonicalize(copy);
+    return copy;
 }
 
 void write_canonical(const std::filesystem::path& path, const Film& film,
@@ -76,13 +106,15 @@ void write_canonical(const std::filesystem::path& path, const Film& film,
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const Film& film, const Attributes& attributes) {
-    QUADREL_CHECK(film.window.width() > 0 && film.window.height() > 0, film.window.width());
-    QUADREL_CHECK(!film.planes.empty(), film.planes.size());
-    if (std::all_of(film.planes.begin(), film.planes.end(), is_canonical))
-        return write_canonical(path, film, attributes);
-    Film copy = film;
-    canonicalize(copy);
-    write_canonical(path, copy, attributes);
+    Film copy;
+    write_canonical(path, canonical(film, copy), attributes);
+}
+
+std::string exr_bytes(const Film& film, const Attributes& attributes) {
+    Film copy;
+    MemoryStream stream;
+    write_pixels(stream, canonical(film, copy), attributes);
+    return stream.take();
 }
 
 }  // namespace quadrel

@@ -69,6 +69,12 @@ class Walker {
         *at_ = std::move(value);
         document_.overridden.insert(path_);
     }
+    /// Takes the key that was reached last out of its object.
+    void remove() {
+        if (parent_ == nullptr) fail(path_, "null for an element", "a key, which null removes");
+        parent_->erase(key_);
+        document_.overridden.insert(path_);
+    }
 
   private:
     [[noreturn]] void fail(const std::string& path, const std::string& found,
@@ -82,6 +88,7 @@ class Walker {
         if (index >= at_->size())
             fail(path, "index " + std::to_string(index),
                  "less than " + std::to_string(at_->size()));
+        parent_ = nullptr;
         at_ = &(*at_)[index];
         path_ = path;
         if (below_ == Below::list) below_ = Below::object;
@@ -93,6 +100,8 @@ class Walker {
             into_name(key, path);
         else
             into_key(key, path);
+        parent_ = at_;
+        key_ = key;
         at_ = &(*at_)[key];
         path_ = path;
     }
@@ -121,6 +130,8 @@ class Walker {
 
     SceneDocument& document_;
     Json* at_;
+    Json* parent_ = nullptr;  ///< the object that has key_; null at the root and at elements
+    std::string key_;
     std::string path_;
     Below below_ = Below::object;
     std::string_view section_ = "scene";
@@ -135,6 +146,29 @@ void resolve_material(const Json& root, std::vector<Step>& steps) {
     steps.insert(steps.begin(), "materials");
 }
 
+/// Whether the whole path is there already.
+bool exists(const Json& root, const std::vector<Step>& steps) {
+    const Json* at = &root;
+    for (const Step& step : steps) {
+        const auto* key = std::get_if<std::string>(&step);
+        const bool there = key ? at->is_object() && at->contains(*key)
+                               : at->is_array() && std::get<std::size_t>(step) < at->size();
+        if (!there) return false;
+        at = key ? &(*at)[*key] : &(*at)[std::get<std::size_t>(step)];
+    }
+    return true;
+}
+
+void remove_key(SceneDocument& document, const std::vector<Step>& steps) {
+    // Where there is nothing to remove, nothing is made on the way; the path must be right, though.
+    SceneDocument copy;
+    const bool there = exists(document.root, steps);
+    if (!there) copy = document;
+    Walker walker(there ? document : copy);
+    for (const Step& step : steps) walker.descend(step);
+    walker.remove();
+}
+
 }  // namespace
 
 void apply_override(SceneDocument& document, const std::string& assignment) {
@@ -142,9 +176,10 @@ void apply_override(SceneDocument& document, const std::string& assignment) {
     if (equals == std::string::npos || equals == 0) malformed(assignment);
     std::vector<Step> steps = parse_path(assignment.substr(0, equals), assignment);
     resolve_material(document.root, steps);
+    const std::string text = assignment.substr(equals + 1);
+    if (text == "null") return remove_key(document, steps);
     Walker walker(document);
     for (const Step& step : steps) walker.descend(step);
-    const std::string text = assignment.substr(equals + 1);
     walker.set(parse_json_value(text).value_or(Json(text)));
 }
 

@@ -13,7 +13,8 @@ void check_scene_keys(const SceneDocument& document);
 
 /// Sets one value: `path.to[0].key=value`, the value read as JSON, else as a string. Objects that
 /// the format knows are made where absent; names (of textures, materials, meshes) must exist.
-/// `material.x` reaches the first of "materials" where the file has no "material".
+/// `material.x` reaches the first of "materials" where the file has no "material". The value null
+/// removes the key, if it is there.
 /// Throws InputError for an unknown path and UsageError for a text that is not key=value.
 void apply_override(SceneDocument& document, const std::string& assignment);
 

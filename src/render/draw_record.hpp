@@ -1,4 +1,4 @@
-// What drawing counts, on demand.
+// What drawing counts.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct DrawRecord {
+    std::uint64_t pixels = 0;  ///< of the film, with a visible fragment; the rest is on demand
     StageTimes stages;
     std::array<FetchCounters, texture_slot_count> fetches{};  ///< by slot
     std::uint64_t quads = 0, covered_lanes = 0, helper_lanes = 0;
@@ -19,6 +20,7 @@ struct DrawRecord {
 
 /// Adds what another thread recorded.
 inline void merge(DrawRecord& into, const DrawRecord& from) {
+    into.pixels += from.pixels;
     merge(into.stages, from.stages);
     for (std::size_t slot = 0; slot < into.fetches.size(); ++slot)
         into.fetches[slot] += from.fetches[slot];

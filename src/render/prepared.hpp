@@ -28,10 +28,10 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels);
 
-/// Draws. Takes threads, tile and progress from `options`; where `record` is given, times the
-/// stage functions, counts, and adds to it.
+/// Draws. Takes threads, tile and progress from `options`; adds to `record` where it is given. With
+/// Recording::counts, times the stage functions and counts.
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
-          DrawRecord* record = nullptr);
+          DrawRecord* record = nullptr, Recording recording = Recording::counts);
 
 /// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
 /// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.

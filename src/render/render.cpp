@@ -15,6 +15,7 @@
 #include "quadrel/film/channels.hpp"
 #include "quadrel/stats.hpp"
 #include "render/added_stages.hpp"
+#include "render/allowed_threads.hpp"
 #include "render/prepared.hpp"
 #include "render/stats_record.hpp"
 
@@ -151,6 +152,38 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     });
 }
 
+struct Phases {
+    PhaseTime plan, load, draw;
+};
+
+RenderSummary summarize(const PreparedRender& prepared, const DrawRecord& record,
+                        const Phases& phases) {
+    return {static_cast<std::uint64_t>(prepared.window.area()),
+            record.pixels,
+            prepared.geometry.counts,
+            left_out(prepared),
+            phases.plan,
+            phases.load,
+            phases.draw};
+}
+
+/// With a second pass, for what was touched.
+RenderStats count_all(const PreparedRender& prepared, const RenderOptions& options,
+                      const DrawRecord& record, const Phases& phases) {
+    RenderStats stats;
+    stats.plan = phases.plan;
+    stats.load = phases.load;
+    stats.draw = phases.draw;
+    record_plan(prepared, options, stats);
+    record_drawing(record, stats);
+    DrawRecord marking;
+    Stopwatch watch;
+    const TouchedTexels touched = mark_touched(prepared, options, marking);
+    stats.mark = watch.lap();
+    record_marks(prepared, marking, touched, stats);
+    return stats;
+}
+
 }  // namespace
 
 PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
@@ -177,12 +210,13 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
     return prepared;
 }
 
-Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawRecord* record) {
+Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawRecord* record,
+          Recording recording) {
     const Scene& scene = *prepared.scene;
     Film film = empty_film(scene, prepared.window, prepared.channels);
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
-    const Recording recording = record ? Recording::counts : Recording::nothing;
+    if (record == nullptr) recording = Recording::nothing;
     render_tiles(
         prepared, options,
         [&] { return TileRenderer(scene, prepared.plan, prepared.geometry, target, recording); },
@@ -232,25 +266,19 @@ std::string explain(const Scene& scene, const RenderOptions& options) {
 
 Film render(const Scene& scene, const RenderOptions& options) {
     const KernelTable& kernels = select_kernels(options);
-    if (options.stats == nullptr) return draw(prepare_render(scene, options, kernels), options);
-
-    RenderStats& stats = *options.stats;
-    stats = {};
+    const AllowedThreads allowed(std::max(options.threads, 0));
+    Phases phases;
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
-    stats.plan = watch.lap();
+    phases.plan = watch.lap();
     load_plan_textures(scene, prepared.used, prepared.plan, options.baking);
-    stats.load = watch.lap();
+    phases.load = watch.lap();
     DrawRecord record;
-    Film film = draw(prepared, options, &record);
-    stats.draw = watch.lap();
-    record_plan(prepared, options, stats);
-    record_drawing(record, stats);
-    DrawRecord marking;
-    watch.lap();
-    const TouchedTexels touched = mark_touched(prepared, options, marking);
-    stats.mark = watch.lap();
-    record_marks(prepared, marking, touched, stats);
+    Film film = draw(prepared, options, &record,
+                     options.stats != nullptr ? Recording::counts : Recording::nothing);
+    phases.draw = watch.lap();
+    if (options.summary != nullptr) *options.summary = summarize(prepared, record, phases);
+    if (options.stats != nullptr) *options.stats = count_all(prepared, options, record, phases);
     return film;
 }
 

@@ -48,6 +48,7 @@ void TileFilm::collect_fragments(const Batch& batch, const QuadCoverage* quads,
             int lowest = 0;
             while (tile.triangle(x, y, lowest) == no_triangle) ++lowest;
             const bool owns = (quad.samples[lane] >> lowest & 1) != 0;
+            pixels_ += owns;
             fragments_.push_back({pixel, std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0),
                                   4 * q + lane, std::countr_zero(quad.samples[lane]),
                                   quad.samples[lane], owns, &quad});

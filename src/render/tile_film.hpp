@@ -38,6 +38,9 @@ class TileFilm {
     /// Ends the tile: resolves the samples.
     void end();
 
+    /// Pixels of the film that a fragment of any tile so far owns.
+    std::uint64_t pixels() const { return pixels_; }
+
   private:
     /// A covered lane whose pixel the film holds.
     struct Fragment {
@@ -61,6 +64,7 @@ class TileFilm {
 
     const FilmTarget& target_;
     int sample_count_;
+    std::uint64_t pixels_ = 0;
     PixelRect rect_;
     std::vector<Fragment> fragments_;
     std::vector<ColorSample> samples_;  ///< [pixel][sample], multisampling only

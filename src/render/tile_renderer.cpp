@@ -129,6 +129,7 @@ bool TileRenderer::is_discarded(const Material& material, int i) const {
 DrawRecord TileRenderer::record() const {
     DrawRecord record = record_;
     record.stages = clock_.times();
+    record.pixels = film_.pixels();
     return record;
 }
 

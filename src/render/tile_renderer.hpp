@@ -48,7 +48,7 @@ class TileRenderer {
     /// Visibility alone: the quads of the tile that are to be shaded.
     const std::vector<QuadCoverage>& find_visible(const Tile& tile);
 
-    /// What was drawn so far and what it took; empty unless recording.
+    /// What was drawn so far and what it took; the pixels alone unless recording.
     DrawRecord record() const;
 
   private:

@@ -88,7 +88,9 @@ TEST(Exr, EqualFilmsGiveEqualBytes) {
     write_exr(folder / "b.exr", film, attributes);
     EXPECT_EQ(testing_films::file_bytes(folder / "a.exr"),
               testing_films::file_bytes(folder / "b.exr"));
+    EXPECT_EQ(testing_films::file_bytes(folder / "a.exr"), exr_bytes(film, attributes));
     film.planes[0].bits[50] ^= 1;
+    EXPECT_NE(testing_films::file_bytes(folder / "a.exr"), exr_bytes(film, attributes));
     write_exr(folder / "c.exr", film, attributes);
     EXPECT_NE(testing_films::file_bytes(folder / "a.exr"),
               testing_films::file_bytes(folder / "c.exr"));

@@ -1,5 +1,6 @@
 #include "quadrel/scene/load.hpp"
 
+#include "io/find_scene.hpp"
 #include "support.hpp"
 
 namespace quadrel {
@@ -319,6 +320,17 @@ TEST_F(LoadScene, InstalledScenesAreFoundByName) {
     for (const std::string& name : names) EXPECT_NO_THROW(load_scene(name)) << name;
     EXPECT_TRUE(
         complains([] { load_scene("thesis-qaud"); }, {"", "no installed scene", "thesis-quad"}));
+}
+
+TEST_F(LoadScene, DescriptionsAreTheCommentsThatFilesBeginWith) {
+    for (const std::string& name : installed_scenes())
+        EXPECT_NE(scene_description(name), "") << name;
+    EXPECT_EQ(leading_comment("// a\n//b  \n{\n// c\n", "//"), "a b");
+    EXPECT_EQ(leading_comment("  // a\n//\n// b\r\n\n// c\n", "//"), "a b");
+    EXPECT_EQ(leading_comment("{}", "//"), "");
+    EXPECT_EQ(leading_comment("# a", "#"), "a");
+    EXPECT_EQ(leading_comment("", "#"), "");
+    EXPECT_EQ(scene_description("parallax.glib").substr(0, 12), "The scene of");
 }
 
 }  // namespace

@@ -54,6 +54,19 @@ TEST(Override, AStagesParameterKeepsItsId) {
     EXPECT_TRUE(sets("material.relief.trace.steps=7", R"("trace":{"id":"linear","steps":7})"));
 }
 
+TEST(Override, NullRemovesAKey) {
+    EXPECT_TRUE(sets("size=null", R"({"quadrel":1,"textures")"));
+    EXPECT_TRUE(sets("material.relief.trace=null", R"("wood":{"relief":{}})"));
+    EXPECT_TRUE(
+        sets("materials.stone=null", R"("materials":{"wood":{"relief":{"trace":"linear"}}})"));
+    // What is not there stays away, and nothing is made on the way to it.
+    EXPECT_EQ(after("camera.eye=null"), document().root.dump());
+    EXPECT_EQ(after("material.relief.trace.steps=null"), document().root.dump());
+    EXPECT_TRUE(refuses("sise=null", {"sise", "unknown key", "\"size\""}));
+    EXPECT_TRUE(refuses("materials.woood=null", {"materials.woood", "unknown name", "\"wood\""}));
+    EXPECT_TRUE(refuses("size[0]=null", {"size[0]", "null for an element", "a key"}));
+}
+
 TEST(Override, UnknownPathsAreErrors) {
     EXPECT_TRUE(refuses("sise=3", {"sise", "unknown key", "\"size\""}));
     EXPECT_TRUE(refuses("camera.fov=3", {"camera.fov", "unknown key", "\"fov_y\""}));

@@ -18,6 +18,9 @@ using Attributes = std::map<std::string, std::string>;
 /// written as canonical_nan. Throws OutputError.
 void write_exr(const std::filesystem::path& file, const Film& film, const Attributes& attributes);
 
+/// The bytes of the file that write_exr would write, for pipes.
+std::string exr_bytes(const Film& film, const Attributes& attributes);
+
 enum class StoredType { half, float32, uint32 };
 
 /// What an EXR file holds, one part of it.

@@ -24,4 +24,8 @@ Scene load_scene(const std::filesystem::path& file_or_name,
 /// The names of the installed scenes, sorted.
 std::vector<std::string> installed_scenes();
 
+/// What a scene shows, by its file: the comment that it begins with, in one line; empty if there is
+/// none. Throws InputError for a file that cannot be read.
+std::string scene_description(const std::filesystem::path& file_or_name);
+
 }  // namespace quadrel

@@ -1,0 +1,13 @@
+// A stage's parameter in words.
+#pragma once
+
+#include <string>
+
+#include "quadrel/quad/stage.hpp"
+
+namespace quadrel::cli {
+
+/// "steps = 128 (1 to 65536): steps over the relief's depth"; the unit stands after the range.
+std::string parameter_text(const ParameterText& parameter);
+
+}  // namespace quadrel::cli

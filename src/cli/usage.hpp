@@ -1,0 +1,26 @@
+// What a wrong command line is told: the nearest verb or option, and whose help to read.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+namespace quadrel::cli {
+
+/// The words that a command line's arguments spell of the tree of verbs.
+struct SpelledVerb {
+    const CLI::App* app;  ///< the last that is known: the program itself, a verb, a kind of list
+    std::string name;     ///< "quadrel", "quadrel list"
+    std::string unknown;  ///< the word after it that should be a verb and is none; or empty
+};
+
+SpelledVerb spelled_verb(const CLI::App& program, const std::vector<std::string>& arguments);
+
+/// `message` and whose help to read, unless it names a command to look at itself.
+std::string with_help(const std::string& message, const SpelledVerb& verb);
+
+/// What to say of arguments that do not parse.
+std::string usage_message(const CLI::ParseError& error, const SpelledVerb& verb,
+                          const std::vector<std::string>& arguments);
+
+}  // namespace quadrel::cli
