@@ -16,6 +16,17 @@
 //     }, 0.0f);
 //     picture.at(32, 32);                          // a float
 //
+//     // the same quad by quad, over a raster state of one's own, with a texture
+//     const SampledTexture t = texture_of_texels(texels, 2, 2);       // texture/of_texels.hpp
+//     const RasterState state = raster_state({64, 64, Conventions::d3d},
+//                                            hardware_model(Hardware::exact), Cull::back);
+//     for (const auto& quad : shade_triangle<F>(state, triangle, [&](const auto& in) {
+//              return texture(t, {}, in.varying2(0));   // its level from the quad's derivatives
+//          }))
+//         for (int lane = 0; lane < 4; ++lane)
+//             if (quad.covered(lane))              // window coordinates, and an rgba
+//                 use(lane_x(quad.coverage, lane), lane_y(quad.coverage, lane), quad.result[lane]);
+//
 //     // over a scene: stages (quad/stage.hpp), named in it by their ids
 //     register_stages<MyStage>();
 //     render(load_scene("bricks-45", {"material.relief.trace=my-stage"}), {});

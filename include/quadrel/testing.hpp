@@ -1,6 +1,7 @@
 // Unit tests of derivative math: run a function over one fragment quad, look at its derivatives,
 // at the mip level that a gradient selects, and at the texels that a look-up touches. No renderer,
-// no scene, no test framework; results print themselves in GoogleTest. An example to copy:
+// no scene, no test framework, no library to link (Quadrel::headers); results print themselves in
+// GoogleTest. texture/sampler.hpp shows how to sample texels of one's own. An example to copy:
 //
 //     using namespace quadrel;
 //     TEST(Shader, UvGradient) {

@@ -12,4 +12,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/QuadrelConfig.cmake.in Q
 write_basic_package_version_file(QuadrelConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/QuadrelConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/QuadrelConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/QuadrelStages.cmake DESTINATION ${config_dir})
+  ${CMAKE_CURRENT_LIST_DIR}/QuadrelStages.cmake ${CMAKE_CURRENT_LIST_DIR}/QuadrelImath.cmake
+  DESTINATION ${config_dir})

@@ -1,6 +1,5 @@
 #include "quadrel/texture/texture.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -42,12 +41,6 @@ const float* Texture::level_texels(int level, int face) const {
 
 float* Texture::level_texels(int level, int face) {
     return const_cast<float*>(std::as_const(*this).level_texels(level, face));
-}
-
-int full_mip_levels(int width, int height) {
-    int levels = 1;
-    for (int side = std::max(width, height); side > 1; side /= 2) ++levels;
-    return levels;
 }
 
 Image texture_level(const Texture& texture, int level, int face) {

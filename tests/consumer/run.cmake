@@ -7,6 +7,7 @@ file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -D CMAKE_PREFIX_PATH=${WORK}/prefix
     -D CMAKE_BUILD_TYPE=Debug -D QUADREL_ONLY_ISAS=${ISA})
+check_configuration("${output}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 # Data and modules of the installation, not of the build.
 run(${CMAKE_COMMAND} -E env QUADREL_DATA=${WORK}/prefix/share/quadrel

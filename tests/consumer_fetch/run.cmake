@@ -10,6 +10,7 @@ endif()
 # Unoptimised: the bits are the same by promise, and it compiles in less time.
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK} -G Ninja -D FETCHCONTENT_SOURCE_DIR_QUADREL=${QUADREL}
     -D CMAKE_BUILD_TYPE=Debug -D QUADREL_ONLY_ISAS=${ISA} -D WITH_LIBRARY=${LIBRARY} ${launcher})
+check_configuration("${output}")
 run(${CMAKE_COMMAND} --build ${WORK})
 run(${WORK}/consumer)
 run(${PROGRAM} render thesis-quad --size 32x32 -o ${WORK}/quad.exr

@@ -35,13 +35,21 @@ struct WideOps<T> {
     static T narrow(double a) { return static_cast<T>(a); }
 };
 
-template <std::same_as<bool> B>
+/// A boolean of one lane, and what & and | make of two of them.
+template <class B>
+concept PlainMask = std::same_as<B, bool> || std::same_as<B, int>;
+
+template <PlainMask B>
 bool any(B m) {
-    return m;
+    return m != 0;
 }
-template <std::same_as<bool> B>
+template <PlainMask B>
 bool all(B m) {
-    return m;
+    return m != 0;
+}
+template <PlainMask B>
+int count(B m) {
+    return m != 0 ? 1 : 0;
 }
 template <PlainLane T>
 T select(bool m, T a, T b) {

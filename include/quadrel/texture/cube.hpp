@@ -181,13 +181,13 @@ vec4<F> texture_cube_grad(const SampledTexture& texture, const SampleContext<F>&
 /// Level of detail given; the sampler's bias and clamps apply.
 template <Number F>
 vec4<F> texture_cube_lod(const SampledTexture& texture, const SampleContext<F>& context,
-                         const vec3<F>& direction, F lod) {
+                         const vec3<F>& direction, std::type_identity_t<F> lod) {
     return sample_cube_expanded(texture, context, project_to_cube(direction),
                                 lod_from_level(texture, lod));
 }
 
 /// Implicit gradients. All four lanes of a quad must have valid directions.
-template <Number F>
+template <Packet F>
 vec4<F> texture_cube(const SampledTexture& texture, const SampleContext<F>& context,
                      const vec3<F>& direction, DerivativeMode mode = DerivativeMode::fine) {
     return texture_cube_grad(texture, context, direction, dFdx(direction, mode),

@@ -2,6 +2,8 @@
 // y: a constant texture stays itself.
 #pragma once
 
+#include <concepts>
+
 #include "quadrel/texture/address.hpp"
 #include "quadrel/texture/view.hpp"
 
@@ -31,7 +33,8 @@ LevelGeometry<F> level_geometry(const TextureView& view, int level) {
 /// A level a lane, each in [0, levels - 1]. Neighbouring lanes mostly agree: then no gathers are
 /// needed, and the values are the same.
 template <Number F>
-LevelGeometry<F> level_geometry(const TextureView& view, Int<F> level) {
+requires(!std::same_as<Int<F>, int>)  // one lane is all lanes
+    LevelGeometry<F> level_geometry(const TextureView& view, Int<F> level) {
     std::int32_t lane[lanes_of<F>];
     store(lane, level);
     if (all(level == Int<F>(lane[0]))) return level_geometry<F>(view, lane[0]);

@@ -1,5 +1,16 @@
 // Two-dimensional look-ups, as in GLSL. One-channel textures give (r, 0, 0, 1), two-channel ones
-// (r, g, 0, 1).
+// (r, g, 0, 1). On plain floats and doubles, too; where gradients are implicit, on quads alone.
+//
+//     using namespace quadrel;
+//     const float checks[] = {0, 1, 1, 0};                    // texels of one's own, row by row
+//     SamplerState sampler;
+//     sampler.mag = Filter::nearest;
+//     const SampledTexture t = texture_of_texels(checks, 2, 2, sampler);  // texture/of_texels.hpp
+//     texture_lod(t, {}, vec2<float>(0.75f, 0.25f), 0.0f);    // (1, 0, 0, 1)
+//
+//     // an image with its mip levels (texture/texture.hpp, with the library)
+//     const auto bricks = make_texture(load_image("bricks.png"), {.srgb = true});
+//     texture_lod({bricks->view(), sampler}, {}, vec2<double>(0.5, 0.5), 1.5);
 #pragma once
 
 #include "quadrel/num/derivative.hpp"
@@ -137,20 +148,21 @@ vec4<F> texture_grad(const SampledTexture& texture, const SampleContext<F>& cont
 /// Level of detail given, 0 the finest; the sampler's bias and clamps apply.
 template <Number F>
 vec4<F> texture_lod(const SampledTexture& texture, const SampleContext<F>& context,
-                    const vec2<F>& uv, F lod) {
+                    const vec2<F>& uv, std::type_identity_t<F> lod) {
     return sample_expanded(texture, context, uv, lod_from_level(texture, lod));
 }
 
 /// Implicit gradients and a bias in levels. All four lanes of a quad must have valid uv.
-template <Number F>
+template <Packet F>
 vec4<F> texture_bias(const SampledTexture& texture, const SampleContext<F>& context,
-                     const vec2<F>& uv, F bias, DerivativeMode mode = DerivativeMode::fine) {
+                     const vec2<F>& uv, std::type_identity_t<F> bias,
+                     DerivativeMode mode = DerivativeMode::fine) {
     return sample_expanded(texture, context, uv,
                            compute_lod(texture, dFdx(uv, mode), dFdy(uv, mode), bias));
 }
 
 /// Implicit gradients. All four lanes of a quad must have valid uv.
-template <Number F>
+template <Packet F>
 vec4<F> texture(const SampledTexture& from, const SampleContext<F>& context, const vec2<F>& uv,
                 DerivativeMode mode = DerivativeMode::fine) {
     return texture_grad(from, context, uv, dFdx(uv, mode), dFdy(uv, mode));

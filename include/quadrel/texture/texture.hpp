@@ -53,9 +53,6 @@ class Texture {
     std::string id_;
 };
 
-/// Number of mip levels of a full chain: floor(log2(max side)) + 1.
-int full_mip_levels(int width, int height);
-
 /// Throws InputError when the swizzle asks for channels that the image lacks, or the size is out of
 /// bounds.
 std::shared_ptr<const Texture> make_texture(const Image& image, const TextureOptions& options = {});

@@ -21,6 +21,13 @@ struct TextureView {
     std::int32_t offset[max_mip_levels];  ///< in floats
 };
 
+/// Number of mip levels of a full chain: floor(log2(max side)) + 1.
+constexpr int full_mip_levels(int width, int height) {
+    int levels = 1;
+    for (int side = width > height ? width : height; side > 1; side /= 2) ++levels;
+    return levels;
+}
+
 /// A texture bound with its sampler state.
 struct SampledTexture {
     TextureView view;
