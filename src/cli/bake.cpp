@@ -10,6 +10,8 @@
 #include "bake/wrap_names.hpp"
 #include "cli/command_files.hpp"
 #include "cli/console.hpp"
+#include "cli/hints.hpp"
+#include "cli/quiet.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
 #include "quadrel/baked_file.hpp"
@@ -78,6 +80,7 @@ BakedTextureOptions make_options(const Arguments& arguments) {
 
 /// Before long work.
 void check_arguments(const Arguments& arguments, BakeKind kind) {
+    check_output_kinds({{"-o", ".exr", arguments.output}});
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
     if (!std::isfinite(arguments.border))
@@ -105,6 +108,7 @@ std::shared_ptr<const Texture> bake_with_bar(const Texture& height, BakeKind kin
 ExitCode run_bake(const Arguments& arguments) {
     const BakeKind kind = bake_kind_from_name(arguments.kind);
     const BakedTextureOptions options = make_options(arguments);
+    if (const auto hint = threads_hint(arguments.threads)) tell("quadrel: " + *hint);
     const Packing packing = packing_from_name(arguments.packing);
     check_arguments(arguments, kind);
     check_files(arguments);
@@ -183,7 +187,9 @@ void add_bake(CLI::App& app, Action& action) {
         ->type_name("NAME=NUMBER")
         ->allow_extra_args(false);
     add_outputs(*verb, *a);
-    verb->add_option("-t,--threads", a->threads, "threads; 0: as many as there are CPUs")
+    add_quiet_option(*verb);
+    verb->add_option("-t,--threads", a->threads,
+                     "threads; 0: as many as there are CPUs, more are obeyed")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     verb->footer(describe_kinds());

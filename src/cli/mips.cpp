@@ -8,6 +8,7 @@
 
 #include "cli/command_files.hpp"
 #include "cli/console.hpp"
+#include "cli/quiet.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
 #include "quadrel/film/exr.hpp"
@@ -92,6 +93,7 @@ void add_mips(CLI::App& app, Action& action) {
     verb->add_option("--swizzle", a->swizzle, "channels, as in scene files: rgba, a, 1-r, ...");
     verb->add_flag("--srgb", a->srgb, "colour channels are sRGB-encoded: filter linear values");
     verb->add_flag("--flip-v", a->flip_v, "last row first");
+    add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_mips(*a); }; });
 }
 

@@ -9,7 +9,9 @@
 #include "cli/arguments.hpp"
 #include "cli/command_files.hpp"
 #include "cli/console.hpp"
+#include "cli/hints.hpp"
 #include "cli/plugins.hpp"
+#include "cli/quiet.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
@@ -113,6 +115,7 @@ std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs) {
 ExitCode run_sheet(const Arguments& arguments) {
     CommandFiles files;
     const Variants variants = parse_variants(arguments.each);
+    check_output_kinds({{"-o", ".png", arguments.output}});
     files.add_output("-o", arguments.output);
     files.check_writable();
     load_plugins(arguments.plugins);
@@ -145,6 +148,7 @@ void add_sheet(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE,VALUE...");
     add_plugin_option(*verb, a->plugins);
     verb->add_option("--size", a->size, "size of every render in pixels")->type_name("WxH");
+    add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_sheet(*a); }; });
 }
 

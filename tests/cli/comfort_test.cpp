@@ -78,6 +78,23 @@ TEST_F(Comfort, QuietIsQuiet) {
     EXPECT_NE(render("missing", {"--quiet"}).err, "");
 }
 
+TEST_F(Comfort, OtherVerbsTooAreQuietAndKnowTheirFiles) {
+    ASSERT_EQ(render("quad", {"--channels", "Z"}).code, 0);
+    for (const Words& words :
+         std::vector<Words>{{"sheet", "quad.json", "-o", "s.png"},
+                            {"mips", "a.exr", "-o", "m"},
+                            {"bake", "a.exr", "--kind", "max-mip", "-o", "b.exr", "--no-cache"}}) {
+        Words quiet = words;
+        quiet.push_back("--quiet");
+        EXPECT_NE(run(words, folder.path()).err, "") << words[0];
+        const Outcome outcome = run(quiet, folder.path());
+        EXPECT_EQ(outcome.code, 0) << words[0];
+        EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_EQ(run({"sheet", "quad.json", "-o", "s.exr"}, folder.path()).code, 2);
+    EXPECT_EQ(run({"bake", "a.exr", "--kind", "max-mip", "-o", "b.png"}, folder.path()).code, 2);
+}
+
 TEST_F(Comfort, MoreThreadsThanProcessorsAreObeyedWithANote) {
     const Outcome outcome = render("quad", {"-t", "999"});
     EXPECT_EQ(outcome.code, 0);
