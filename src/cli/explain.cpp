@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/console.hpp"
+#include "cli/explain_key.hpp"
 #include "cli/explanations.hpp"
 #include "cli/plugins.hpp"
 #include "cli/verbs.hpp"
@@ -15,12 +16,19 @@ struct Arguments {
     std::vector<std::string> words, plugins;
 };
 
+/// The name or path that is nearest; empty if none is near.
+std::string nearest_name(const std::string& word) {
+    const std::string name = nearest_word(word, explained_names()), path = nearest_path(word);
+    if (name.empty() || path.empty()) return name + path;
+    return edit_distance(word, path) <= edit_distance(word, name) ? path : name;
+}
+
 [[noreturn]] void reject(const std::string& word) {
-    const std::string nearest = nearest_word(word, explained_names());
-    throw UsageError(
-        "explain: found \"" + word + "\", expected " +
-        (nearest.empty() ? "" : "\"" + nearest + "\" perhaps: ") +
-        "a scene key, channel, stage, parameter, preset, kind of baked map or exit code");
+    const std::string nearest = nearest_name(word);
+    throw UsageError("explain: found \"" + word +
+                     "\", expected a scene key, channel, stage, parameter, preset, kind of baked "
+                     "map or exit code" +
+                     (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }
 
 ExitCode run_explain(const Arguments& arguments) {

@@ -6,6 +6,7 @@
 
 #include "cli/markdown.hpp"
 #include "io/scene_keys.hpp"
+#include "io/suggest.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/presets.hpp"
 
@@ -107,6 +108,25 @@ std::vector<std::string> explain_key(const std::string& word) {
         if (row.key == word) texts.push_back(row_text(row));
     if (!keys_of_section(word).empty()) texts.push_back(section_text(word));
     return texts;
+}
+
+std::string nearest_path(const std::string& path) {
+    std::string_view section = "scene";
+    std::string nearest;
+    bool is_name = false;
+    for (const std::string& part : parts_of(path)) {
+        const std::string key = is_name ? part : nearest_word(part, keys_of_section(section));
+        if (key.empty()) return "";
+        nearest += (nearest.empty() ? "" : ".") + key;
+        if (is_name) {
+            is_name = false;
+            continue;
+        }
+        const SceneKey* row = find_scene_key(section, key);
+        section = row->below_section;
+        is_name = row->below == Below::names;
+    }
+    return nearest;
 }
 
 std::optional<ParameterPlace> parameter_place(const std::string& path) {

@@ -80,6 +80,8 @@ TEST(Help, MistypedWordsGetTheNearest) {
     EXPECT_TRUE(refuses({"render", "a", "--chanels", "R"}, {"--channels?"}));
     EXPECT_TRUE(refuses({"explain", "camera.fov"}, {"camera.fov", "`quadrel explain --help`"}));
     EXPECT_TRUE(refuses({"explain", "hit.stats"}, {"\"hit.status\""}));
+    EXPECT_TRUE(refuses({"explain", "mateial.reliev"}, {"\"material.relief\""}));
+    EXPECT_TRUE(refuses({"explain", "linaer"}, {"\"linear\""}));
 }
 
 TEST(Help, UsageErrorsNameTheVerbsOwn) {
