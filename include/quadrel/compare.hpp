@@ -98,6 +98,8 @@ struct Preparation {
     Encoding encoding = Encoding::none;
     bool flip_y = false;
     std::vector<ChannelMapping> mappings;
+    std::vector<std::string> by_value{};  ///< integers on one side, floats on the other
+    std::optional<Window> window{};       ///< the only pixels that were compared, where asked for
 };
 
 struct CompareReport {

@@ -156,13 +156,13 @@ void write_baked(const std::filesystem::path& file, const Texture& map, const Te
 std::shared_ptr<const Texture> load_baked(const std::filesystem::path& file, BakeKind kind,
                                           const SamplerState& sampler, const Texture& height,
                                           const std::string& key) {
-    std::vector<ExrFile> levels{read_exr(file)};
+    std::vector<ExrFile> levels{read_exr(file, {"", "0"})};
     const Attributes attributes = levels[0].attributes;
     check_attributes(file, key, attributes, describe(height, kind, sampler));
     const std::size_t count = levels[0].parts.size();
     if (count > max_mip_levels) refuse(file, key, fmt::format("{} parts", count), "17 at most");
     for (std::size_t level = 1; level < count; ++level)
-        levels.push_back(read_exr(file, fmt::format("level{}", level)));
+        levels.push_back(read_exr(file, {"", fmt::format("level{}", level)}));
     std::vector<LevelSize> sizes;
     const int channels = read_number(file, key, attributes, "quadrel:bake.channels", 4);
     const int layers = read_number(file, key, attributes, "quadrel:bake.layers", 1024);

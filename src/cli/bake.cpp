@@ -12,6 +12,7 @@
 #include "cli/console.hpp"
 #include "cli/hints.hpp"
 #include "cli/quiet.hpp"
+#include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
 #include "quadrel/baked_file.hpp"
@@ -28,6 +29,7 @@ struct Arguments {
     std::string image, kind, output, channel = "r", wrap_u = "repeat", wrap_v = "repeat", wrap;
     std::string format, packed, packing = "dummer", rounding = "conservative";
     std::vector<std::string> parameters;
+    ImageSelection selection;
     float border = 0;
     int threads = 0;
     bool flip_v = false, no_cache = false;
@@ -40,7 +42,8 @@ std::shared_ptr<const Texture> load_heights(const Arguments& arguments) {
         if (name == arguments.format) options.format = format;
     options.flip_v = arguments.flip_v;
     options.mip_rule = MipRule::none;
-    return make_texture(load_image(arguments.image), options);
+    return make_texture(load_image(arguments.image, NotFinite::refuse, "", arguments.selection),
+                        options);
 }
 
 SamplerState make_sampler(const Arguments& arguments) {
@@ -142,10 +145,11 @@ std::string describe_kinds() {
 void add_field(CLI::App& verb, Arguments& a) {
     const CLI::IsMember modes(wrap_modes());
     verb.add_option("heights", a.image, "image of any format that textures may have")->required();
+    add_selection_options(verb, a.selection);
     verb.add_option("--channel", a.channel,
-                    "where the heights are: r, g, b, a, or 1-r ... for depth; height: a where the "
-                    "image has it, else its first, as in scenes")
-        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a", height_swizzle}))
+                    "where the heights are: r, g, b, a, or 1-r ... for depth; alpha-or-first: a "
+                    "where the image has it, else r")
+        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a", alpha_or_first}))
         ->capture_default_str();
     verb.add_option("--wrap-u", a.wrap_u, "how the field goes on")
         ->check(modes)

@@ -8,10 +8,13 @@
 #include "cli/command_files.hpp"
 #include "cli/compare_arguments.hpp"
 #include "cli/compare_blame.hpp"
+#include "cli/compare_region.hpp"
 #include "cli/console.hpp"
 #include "cli/plugins.hpp"
+#include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/film/heatmap.hpp"
 #include "quadrel/film/preview.hpp"
 
 namespace quadrel::cli {
@@ -32,9 +35,11 @@ constexpr const char* details =
     "nearest half, ties to even; --ulp counts halves.";
 
 struct Arguments {
-    std::string reference, test, layer, channels, heatmap, encode, blame, ignored_flags;
+    std::string reference, test, channels, heatmap, encode, blame, ignored_flags;
     std::vector<std::string> mappings, overrides, plugins;
     ToleranceArguments tolerances;
+    ImageSelection selection, reference_selection;
+    RegionArguments region;
     bool flip_y = false, json = false;
 };
 
@@ -87,20 +92,25 @@ Images prepare(const Arguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
     const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
-    Images images{read_comparable(arguments.reference),
-                  read_comparable(arguments.test, arguments.layer),
+    Images images{read_comparable(arguments.reference, arguments.reference_selection),
+                  read_comparable(arguments.test, arguments.selection),
                   {},
                   {}};
     ComparableImage &reference = images.reference, &test = images.test;
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
+    const auto region = keep_region(arguments.region, reference.film, test.film);
     images.rules = match_tolerances(tolerances, reference.film, test.film);
     images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
     if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
+    const std::string storage[] = {storage_text(reference), storage_text(test)};
+    const auto by_value = compare_by_value(reference.film, test.film);
+    // They stay integers in what is allowed: no tolerance for all channels is for them.
+    for (const std::string& name : by_value)
+        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
     images.rules.encodings = encode_both(reference, test, encoding);
-    images.preparation = {
-        arguments.reference, arguments.test, storage_text(reference), storage_text(test), encoding,
-        arguments.flip_y,    mappings};
+    images.preparation = {arguments.reference, arguments.test, storage[0], storage[1], encoding,
+                          arguments.flip_y,    mappings,       by_value,   region};
     return images;
 }
 
@@ -158,7 +168,9 @@ void add_preparation(CLI::App& verb, Arguments& a) {
     verb.add_option("--map", a.mappings, "the test image's channel or group for a reference's")
         ->type_name("REF=TEST")
         ->allow_extra_args(false);
-    verb.add_option("--layer", a.layer, "part or layer of the test image, an EXR");
+    add_selection_options(verb, a.selection, "", "the test image, an EXR");
+    add_selection_options(verb, a.reference_selection, "reference-", "the reference, an EXR");
+    add_region_options(verb, a.region);
     verb.add_option("--channels", a.channels, "compare these comma-separated channels only");
     verb.add_option("--ignore-flags", a.ignored_flags,
                     "leave out pixels whose reference has one of these hit.flags, such as "

@@ -57,9 +57,9 @@ void parse_option(const std::string& option, const std::vector<std::string>& arg
 }
 
 bool is_integer(const std::string& channel, const Film& reference, const Film& test) {
-    const Plane* plane = reference.find(channel);
-    if (plane == nullptr) plane = test.find(channel);
-    return plane != nullptr && plane->type == ChannelType::uint32;
+    for (const Plane* plane : {reference.find(channel), test.find(channel)})
+        if (plane != nullptr && plane->type == ChannelType::uint32) return true;
+    return false;
 }
 
 void add_rule(const ToleranceRule& rule, const Film& reference, const Film& test,

@@ -1,6 +1,7 @@
 #include "cli/file_info.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <cmath>
@@ -59,8 +60,26 @@ Json float_plane_info(const Plane& plane) {
             {"infinite", infinite}};
 }
 
-Json exr_info(const std::string& file) {
-    const ExrFile exr = read_exr(file);
+/// Several parts of which none was named: an overview of them, and the first one's attributes.
+Json parts_info(const std::vector<ExrPartInfo>& parts) {
+    Json rows = Json::array();
+    for (const ExrPartInfo& part : parts)
+        rows.push_back({{"part", rows.size()},
+                        {"name", part.name},
+                        {"frame", window_text(part.frame)},
+                        {"window", window_text(part.window)},
+                        {"channels", fmt::format("{}", fmt::join(part.channels, " "))}});
+    return {{"kind", "EXR image of several parts"},
+            {"parts", rows},
+            {"attributes", parts[0].attributes}};
+}
+
+Json exr_info(const std::string& file, const ImageSelection& selection) {
+    if (selection.empty()) {
+        const std::vector<ExrPartInfo> parts = exr_parts(file);
+        if (parts.size() > 1) return parts_info(parts);
+    }
+    const ExrFile exr = read_exr(file, selection);
     Json channels = Json::array();
     for (const Plane& plane : exr.film.planes) {
         Json row = {{"name", plane.name}, {"type", stored_text(exr.stored.at(plane.name))}};
@@ -78,8 +97,8 @@ Json exr_info(const std::string& file) {
     return info;
 }
 
-Json image_info(const std::string& file) {
-    const Image image = load_image(file, NotFinite::count);
+Json image_info(const std::string& file, const ImageSelection& selection) {
+    const Image image = load_image(file, NotFinite::count, "", selection);
     return {{"kind", "image"},
             {"size", fmt::format("{}x{}", image.width, image.height)},
             {"channels", image.channels},
@@ -128,15 +147,15 @@ Json scene_info(const std::string& file) {
 
 }  // namespace
 
-Json file_info(const std::string& file) {
-    if (begins_like_exr(file)) return exr_info(file);
+Json file_info(const std::string& file, const ImageSelection& selection) {
+    if (begins_like_exr(file)) return exr_info(file, selection);
     const std::filesystem::path path(file);
     if (is_mesh_file(path)) return mesh_info(file);
     const bool bare_name = path.extension().empty() && !path.has_parent_path();
     if (path.extension() == ".json" || path.extension() == ".glib" ||
         (bare_name && !std::filesystem::exists(path)))
         return scene_info(file);
-    return image_info(file);
+    return image_info(file, selection);
 }
 
 }  // namespace quadrel::cli

@@ -5,6 +5,7 @@
 
 #include "cli/console.hpp"
 #include "cli/file_info.hpp"
+#include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "io/printable.hpp"
 
@@ -48,16 +49,18 @@ void add_info(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("info", "describe an EXR, an image, a mesh or a scene");
     struct Arguments {
         std::string file;
+        ImageSelection selection;
         bool json = false;
     };
     const auto a = std::make_shared<Arguments>();
     verb->add_option("file", a->file,
                      "EXR, image, mesh (OBJ, glTF), scene file or name of an installed scene")
         ->required();
+    add_selection_options(*verb, a->selection);
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] {
         action = [a] {
-            const Json info = file_info(a->file);
+            const Json info = file_info(a->file, a->selection);
             if (a->json)
                 print_json(info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
             else

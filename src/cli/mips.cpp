@@ -9,6 +9,7 @@
 #include "cli/command_files.hpp"
 #include "cli/console.hpp"
 #include "cli/quiet.hpp"
+#include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
 #include "quadrel/film/exr.hpp"
@@ -27,6 +28,7 @@ const std::map<std::string, MipRule> rules{{"box", MipRule::box}, {"area", MipRu
 
 struct Arguments {
     std::string image, prefix, format, rule = "box", swizzle;
+    ImageSelection selection;
     bool srgb = false, flip_v = false;
 };
 
@@ -63,7 +65,9 @@ std::vector<std::string> level_files(const Arguments& arguments, int levels) {
 
 ExitCode run_mips(const Arguments& arguments) {
     CommandFiles all;
-    const auto texture = make_texture(load_image(arguments.image), texture_options(arguments));
+    const auto texture =
+        make_texture(load_image(arguments.image, NotFinite::refuse, "", arguments.selection),
+                     texture_options(arguments));
     const std::vector<std::string> files = level_files(arguments, texture->view().levels);
     for (const std::string& file : files) all.add_output("-o", file);
     all.check_writable();
@@ -85,6 +89,7 @@ void add_mips(CLI::App& app, Action& action) {
     verb->add_option("image", a->image, "image of any format that textures may have")->required();
     verb->add_option("-o,--output", a->prefix, "levels go to PREFIX.0.exr, PREFIX.1.exr, ...")
         ->required();
+    add_selection_options(*verb, a->selection);
     verb->add_option("--format", a->format, "round each level to this (default: the file's)")
         ->check(CLI::IsMember(formats));
     verb->add_option("--rule", a->rule, "reduction")

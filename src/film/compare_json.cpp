@@ -64,6 +64,11 @@ Json channel_json(const ChannelReport& channel) {
     return json;
 }
 
+Json window_json(const std::optional<Window>& window) {
+    if (!window) return nullptr;
+    return {window->x0, window->y0, window->x1, window->y1};
+}
+
 Json preparation_json(const Preparation& preparation) {
     Json map = Json::object();
     for (const auto& [reference, test] : preparation.mappings) map[reference] = test;
@@ -73,7 +78,9 @@ Json preparation_json(const Preparation& preparation) {
             {"test_storage", preparation.test_storage},
             {"encode", encoding_name(preparation.encoding)},
             {"flip_y", preparation.flip_y},
-            {"map", map}};
+            {"map", map},
+            {"by_value", preparation.by_value},
+            {"window", window_json(preparation.window)}};
 }
 
 ChannelType type_of(const CompareReport& report, const std::string& name) {

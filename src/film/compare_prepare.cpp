@@ -32,8 +32,8 @@ Storage storage_of(TexelFormat format) {
     return format == TexelFormat::half ? Storage::half : Storage::float32;
 }
 
-ComparableImage from_exr(const std::filesystem::path& file, const std::string& layer) {
-    ExrFile exr = read_exr(file, layer);
+ComparableImage from_exr(const std::filesystem::path& file, const ImageSelection& selection) {
+    ExrFile exr = read_exr(file, selection);
     ComparableImage result{file, std::move(exr.film), {}, std::move(exr.attributes)};
     for (const auto& [name, type] : exr.stored) result.stored[name] = storage_of(type);
     return result;
@@ -100,6 +100,12 @@ std::vector<Renaming> all_renamings(const ComparableImage& image,
     return all;
 }
 
+Plane* find_plane(Film& film, const std::string& name) {
+    const auto found = std::find_if(film.planes.begin(), film.planes.end(),
+                                    [&](const Plane& plane) { return plane.name == name; });
+    return found == film.planes.end() ? nullptr : &*found;
+}
+
 bool has_8_bits(Encoding encoding) {
     return encoding == Encoding::unorm8 || encoding == Encoding::srgb8;
 }
@@ -150,12 +156,10 @@ const char* storage_name(Storage storage) {
     return "uint32";
 }
 
-ComparableImage read_comparable(const std::filesystem::path& file, const std::string& layer) {
-    if (begins_as_exr(file)) return from_exr(file, layer);
-    ComparableImage image = from_image(load_image(file, NotFinite::count));
-    if (!layer.empty())
-        throw InputError(file.string(), layer, "a file without layers", "an EXR file");
-    return image;
+ComparableImage read_comparable(const std::filesystem::path& file,
+                                const ImageSelection& selection) {
+    if (begins_as_exr(file)) return from_exr(file, selection);
+    return from_image(load_image(file, NotFinite::count, "", selection));
 }
 
 void flip_y(Film& film) {
@@ -172,22 +176,30 @@ void flip_y(Film& film) {
 }
 
 void map_channels(ComparableImage& image, std::span<const ChannelMapping> mappings) {
-    const std::vector<Renaming> all = all_renamings(image, mappings);
+    // One channel may go under several names: all but the last are copies.
+    std::vector<Renaming> all = all_renamings(image, mappings);
+    const std::map<std::string, Storage> stored = image.stored;
+    std::vector<Plane> renamed;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Plane& from = *find_plane(image.film, all[i].from);
+        const bool again = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(),
+                                       [&](const Renaming& r) { return r.from == all[i].from; });
+        Plane& plane = renamed.emplace_back(Plane{all[i].to, from.type, {}});
+        if (again)
+            plane.bits = from.bits;
+        else
+            plane.bits = std::move(from.bits);
+    }
     std::set<std::string> gone;
     for (const Renaming& renaming : all) {
         gone.insert(renaming.from);
         gone.insert(renaming.to);
     }
-    const ComparableImage old = image;
     std::erase_if(image.film.planes,
                   [&](const Plane& plane) { return gone.count(plane.name) != 0; });
     std::erase_if(image.stored, [&](const auto& entry) { return gone.count(entry.first) != 0; });
-    for (const auto& [from, to] : all) {
-        Plane plane = *old.film.find(from);
-        plane.name = to;
-        image.film.planes.push_back(std::move(plane));
-        image.stored[to] = old.stored.at(from);
-    }
+    for (Plane& plane : renamed) image.film.planes.push_back(std::move(plane));
+    for (const auto& [from, to] : all) image.stored[to] = stored.at(from);
 }
 
 std::map<std::string, Encoding> encode_both(ComparableImage& reference, ComparableImage& test,

@@ -74,6 +74,11 @@ std::string preparation_text(const Preparation& preparation) {
     if (preparation.flip_y) text += "test flipped in y\n";
     for (const auto& [reference, test] : preparation.mappings)
         text += fmt::format("channel {} is {} of the test\n", reference, test);
+    for (const std::string& name : preparation.by_value)
+        text += fmt::format("channel {}: integers of one image as the nearest floats\n", name);
+    if (const auto& window = preparation.window)
+        text += fmt::format("only pixels {},{} to {},{}, the latter excluded\n", window->x0,
+                            window->y0, window->x1, window->y1);
     return text;
 }
 

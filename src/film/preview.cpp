@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "film/preview_group.hpp"
 #include "quadrel/check.hpp"
 
 namespace quadrel {
@@ -39,17 +42,8 @@ std::array<double, 255> make_thresholds() {
     return thresholds;
 }
 
-Picture color_preview(const Film& film, const Plane& r, const Plane& g, const Plane& b) {
-    Picture picture(film.window.width(), film.window.height(), 0);
-    for (std::size_t i = 0; i < film.window.area(); ++i) {
-        const float values[3] = {r.as_float(i), g.as_float(i), b.as_float(i)};
-        for (std::size_t c = 0; c < 3; ++c) picture.rgb[3 * i + c] = srgb_code(values[c]);
-        if (std::isnan(values[0]) || std::isnan(values[1]) || std::isnan(values[2])) {
-            picture.rgb[3 * i] = picture.rgb[3 * i + 2] = 255;
-            picture.rgb[3 * i + 1] = 0;
-        }
-    }
-    return picture;
+bool is_nan(const Plane& plane, std::size_t i) {
+    return plane.type == ChannelType::float32 && std::isnan(plane.as_float(i));
 }
 
 double value_of(const Plane& plane, std::size_t i) {
@@ -57,32 +51,87 @@ double value_of(const Plane& plane, std::size_t i) {
                                              : static_cast<double>(plane.as_float(i));
 }
 
+bool all_zero(const std::vector<const Plane*>& planes, std::size_t i) {
+    return std::all_of(planes.begin(), planes.end(),
+                       [i](const Plane* plane) { return value_of(*plane, i) == 0; });
+}
+
+/// What is shown as 0 and as 255 where values are spread.
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
+
+    double share(double value) const {
+        const double span = high > low ? high - low : 1;
+        return std::clamp((value - low) / span, 0.0, 1.0);
+    }
 };
 
-Range finite_range(const Plane& plane) {
+/// Of the finite values; those of uncovered pixels do not count where there are other components.
+Range finite_range(const Plane& plane, const std::vector<const Plane*>& group) {
     Range range;
     for (std::size_t i = 0; i < plane.bits.size(); ++i) {
         const double value = value_of(plane, i);
-        if (!std::isfinite(value)) continue;
+        if (!std::isfinite(value) || (group.size() > 1 && all_zero(group, i))) continue;
         range.low = std::min(range.low, value);
         range.high = std::max(range.high, value);
     }
     return range;
 }
 
-Picture gray_preview(const Film& film, const Plane& plane) {
+std::uint8_t byte_of(double share) {
+    return static_cast<std::uint8_t>(std::isnan(share) ? 255 : share * 255 + 0.5);
+}
+
+/// How the values of a group become colours.
+enum class Shown { light, unit_vector, unit_range, fraction, spread };
+
+Shown how_shown(const PreviewGroup& group) {
+    const std::string& name = group.name;
+    if (group.planes.size() == 1) return Shown::spread;
+    if (name.empty() || name.starts_with("light.")) return Shown::light;
+    if (name == "N" || name == "Ng") return Shown::unit_vector;
+    if (name == "bary") return Shown::unit_range;
+    return name == "uv" || name == "hit" ? Shown::fraction : Shown::spread;
+}
+
+std::uint8_t code_of_value(Shown shown, double value, const Range& range) {
+    switch (shown) {
+        case Shown::light:
+            return srgb_code(static_cast<float>(value));
+        case Shown::unit_vector:
+            return byte_of(std::clamp(0.5 * value + 0.5, 0.0, 1.0));
+        case Shown::unit_range:
+            return byte_of(std::clamp(value, 0.0, 1.0));
+        case Shown::fraction:
+            return byte_of(value - std::floor(value));
+        case Shown::spread:
+            break;
+    }
+    return byte_of(range.share(value));
+}
+
+/// One component in gray; of several, the first in red and so on.
+Picture draw_group(const Film& film, const PreviewGroup& group) {
     Picture picture(film.window.width(), film.window.height(), 0);
-    const Range range = finite_range(plane);
-    const double span = range.high > range.low ? range.high - range.low : 1;
+    const Shown shown = how_shown(group);
+    const bool gray = group.planes.size() == 1;
+    std::vector<Range> ranges(group.planes.size());
+    if (shown == Shown::spread)
+        for (std::size_t c = 0; c < ranges.size(); ++c)
+            ranges[c] = finite_range(*group.planes[c], group.planes);
     for (std::size_t i = 0; i < film.window.area(); ++i) {
-        const double value = value_of(plane, i);
-        const double share = std::clamp((value - range.low) / span, 0.0, 1.0);
-        const bool nan = std::isnan(value);
-        const auto gray = static_cast<std::uint8_t>(std::isnan(share) ? 255 : share * 255 + 0.5);
-        picture.rgb[3 * i] = picture.rgb[3 * i + 2] = nan ? std::uint8_t{255} : gray;
-        picture.rgb[3 * i + 1] = nan ? std::uint8_t{0} : gray;
+        std::uint8_t* const rgb = &picture.rgb[3 * i];
+        if (!gray && shown != Shown::light && all_zero(group.planes, i)) continue;
+        bool nan = false;
+        for (std::size_t c = 0; c < (gray ? 3 : group.planes.size()); ++c) {
+            const std::size_t component = gray ? 0 : c;
+            const Plane& plane = *group.planes[component];
+            nan |= is_nan(plane, i);
+            rgb[c] = code_of_value(shown, value_of(plane, i), ranges[component]);
+        }
+        if (!nan) continue;
+        rgb[0] = rgb[2] = 255;
+        rgb[1] = 0;
     }
     return picture;
 }
@@ -111,11 +160,13 @@ std::uint8_t srgb_code(float linear) {
 
 Picture preview(const Film& film) {
     QUADREL_CHECK(!film.planes.empty(), film.planes.size());
-    const Plane* r = film.find("R");
-    const Plane* g = film.find("G");
-    const Plane* b = film.find("B");
-    if (r == nullptr || g == nullptr || b == nullptr) return gray_preview(film, film.planes[0]);
-    return color_preview(film, *r, *g, *b);
+    return draw_group(film, preview_group(film));
+}
+
+std::vector<std::string> preview_channels(const Film& film) {
+    std::vector<std::string> names;
+    for (const Plane* plane : preview_group(film).planes) names.push_back(plane->name);
+    return names;
 }
 
 }  // namespace quadrel

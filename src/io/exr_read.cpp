@@ -1,19 +1,12 @@
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputPart.h>
-#include <OpenEXR/ImfMultiPartInputFile.h>
-#include <OpenEXR/ImfPartType.h>
-#include <OpenEXR/ImfVersion.h>
 
 #include <algorithm>
-#include <fstream>
-#include <functional>
 
 #include "io/exr_attributes.hpp"
 #include "io/exr_limits.hpp"
-#include "io/out_of_memory.hpp"
-#include "io/read_file.hpp"
+#include "io/exr_open.hpp"
+#include "io/exr_pixels.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 
@@ -26,17 +19,6 @@ constexpr std::int64_t most_values = std::int64_t{1} << 31;
 [[noreturn]] void reject(const std::filesystem::path& file, const std::string& key,
                          const std::string& found, const std::string& expected) {
     throw InputError(file.string(), key, found, expected);
-}
-
-/// OpenEXR says little about files that are no EXR at all; this does.
-void check_is_exr(const std::filesystem::path& file) {
-    if (const char* reason = reason_not_to_read(file)) reject(file, "", reason, "an EXR file");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) reject(file, "", "a file that cannot be opened", "an EXR file");
-    char magic[4] = {};
-    if (!stream.read(magic, 4) || !Imf::isImfMagic(magic))
-        reject(file, "", "something else", "an EXR file");
-    check_exr_attributes(file, "");
 }
 
 /// Computed in 64 bits: a damaged header may hold any integers.
@@ -52,89 +34,72 @@ Window half_open(const std::filesystem::path& file, const char* key, const Imath
     return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
 }
 
-std::vector<std::string> part_names(const Imf::MultiPartInputFile& input) {
-    std::vector<std::string> names;
-    for (int part = 0; part < input.parts(); ++part)
-        names.push_back(input.header(part).hasName() ? input.header(part).name() : "");
-    return names;
-}
-
 StoredType stored_type(Imf::PixelType type) {
     if (type == Imf::HALF) return StoredType::half;
     return type == Imf::UINT ? StoredType::uint32 : StoredType::float32;
 }
 
-/// The channels of a layer, or all of them when `prefix` is empty; film names lack the prefix.
+/// A plane for each channel of the choice, without values yet.
 void add_planes(const std::filesystem::path& file, const Imf::Header& header,
                 const std::string& prefix, ExrFile& result) {
-    std::vector<std::pair<std::string, Imf::PixelType>> wanted;
-    for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
-        const std::string name = i.name();
-        if (name.compare(0, prefix.size(), prefix) != 0) continue;
-        if (i.channel().xSampling != 1 || i.channel().ySampling != 1)
-            reject(file, name, "a sub-sampled channel", "one value a pixel");
-        wanted.emplace_back(name.substr(prefix.size()), i.channel().type);
-    }
-    if (wanted.empty())
-        reject(file, prefix, "no such channels", prefix.empty() ? "channels" : "a part or layer");
-    const auto values = static_cast<std::int64_t>(result.film.window.area() * wanted.size());
+    const std::vector<std::string> names = exr_channels(header, prefix);
+    if (names.empty()) reject(file, "", "no channels", "channels");
+    const auto values = static_cast<std::int64_t>(result.film.window.area() * names.size());
     const std::int64_t most = std::min(most_values, most_exr_values(file, header));
     if (values > most)
         reject(file, "", std::to_string(values) + " values", "at most " + std::to_string(most));
-    for (const auto& [name, type] : wanted) {
-        const bool integer = type == Imf::UINT;
+    for (const std::string& name : names) {
+        const Imf::Channel& channel = header.channels()[(prefix + name).c_str()];
+        if (channel.xSampling != 1 || channel.ySampling != 1)
+            reject(file, prefix + name, "a sub-sampled channel", "one value a pixel");
+        const bool integer = channel.type == Imf::UINT;
         result.film.add(name, integer ? ChannelType::uint32 : ChannelType::float32);
-        result.stored[name] = stored_type(type);
+        result.stored[name] = stored_type(channel.type);
     }
 }
 
-void read_pixels(Imf::InputPart& part, const std::string& prefix, Film& film) {
-    const Imath::Box2i box = part.header().dataWindow();
-    Imf::FrameBuffer buffer;
-    for (Plane& plane : film.planes) {
-        const auto type = plane.type == ChannelType::uint32 ? Imf::UINT : Imf::FLOAT;
-        buffer.insert(prefix + plane.name, Imf::Slice::Make(type, plane.bits.data(), box));
-    }
-    part.setFrameBuffer(buffer);
-    part.readPixels(box.min.y, box.max.y);
+void read_planes(ExrPixels& pixels, Film& film) {
+    const Window& window = film.window;
+    pixels.read(window.y0, window.y1, [&](const ExrRun& run) {
+        const auto to = film.planes[run.channel].bits.begin() +
+                        static_cast<std::ptrdiff_t>(film.index(run.x, run.y));
+        std::copy_n(run.bits, run.count, to);
+    });
     canonicalize(film);
 }
 
-ExrFile read_part(const std::filesystem::path& file, const std::string& layer) {
-    Imf::MultiPartInputFile input(file.c_str(), 0, false);
+ExrFile read_chosen(const std::filesystem::path& file, const ImageSelection& selection) {
+    const ExrHeaders headers = read_exr_headers(file, "");
+    const ExrChoice choice = choose_exr(headers, selection, file, "");
+    const Imf::Header& header = headers.parts[static_cast<std::size_t>(choice.part)];
     ExrFile result;
-    result.parts = part_names(input);
-    int index = 0;
-    std::string prefix = layer.empty() ? "" : layer + ".";
-    for (int part = 0; part < input.parts(); ++part)
-        if (!layer.empty() && result.parts[static_cast<std::size_t>(part)] == layer) {
-            index = part;
-            prefix.clear();
-        }
-    const Imf::Header& header = input.header(index);
-    if (header.hasType() && Imf::isDeepData(header.type()))
-        reject(file, "", "a deep image", "a flat image");
+    result.parts = headers.names();
     result.film.frame = half_open(file, "displayWindow", header.displayWindow());
     result.film.window = half_open(file, "dataWindow", header.dataWindow());
     result.attributes = read_attributes(header);
-    add_planes(file, header, prefix, result);
-    Imf::InputPart part(input, index);
-    read_pixels(part, prefix, result.film);
+    add_planes(file, header, choice.prefix, result);
+    std::vector<std::string> names;
+    for (const Plane& plane : result.film.planes) names.push_back(choice.prefix + plane.name);
+    read_planes(*open_exr_pixels(file, choice.part, names), result.film);
     return result;
 }
 
 }  // namespace
 
-ExrFile read_exr(const std::filesystem::path& file, const std::string& layer) {
-    check_is_exr(file);
-    try {
-        return read_part(file, layer);
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        rethrow_out_of_memory(error);
-        reject(file, "", std::string("a damaged file (") + error.what() + ")", "a whole EXR file");
-    }
+ExrFile read_exr(const std::filesystem::path& file, const ImageSelection& selection) {
+    ExrFile result;
+    reading_exr(file, "", [&] { result = read_chosen(file, selection); });
+    return result;
+}
+
+std::vector<ExrPartInfo> exr_parts(const std::filesystem::path& file) {
+    std::vector<ExrPartInfo> parts;
+    for (const Imf::Header& header : read_exr_headers(file, "").parts)
+        parts.push_back({header.hasName() ? header.name() : "",
+                         half_open(file, "displayWindow", header.displayWindow()),
+                         half_open(file, "dataWindow", header.dataWindow()),
+                         exr_channels(header, ""), read_attributes(header)});
+    return parts;
 }
 
 }  // namespace quadrel

@@ -25,7 +25,7 @@ inline constexpr std::array<GlibSampler, 5> glib_samplers{{{"Environment_Map", "
                                                            {"Color_Map", "color", ""},
                                                            {"Emissive_Map", "emissive", "gb0r"},
                                                            {"Gloss_Map", "gloss", "gb0r"},
-                                                           {"Normal_Map", "height", ""}}};
+                                                           {"Normal_Map", "height", "alpha-or-first"}}};
 
 /// The texture unit that a sampler reads.
 struct GlibBinding {

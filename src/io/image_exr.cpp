@@ -1,16 +1,16 @@
 // Reads EXR images as textures, through OpenEXR.
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "io/exr_limits.hpp"
+#include "io/exr_open.hpp"
+#include "io/exr_pixels.hpp"
 #include "io/image_readers.hpp"
-#include "io/out_of_memory.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -26,30 +26,37 @@ Window to_window(const Imath::Box2i& box) {
             std::int64_t(box.max.y) - box.min.y + 1};
 }
 
-std::vector<std::string> channel_names(const Imf::ChannelList& list) {
+/// Names of channels that together make an image, the first set that is there in full.
+struct ChannelSet {
     std::vector<std::string> names;
-    for (auto it = list.begin(); it != list.end(); ++it) names.emplace_back(it.name());
-    return names;
+    bool luminance;  ///< the first stands for R, G and B
+};
+
+/// X Y Z are a point, a normal or colours of CIE 1931; taken as three channels, not as luminance.
+const std::vector<ChannelSet>& channel_sets() {
+    static const std::vector<ChannelSet> sets = {{{"R", "G", "B", "A"}, false},
+                                                 {{"R", "G", "B"}, false},
+                                                 {{"R", "G"}, false},
+                                                 {{"R"}, false},
+                                                 {{"X", "Y", "Z", "A"}, false},
+                                                 {{"X", "Y", "Z"}, false},
+                                                 {{"Y", "A"}, true},
+                                                 {{"Y"}, true}};
+    return sets;
 }
 
-/// The channels to read, in order; empty if the file has none that make an image.
-std::vector<std::string> chosen_channels(const Imf::ChannelList& list, bool& luminance) {
-    const auto has = [&](const char* name) { return list.findChannel(name) != nullptr; };
-    luminance = false;
-    if (has("R")) {
-        std::vector<std::string> names;
-        for (const char* name : {"R", "G", "B", "A"}) {
-            if (has(name)) names.emplace_back(name);
-        }
-        const bool gap = (has("B") && !has("G")) || (has("A") && !has("B"));
-        return gap ? std::vector<std::string>() : names;
-    }
-    luminance = true;
-    if (has("Y") && !has("RY")) {
-        return has("A") ? std::vector<std::string>{"Y", "A"} : std::vector<std::string>{"Y"};
-    }
-    const auto all = channel_names(list);
-    return all.size() == 1 ? all : std::vector<std::string>();
+/// The channels to read, in order; none if these make no image.
+ChannelSet chosen_channels(const std::vector<std::string>& all) {
+    const auto has = [&](const std::string& name) {
+        return std::find(all.begin(), all.end(), name) != all.end();
+    };
+    const bool gap = has("R") && ((has("B") && !has("G")) || (has("A") && !has("B")));
+    const bool colour_differences = !has("R") && has("Y") && has("RY");
+    const bool part_of_point = !has("R") && has("X") && !(has("Y") && has("Z"));
+    if (all.size() > 1 && (gap || colour_differences || part_of_point)) return {{}, false};
+    for (const ChannelSet& set : channel_sets())
+        if (std::all_of(set.names.begin(), set.names.end(), has)) return set;
+    return all.size() == 1 ? ChannelSet{all, true} : ChannelSet{{}, false};
 }
 
 TexelFormat common_format(const Imf::ChannelList& list, const std::vector<std::string>& names) {
@@ -59,63 +66,53 @@ TexelFormat common_format(const Imf::ChannelList& list, const std::vector<std::s
     return half ? TexelFormat::half : TexelFormat::float32;
 }
 
-/// Reads the whole data window, channels interleaved.
-std::vector<float> read_data_window(Imf::InputFile& file, const Window& data,
-                                    const std::vector<std::string>& names) {
-    const std::size_t channels = names.size();
-    const std::size_t row = static_cast<std::size_t>(data.width) * channels;
-    std::vector<float> values(row * static_cast<std::size_t>(data.height));
-    const Imath::Box2i box = file.header().dataWindow();
-    Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < channels; ++c) {
-        buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, values.data() + c, box,
-                                                 channels * sizeof(float), row * sizeof(float)));
-    }
-    file.setFrameBuffer(buffer);
-    file.readPixels(box.min.y, box.max.y);
-    return values;
+std::vector<bool> integer_channels(const Imf::ChannelList& list,
+                                   const std::vector<std::string>& names) {
+    std::vector<bool> integers;
+    for (const std::string& name : names) integers.push_back(list[name.c_str()].type == Imf::UINT);
+    return integers;
 }
 
-/// Copies the part of the data window that the display window shows.
-void place(const std::vector<float>& from, const Window& data, const Window& display,
-           Image& image) {
-    const std::int64_t x0 = std::max(data.min_x, display.min_x);
-    const std::int64_t x1 = std::min(data.min_x + data.width, display.min_x + display.width);
-    const std::int64_t y0 = std::max(data.min_y, display.min_y);
-    const std::int64_t y1 = std::min(data.min_y + data.height, display.min_y + display.height);
-    if (x0 >= x1) return;
-    for (std::int64_t y = y0; y < y1; ++y) {
-        const std::int64_t in = ((y - data.min_y) * data.width + x0 - data.min_x) * image.channels;
-        const std::int64_t out =
-            ((y - display.min_y) * display.width + x0 - display.min_x) * image.channels;
-        std::copy_n(from.begin() + in, (x1 - x0) * image.channels, image.values.begin() + out);
+/// Copies what the display window shows of a run.
+void place(const ExrRun& run, bool integers, const Window& display, Image& image) {
+    if (run.y < display.min_y || run.y >= display.min_y + display.height) return;
+    const std::int64_t x0 = std::max<std::int64_t>(run.x, display.min_x);
+    const std::int64_t x1 =
+        std::min<std::int64_t>(std::int64_t(run.x) + run.count, display.min_x + display.width);
+    float* out = image.values.data() + run.channel +
+                 ((run.y - display.min_y) * display.width + x0 - display.min_x) * image.channels;
+    for (std::int64_t x = x0; x < x1; ++x, out += image.channels) {
+        const std::uint32_t bits = run.bits[x - run.x];
+        *out = integers ? static_cast<float>(bits) : std::bit_cast<float>(bits);
     }
 }
 
-std::vector<std::string> require_channels(const Imf::Header& header, const std::string& file,
-                                          const std::string& key, bool& luminance) {
-    const Imf::ChannelList& list = header.channels();
-    const auto names = chosen_channels(list, luminance);
-    if (names.empty()) {
-        throw InputError(file, key, fmt::format("channels {}", fmt::join(channel_names(list), " ")),
-                         "R, R G, R G B, R G B A, Y, Y A, or a single channel");
+ChannelSet require_channels(const Imf::Header& header, const ExrChoice& choice,
+                            const std::string& file, const std::string& key) {
+    const std::vector<std::string> all = exr_channels(header, choice.prefix);
+    const ChannelSet set = chosen_channels(all);
+    if (set.names.empty()) {
+        throw InputError(file, key, fmt::format("channels {}", fmt::join(all, " ")),
+                         "R, R G, R G B, R G B A, X Y Z, X Y Z A, Y, Y A, a single channel, or a "
+                         "layer to be named that has these");
     }
-    for (const std::string& name : names) {
-        const Imf::Channel& channel = list[name.c_str()];
+    for (const std::string& name : set.names) {
+        const Imf::Channel& channel = header.channels()[(choice.prefix + name).c_str()];
         if (channel.xSampling == 1 && channel.ySampling == 1) continue;
         throw InputError(file, key, fmt::format("channel {}, sub-sampled", name),
                          "channels with a value a pixel");
     }
-    return names;
+    return set;
 }
 
-Image read_open_file(Imf::InputFile& input, const std::string& file, const std::string& key) {
-    const Imf::Header& header = input.header();
-    Image image;
-    const auto names = require_channels(header, file, key, image.luminance);
-    const auto channels = static_cast<std::int64_t>(names.size());
+void check_sizes(const Imf::Header& header, std::int64_t channels, const std::string& file,
+                 const std::string& key) {
     const Window data = to_window(header.dataWindow());
     const Window display = to_window(header.displayWindow());
+    constexpr std::int64_t far = std::int64_t(1) << 30;
+    for (const std::int64_t corner : {data.min_x, data.min_y, display.min_x, display.min_y})
+        if (std::abs(corner) > far)
+            throw InputError(file, key, fmt::format("a window at {}", corner), "less than 2^30");
     check_image_size(data.width, data.height, channels, file, key);
     check_image_size(display.width, display.height, channels, file, key);
     const std::int64_t pixels = std::max(data.width * data.height, display.width * display.height);
@@ -123,31 +120,41 @@ Image read_open_file(Imf::InputFile& input, const std::string& file, const std::
         throw InputError(file, key, fmt::format("{} pixels of {} channels", pixels, channels),
                          "no more than a file of its size can hold");
     }
-    if (!input.isComplete()) {
-        throw InputError(file, key, "a file that was not written to its end", "a complete EXR");
-    }
+}
+
+Image read_chosen(const std::string& file, const ImageSelection& selection,
+                  const std::string& key) {
+    const ExrHeaders headers = read_exr_headers(file, key);
+    const ExrChoice choice = choose_exr(headers, selection, file, key);
+    const Imf::Header& header = headers.parts[static_cast<std::size_t>(choice.part)];
+    const ChannelSet set = require_channels(header, choice, file, key);
+    const auto channels = static_cast<std::int64_t>(set.names.size());
+    check_sizes(header, channels, file, key);
+    const Window display = to_window(header.displayWindow());
+    std::vector<std::string> names;
+    for (const std::string& name : set.names) names.push_back(choice.prefix + name);
+    Image image;
+    image.luminance = set.luminance;
     image.width = static_cast<int>(display.width);
     image.height = static_cast<int>(display.height);
     image.channels = static_cast<int>(channels);
     image.format = common_format(header.channels(), names);
     image.values.assign(static_cast<std::size_t>(display.width * display.height * channels), 0.0f);
-    place(read_data_window(input, data, names), data, display, image);
+    const std::vector<bool> integers = integer_channels(header.channels(), names);
+    const Imath::Box2i box = header.dataWindow();
+    open_exr_pixels(file, choice.part, names)
+        ->read(box.min.y, box.max.y + 1,
+               [&](const ExrRun& run) { place(run, integers[run.channel], display, image); });
     return image;
 }
 
 }  // namespace
 
-Image read_exr_image(const std::string& file, const std::string& key) {
-    check_exr_attributes(file, key);
-    try {
-        Imf::InputFile input(file.c_str(), 0);
-        return read_open_file(input, file, key);
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        rethrow_out_of_memory(error);
-        throw InputError(file, key, error.what(), "a complete EXR image");
-    }
+Image read_exr_image(const std::string& file, const ImageSelection& selection,
+                     const std::string& key) {
+    Image image;
+    reading_exr(file, key, [&] { image = read_chosen(file, selection, key); });
+    return image;
 }
 
 }  // namespace quadrel

@@ -24,8 +24,8 @@ std::string read_start(const fs::path& file, const std::string& key) {
     if (const char* reason = reason_not_to_read(file)) refuse(reason);
     std::ifstream in(file, std::ios::binary);
     if (!in) refuse("no permission to read");
-    std::string start(4, '\0');
-    in.read(start.data(), 4);
+    std::string start(8, '\0');
+    in.read(start.data(), 8);
     start.resize(static_cast<std::size_t>(in.gcount()));
     if (start.empty()) refuse("an empty file");
     return start;
@@ -59,11 +59,35 @@ void check_image_size(std::int64_t width, std::int64_t height, std::int64_t chan
                      "1 to 65536 pixels a side and at most 2^29 values");
 }
 
-Image load_image(const fs::path& file, NotFinite not_finite, const std::string& key) {
+namespace {
+
+/// KTX 2 begins with these bytes. OpenImageIO does not know it and would name no reason.
+constexpr std::string_view ktx2_start = "\xabKTX 20\xbb";
+
+Image read_other_than_exr(const std::string& file, std::string_view start,
+                          const ImageSelection& selection, const std::string& key) {
+    if (!selection.empty())
+        throw InputError(
+            file, key,
+            fmt::format("a file without {}", selection.part.empty() ? "layers" : "parts"),
+            "an EXR file");
+    if (start == ktx2_start)
+        throw InputError(file, key, "a KTX2 file, which Quadrel does not read",
+                         "DDS, or another image file");
+    if (start.starts_with("BM"))
+        if (auto image = read_packed_bitmap(file, key)) return *std::move(image);
+    return read_other_image(file, key);
+}
+
+}  // namespace
+
+Image load_image(const fs::path& file, NotFinite not_finite, const std::string& key,
+                 const ImageSelection& selection) {
     constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
-    const bool is_exr = read_start(file, key) == exr_magic;
-    Image image =
-        is_exr ? read_exr_image(file.string(), key) : read_other_image(file.string(), key);
+    const std::string start = read_start(file, key);
+    Image image = start.starts_with(exr_magic)
+                      ? read_exr_image(file.string(), selection, key)
+                      : read_other_than_exr(file.string(), start, selection, key);
     image.file = file;
     check_finite(image, not_finite, key);
     return image;

@@ -10,6 +10,7 @@
 #include <exception>
 #include <mutex>
 
+#include "io/image_orient.hpp"
 #include "io/image_readers.hpp"
 #include "io/module_path.hpp"
 #include "io/out_of_memory.hpp"
@@ -164,6 +165,8 @@ Image read_other_image(const std::string& file, const std::string& key) {
     image.luminance = read.info.luminance != 0;
     image.values.resize(static_cast<std::size_t>(image.width) * image.height * image.channels);
     decode_values(read, image);
+    // OpenImageIO (2.4) exchanges two of the orientations of Radiance files.
+    orient(image, radiance_orientation(file).value_or(read.info.orientation));
     return image;
 }
 

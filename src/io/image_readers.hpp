@@ -1,16 +1,23 @@
 // The readers behind load_image, one a library.
 #pragma once
 
+#include <optional>
+
 #include "quadrel/texture/image.hpp"
 
 namespace quadrel {
 
-/// Any single-part flat EXR (of a multi-part file the first part): channels R G B A as far as
-/// present without gaps, else Y or Y A, else the only channel whatever its name. The image is the
-/// display window; what the data window does not cover is 0. Throws InputError.
-Image read_exr_image(const std::string& file, const std::string& key);
+/// A flat part of an EXR: of its channels (of the layer) R G B A as far as present without gaps,
+/// else X Y Z, with A where present, else Y or Y A, else the only channel whatever its name. The
+/// image is the display window; what the data window does not cover is 0. Throws InputError.
+Image read_exr_image(const std::string& file, const ImageSelection& selection,
+                     const std::string& key);
 
-/// Everything that OpenImageIO reads, through its module. Throws InputError.
+/// A bitmap packed by runs (BMP, RLE8 or RLE4), or nothing if the file is none. Throws InputError.
+std::optional<Image> read_packed_bitmap(const std::string& file, const std::string& key);
+
+/// Everything that OpenImageIO reads, through its module, turned as the file says that it stands.
+/// Throws InputError.
 Image read_other_image(const std::string& file, const std::string& key);
 
 /// Throws InputError unless an image of that size can become a texture.

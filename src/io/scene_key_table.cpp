@@ -54,6 +54,10 @@ constexpr SceneKey keys[] = {
      "conventions"},
 
     {"texture", "file", "path", "required", "EXR, or any image that OpenImageIO reads"},
+    {"texture", "layer", "name", "all channels",
+     "EXR: the channels that begin with `<layer>.`, or the part of that name"},
+    {"texture", "part", "name, or number from 0", "the only one",
+     "EXR: which of several parts; a name wins. Several parts and neither key is an error"},
     {"texture", "swizzle", "1 to 4 of `r g b a 0 1 1-r 1-g 1-b 1-a`, without blanks", "as stored",
      "what each channel is made of"},
     {"texture", "colour_space", "`linear` `srgb`", "`linear`",

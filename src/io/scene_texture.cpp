@@ -1,5 +1,6 @@
 #include "io/read_file.hpp"
 #include "io/scene_read.hpp"
+#include "texture/swizzle.hpp"
 #include "texture/texel_format.hpp"
 
 namespace quadrel {
@@ -54,6 +55,22 @@ void read_sampler(Fields& fields, Hardware hardware, SamplerState& sampler) {
     sampler.scale_first = model.scale_first ? 1 : 0;
 }
 
+/// A part is named, or counted from 0.
+void read_selection(Fields& fields, ImageSelection& selection) {
+    if (fields.has("layer")) {
+        fields.read("layer", selection.layer);
+        if (selection.layer.empty()) fields.get("layer").reject("the name of a layer");
+    }
+    if (!fields.has("part")) return;
+    const Value part = fields.get("part");
+    const Json& json = part.json();
+    if (json.is_string())
+        selection.part = part.string();
+    else if (json.is_number_integer() && json.get<double>() >= 0)
+        selection.part = json.dump();
+    if (selection.part.empty()) part.reject("the name of a part, or its number from 0");
+}
+
 // One to four of r g b a 0 1 and 1-r 1-g 1-b 1-a.
 bool is_swizzle(std::string_view text) {
     int channels = 0;
@@ -85,9 +102,12 @@ TextureReference read_texture(const Value& value, Hardware hardware) {
     TextureReference texture;
     texture.key = value.path();
     texture.file = read_path(fields.get("file"));
+    read_selection(fields, texture.selection);
     fields.read("swizzle", texture.swizzle);
-    if (!texture.swizzle.empty() && !is_swizzle(texture.swizzle))
-        value.member("swizzle").reject("1 to 4 of r g b a 0 1 1-r 1-g 1-b 1-a, without blanks");
+    if (!texture.swizzle.empty() && texture.swizzle != alpha_or_first &&
+        !is_swizzle(texture.swizzle))
+        value.member("swizzle").reject(
+            "1 to 4 of r g b a 0 1 1-r 1-g 1-b 1-a, without blanks, or alpha-or-first");
     fields.read("colour_space", texture.srgb, colour_space_words);
     if (fields.has("format")) texture.format = fields.get("format").word(named_formats);
     fields.read("mip", texture.mip_rule, mip_words);

@@ -6,6 +6,8 @@
 #include "render/added_stages.hpp"
 #include "render/names.hpp"
 #include "render/prepared.hpp"
+#include "render/textures.hpp"
+#include "texture/swizzle.hpp"
 
 namespace quadrel {
 namespace {
@@ -85,20 +87,29 @@ void describe_steps(const PreparedRender& prepared, std::size_t m, MaterialText&
             fmt::format("steps of {} above height {}", stages, uniforms.height_high));
 }
 
+/// ": heights from r": the first channel of its swizzle.
+std::string height_note(const TextureReference& reference) {
+    const std::string swizzle = height_swizzle(reference);
+    if (swizzle == alpha_or_first) return ": heights from a, or from r where it has no a";
+    return ": heights from " + swizzle.substr(0, swizzle.starts_with("1-") ? 3 : 1);
+}
+
 void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
     const Scene& scene = *prepared.scene;
     const SlotSet slots = prepared.plan.materials[m].textures | prepared.plan.discard[m].textures;
-    const auto describe = [&](const std::string& slot, const std::string& file) {
+    const auto describe = [&](const std::string& slot, const std::string& file,
+                              const std::string& note = "") {
         bool read = false;
         for (int i = 0; i < texture_slot_count; ++i)
             read |= slots[i] && slot == slot_name(static_cast<TextureSlot>(i));
         if (read)
-            text.does.push_back(fmt::format("loads {} {}", slot, file));
+            text.does.push_back(fmt::format("loads {} {}{}", slot, file, note));
         else
             text.leaves_out.push_back(fmt::format("texture {} {}", slot, file));
     };
     for (const auto& [slot, reference] : scene.materials[m].textures)
-        describe(slot, reference.file.string());
+        describe(slot, reference.file.string(),
+                 slot == slot_name(TextureSlot::height) ? height_note(reference) : "");
     if (scene.environment) describe("environment", scene.environment->faces[0].string());
     for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i) {
         if (!slots[i]) continue;

@@ -16,7 +16,7 @@ namespace {
 TextureOptions texture_options(const TextureReference& reference, TextureSlot slot) {
     TextureOptions options;
     options.swizzle = reference.swizzle;
-    if (slot == TextureSlot::height && reference.swizzle.empty()) options.swizzle = height_swizzle;
+    if (slot == TextureSlot::height) options.swizzle = height_swizzle(reference);
     options.srgb = reference.srgb;
     options.format = reference.format;
     options.mip_rule = reference.mip_rule;
@@ -28,7 +28,8 @@ TextureOptions texture_options(const TextureReference& reference, TextureSlot sl
 std::shared_ptr<const Texture> load(TextureCache& cache, const TextureReference& reference,
                                     TextureSlot slot) {
     return cache.load(reference.file, texture_options(reference, slot),
-                      reference.allow_nan ? NotFinite::count : NotFinite::refuse);
+                      reference.allow_nan ? NotFinite::count : NotFinite::refuse,
+                      reference.selection);
 }
 
 void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
@@ -46,8 +47,12 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
 
 /// The height map as arguments of `quadrel bake`.
 std::string bake_arguments(const TextureReference& reference) {
-    std::string arguments = shell_word(reference.file.string()) + " --channel ";
-    arguments += reference.swizzle.empty() ? height_swizzle : reference.swizzle;
+    std::string arguments =
+        shell_word(reference.file.string()) + " --channel " + height_swizzle(reference);
+    if (!reference.selection.layer.empty())
+        arguments += " --layer " + shell_word(reference.selection.layer);
+    if (!reference.selection.part.empty())
+        arguments += " --part " + shell_word(reference.selection.part);
     if (reference.format) arguments += fmt::format(" --format {}", format_name(*reference.format));
     if (reference.flip_v) arguments += " --flip-v";
     return arguments;
@@ -81,6 +86,10 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
 }
 
 }  // namespace
+
+std::string height_swizzle(const TextureReference& reference) {
+    return reference.swizzle.empty() ? "r" : reference.swizzle;
+}
 
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
                                TextureCache& cache, const BakingProgress& baking) {

@@ -23,6 +23,9 @@ struct MaterialTextures {
 
 /// Told what is derived from heights and how much of it is done; may be none.
 using BakingProgress = std::function<void(const std::string& map, double share)>;
+/// Which channel of its file holds a material's heights, as a swizzle: the first unless the scene
+/// says otherwise.
+std::string height_swizzle(const TextureReference& reference);
 
 /// Loads those of the material's textures that are in `slots`.
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,

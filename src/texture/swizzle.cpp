@@ -77,8 +77,8 @@ std::vector<SwizzleEntry> parse_swizzle(const std::string& text, const std::stri
 std::vector<SwizzleEntry> resolve_swizzle(const std::string& text, const Image& image,
                                           const std::string& key) {
     const std::string file = image.file.string();
-    if (text == height_swizzle)
-        return resolve_swizzle(image.channels % 2 == 0 ? "a" : "r", image, key);
+    if (text == alpha_or_first)
+        return resolve_swizzle(image_channel(image, 3) >= 0 ? "a" : "r", image, key);
     const std::string wanted = text.empty() ? own_channels(image) : text;
     std::vector<SwizzleEntry> entries = parse_swizzle(wanted, file, key);
     for (SwizzleEntry& entry : entries) {

@@ -20,9 +20,9 @@ struct SwizzleEntry {
 std::vector<SwizzleEntry> parse_swizzle(const std::string& text, const std::string& file,
                                         const std::string& key);
 
-/// Stands for the one channel that holds heights: alpha where an image has it (the usual place
-/// beside a normal or a colour), else the first.
-inline constexpr const char* height_swizzle = "height";
+/// A swizzle of one channel: alpha where an image has it, else the first. For what reads maps whose
+/// heights may or may not be packed beside a normal or a colour.
+inline constexpr const char* alpha_or_first = "alpha-or-first";
 
 /// The swizzle of `text`, or the image's own channels if it is empty, with each source an index
 /// into the image's channels: luminance answers for r, g and b, a missing alpha is 1.

@@ -33,11 +33,13 @@ std::shared_ptr<const Texture> TextureCache::find_or_make(const std::string& key
 
 std::shared_ptr<const Texture> TextureCache::load(const std::filesystem::path& file,
                                                   const TextureOptions& options,
-                                                  NotFinite not_finite) {
+                                                  NotFinite not_finite,
+                                                  const ImageSelection& selection) {
     // Who refuses such texels is not given the texture of someone who keeps them.
     const char* const kept = not_finite == NotFinite::count ? " with NaN" : "";
-    return find_or_make(texture_id(file_hash(file, options.key), options) + kept, [&] {
-        return make_texture(load_image(file, not_finite, options.key), options);
+    const std::string id = texture_id(file_hash(file, options.key), options) + kept;
+    return find_or_make(id + '\n' + selection.part + '\n' + selection.layer, [&] {
+        return make_texture(load_image(file, not_finite, options.key, selection), options);
     });
 }
 

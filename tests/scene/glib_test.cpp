@@ -19,7 +19,7 @@ const std::string thesis_json = R"({
     "color": {"file": "colormap.bmp", "flip_v": true},
     "emissive": {"file": "glowmap.bmp", "flip_v": true, "swizzle": "gb0r"},
     "gloss": {"file": "glossmap.bmp", "flip_v": true, "swizzle": "gb0r"},
-    "height": {"file": "normalmap.bmp", "flip_v": true},
+    "height": {"file": "normalmap.bmp", "flip_v": true, "swizzle": "alpha-or-first"},
     "relief": {"frame": "frame-thesis", "trace": "linear-thesis",
                "surface": "h2n-thesis@published", "shadow": "shadow-march-thesis@published",
                "depth": 0.10},

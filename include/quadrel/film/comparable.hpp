@@ -26,10 +26,11 @@ struct ComparableImage {
     Attributes attributes;                  ///< of an EXR's header
 };
 
-/// Reads any image: an EXR with all its channels, or those of a part or layer (see read_exr);
-/// everything else by load_image, with its channels named R G B A, or Y A if it is gray, as a whole
-/// frame. Throws InputError.
-ComparableImage read_comparable(const std::filesystem::path& file, const std::string& layer = "");
+/// Reads any image: an EXR with all channels of what is selected (see read_exr); everything else by
+/// load_image, with its channels named R G B A, or Y A if it is gray, as a whole frame. Throws
+/// InputError.
+ComparableImage read_comparable(const std::filesystem::path& file,
+                                const ImageSelection& selection = {});
 
 /// The bottom row becomes the top row; the window is mirrored within the frame.
 void flip_y(Film& film);
@@ -45,6 +46,11 @@ struct ChannelMapping {
 /// takes is dropped. Throws UsageError if the image lacks what a mapping names or if two channels
 /// take one name.
 void map_channels(ComparableImage& image, std::span<const ChannelMapping> mappings);
+
+/// Channels that one image stores as integers and the other as floats become floats in both, so
+/// that they are compared by value: integers become the nearest float (exact up to 2^24), -0
+/// becomes 0. Returns their names.
+std::vector<std::string> compare_by_value(Film& reference, Film& test);
 
 /// Rounds both images to what `encoding` can hold, and returns the encoding of each channel so
 /// treated. 8 bits: R, G, B and A, and every channel that either image stores in 8 bits; A is

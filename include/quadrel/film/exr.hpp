@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadrel/film/film.hpp"
+#include "quadrel/texture/selection.hpp"
 
 namespace quadrel {
 
@@ -32,10 +33,21 @@ struct ExrFile {
     std::vector<std::string> parts;            ///< names of all parts; one, maybe empty, mostly
 };
 
-/// Reads the first part, or what `layer` names: a part, or else the channels of the first part
-/// that begin with "<layer>.", which the film has without that prefix.
+/// Reads the part and layer that are meant; the film's channels lack the layer's name.
 /// Throws InputError for a file that is missing, truncated, damaged, deep, sub-sampled or larger
-/// than 65536 pixels a side, 2^31 values or 16384 values a byte of the file.
-ExrFile read_exr(const std::filesystem::path& file, const std::string& layer = "");
+/// than 65536 pixels a side, 2^31 values or 1024 values a byte of the file (32768 for DWA), and for
+/// one of several parts where the selection does not tell which.
+ExrFile read_exr(const std::filesystem::path& file, const ImageSelection& selection = {});
+
+/// What the header of a part says.
+struct ExrPartInfo {
+    std::string name;                   ///< empty where it has none
+    Window frame, window;               ///< display and data window
+    std::vector<std::string> channels;  ///< full names
+    Attributes attributes;
+};
+
+/// All parts, in the file's order, at least one. Reads no pixels. Throws InputError.
+std::vector<ExrPartInfo> exr_parts(const std::filesystem::path& file);
 
 }  // namespace quadrel

@@ -58,6 +58,12 @@ struct Film {
     bool operator==(const Film&) const = default;
 };
 
+/// What two windows share; empty, with a width or height of 0 or less, where they share nothing.
+Window intersection(const Window& a, const Window& b);
+
+/// Keeps the pixels of `window`, which must lie in the film's; the frame stays.
+void crop(Film& film, const Window& window);
+
 /// Rewrites every NaN of the float planes as canonical_nan.
 void canonicalize(Film& film);
 

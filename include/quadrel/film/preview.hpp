@@ -27,14 +27,16 @@ struct Picture {
 std::uint8_t srgb_code(float linear);
 
 /// The film's window as people see it: R, G and B, encoded as sRGB; pixels with a NaN are magenta.
-/// A film without these three shows its first channel in gray, its finite values spread from 0 to
-/// 255. The film must have a channel.
+/// A film without these three shows the group of its first channel, as far as that has 2 or 3
+/// components of one ending (X Y Z, U V, R G B, 0 1 2), in red, green and blue, without sRGB but
+/// for light: unit vectors (N, Ng) from -1 to 1, bary from 0 to 1, texture coordinates (uv, hit)
+/// their fraction, others each component from its least to its greatest finite value; pixels whose
+/// components are all 0, as where nothing covers, are black. Any other channel is shown in gray,
+/// its finite values spread from 0 to 255. The film must have a channel.
 Picture preview(const Film& film);
 
-/// The largest difference of each pixel over all channels that both films have, on a scale of
-/// powers of two: black equal, then dark blue (2^-24 and less) over red to white (1 and more); NaN
-/// or infinite on one side only is magenta. The windows must be equal, or UsageError is thrown.
-Picture heatmap(const Film& reference, const Film& test);
+/// The channels that preview shows: R G B, one group's, or one.
+std::vector<std::string> preview_channels(const Film& film);
 
 /// One picture of a contact sheet.
 struct SheetEntry {

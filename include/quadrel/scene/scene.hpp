@@ -11,6 +11,7 @@
 
 #include "quadrel/scene/mesh.hpp"
 #include "quadrel/scene/settings.hpp"
+#include "quadrel/texture/selection.hpp"
 
 namespace quadrel {
 
@@ -25,7 +26,9 @@ struct Camera {
 /// A texture as a scene names it.
 struct TextureReference {
     std::filesystem::path file;
-    std::string swizzle;  ///< per output channel: r g b a 0 1 1-r ...; empty: as stored
+    ImageSelection selection;  ///< of an EXR file of several layers or parts
+    std::string swizzle;  ///< per output channel: r g b a 0 1 1-r ..., or "alpha-or-first"; empty:
+                          ///< as stored
     bool srgb = false;    ///< colour channels are sRGB-encoded in the file
     std::optional<TexelFormat> format;  ///< the file's own if absent
     MipRule mip_rule = MipRule::box;

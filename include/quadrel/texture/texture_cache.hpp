@@ -16,7 +16,8 @@ class TextureCache {
     /// is alive. Throws InputError as load_image and make_texture do.
     std::shared_ptr<const Texture> load(const std::filesystem::path& file,
                                         const TextureOptions& options = {},
-                                        NotFinite not_finite = NotFinite::refuse);
+                                        NotFinite not_finite = NotFinite::refuse,
+                                        const ImageSelection& selection = {});
     std::shared_ptr<const Texture> load_cube(const std::array<std::filesystem::path, 6>& faces,
                                              const TextureOptions& options = {});
 

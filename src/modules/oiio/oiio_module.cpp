@@ -55,13 +55,15 @@ int read(const char* path, QuadrelOiioRequest& request) {
     const auto input = OIIO::ImageInput::open(path, &config);
     if (!input) return fail(request, pending_error(nullptr));
     const OIIO::ImageSpec& spec = input->spec();
-    QuadrelOiioInfo info{spec.width, spec.height, spec.nchannels, quadrel_oiio_uint8, 0};
+    QuadrelOiioInfo info{spec.width, spec.height, spec.nchannels, quadrel_oiio_uint8, 0, 1};
     if (spec.depth > 1) return fail(request, "a volume");
     if (spec.deep) return fail(request, "a deep image");
     if (!native_type(spec.format, info.type)) {
         return fail(request, std::string("values of type ") + spec.format.c_str());
     }
     info.luminance = spec.nchannels == 1 || (spec.nchannels == 2 && spec.alpha_channel == 1);
+    info.orientation = spec.get_int_attribute("Orientation", 1);
+    if (info.orientation < 1 || info.orientation > 8) info.orientation = 1;  // reserved values
     void* const pixels = request.allocate(request.user, &info);
     if (pixels == nullptr) return 2;
     // In the native type: the library's own conversion to float misses half of the 8-bit codes.

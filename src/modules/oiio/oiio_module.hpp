@@ -21,7 +21,8 @@ enum QuadrelOiioType : std::int32_t {
 struct QuadrelOiioInfo {
     std::int32_t width, height, channels;
     QuadrelOiioType type;
-    std::int32_t luminance; /**< 1: channels are Y or Y A */
+    std::int32_t luminance;   /**< 1: channels are Y or Y A */
+    std::int32_t orientation; /**< as TIFF and Exif number it, 1 to 8; 1 where the file says none */
 };
 
 /** One read. The caller fills the first three fields. */
@@ -38,5 +39,5 @@ struct QuadrelOiioRequest {
 typedef std::int32_t QuadrelOiioRead(const char* path, QuadrelOiioRequest* request);
 }
 
-inline constexpr std::uint32_t quadrel_oiio_version = 1;
+inline constexpr std::uint32_t quadrel_oiio_version = 2;
 inline constexpr const char* quadrel_oiio_symbol = "quadrel_oiio_read";
