@@ -78,14 +78,13 @@ std::vector<bool> left_out(const std::string& flags, const Film& reference) {
     }
 }
 
-/// The test image with the reference's values where nothing is compared.
-Film without_left_out(const Film& reference, Film test, const std::vector<bool>& left_out) {
+/// Gives the test image the reference's values where nothing is compared.
+void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& left_out) {
     for (Plane& plane : test.planes) {
         const Plane* right = reference.find(plane.name);
         for (std::size_t i = 0; right != nullptr && i < left_out.size(); ++i)
             if (left_out[i]) plane.bits[i] = right->bits[i];
     }
-    return test;
 }
 
 Images prepare(const Arguments& arguments) {
@@ -124,7 +123,7 @@ ExitCode run_compare(const Arguments& arguments) {
     files.add_output("--heatmap", arguments.heatmap);
     files.check_writable();
     load_plugins(arguments.plugins);
-    const Images images = prepare(arguments);
+    Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
     if (!arguments.blame.empty()) {
         scene = open_probed_scene(arguments.blame, arguments.overrides);
@@ -140,11 +139,12 @@ ExitCode run_compare(const Arguments& arguments) {
     }
     arguments.json ? print_json(to_json(report)) : print(to_text(report));
     if (!arguments.heatmap.empty()) {
-        if (reference.window == test.window)
-            write_png(arguments.heatmap,
-                      heatmap(reference, without_left_out(reference, test, images.rules.left_out)));
-        else
+        if (reference.window == test.window) {
+            fill_left_out(reference, images.test.film, images.rules.left_out);
+            write_png(arguments.heatmap, heatmap(reference, test));
+        } else {
             say("quadrel: no heat map: the windows differ");
+        }
     }
     return report.equal() ? ExitCode::ok : ExitCode::difference;
 }

@@ -208,7 +208,7 @@ TEST(Comparable, FilesThatAreNoImages) {
     EXPECT_THROW(read_comparable(folder / "missing.png"), InputError);
     EXPECT_THROW(read_comparable(folder.path()), InputError);
     write_png(folder / "a.png", Picture(2, 2, 7));
-    EXPECT_THROW(read_comparable(folder / "a.png", "layer"), InputError);
+    EXPECT_THROW(read_comparable(folder / "a.png", {"layer", ""}), InputError);
 }
 
 }  // namespace

@@ -183,17 +183,25 @@ void write_two_parts(const std::filesystem::path& file) {
 TEST(Exr, PartsAndLayersByName) {
     const TemporaryFolder folder;
     write_two_parts(folder / "parts.exr");
-    const ExrFile first = read_exr(folder / "parts.exr");
+    EXPECT_THROW(read_exr(folder / "parts.exr"), InputError) << "which one?";
+    const ExrFile first = read_exr(folder / "parts.exr", {"", "0"});
     EXPECT_EQ(first.parts, (std::vector<std::string>{"first", "second"}));
     ASSERT_NE(first.film.find("R"), nullptr);
     EXPECT_EQ(first.film.find("R")->as_float(3), 0);
-    const ExrFile second = read_exr(folder / "parts.exr", "second");
+    const ExrFile second = read_exr(folder / "parts.exr", {"", "second"});
     ASSERT_NE(second.film.find("depth.Z"), nullptr);
     EXPECT_EQ(second.film.find("depth.Z")->as_float(3), 1);
-    const ExrFile layer = read_exr(folder / "parts.exr", "extra");
+    EXPECT_THROW(read_exr(folder / "parts.exr", {"extra", ""}), InputError) << "in both parts";
+    const ExrFile layer = read_exr(folder / "parts.exr", {"extra", "first"});
     ASSERT_EQ(layer.film.planes.size(), 1u);
     EXPECT_EQ(layer.film.planes[0].name, "R");
-    EXPECT_THROW(read_exr(folder / "parts.exr", "none"), InputError);
+    EXPECT_EQ(read_exr(folder / "parts.exr", {"second", ""}).film, second.film);
+    EXPECT_THROW(read_exr(folder / "parts.exr", {"none", ""}), InputError);
+    EXPECT_THROW(read_exr(folder / "parts.exr", {"", "none"}), InputError);
+    const std::vector<ExrPartInfo> parts = exr_parts(folder / "parts.exr");
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[1].name, "second");
+    EXPECT_EQ(parts[1].channels, (std::vector<std::string>{"depth.Z", "extra.R"}));
 }
 
 }  // namespace

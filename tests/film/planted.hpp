@@ -35,6 +35,11 @@ enum class FilmError {
     map_one_by_one,          ///< a swap of two channels gives the same one twice
     blame_last,              ///< the symptom itself is blamed
     blame_other_pixel,       ///< a channel is blamed for what it does in another pixel
+    stale_memory,            ///< a damaged chunk shows what lay in memory before
+    crop_keeps_rows,         ///< a crop moves its window and keeps the first rows
+    by_value_keeps_bits,     ///< an integer is compared by its bits with a float
+    heat_one_scale,          ///< counts and colours share a scale
+    vectors_in_gray,         ///< a vector shows its first component alone
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
 };
 

@@ -10,6 +10,7 @@
 #include "film/films.hpp"
 #include "film/planted.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/film/heatmap.hpp"
 
 namespace quadrel {
 namespace {
@@ -95,12 +96,18 @@ TEST(Preview, OneChannelIsSpreadOverTheGrays) {
 TEST(Heatmap, BlackWhereEqualAndHotterWhereWorse) {
     const Film a = testing_films::smooth_film(3);
     Film b = a;
-    const Picture none = heatmap(a, b);
+    const auto only_panel = [](const Film& reference, const Film& test) {
+        const std::vector<HeatPanel> panels = heat_panels(reference, test);
+        EXPECT_EQ(panels.size(), 1u);
+        EXPECT_EQ(panels[0].channels, (std::vector<std::string>{"R", "G", "B"}));
+        return panels[0].picture;
+    };
+    const Picture none = only_panel(a, b);
     EXPECT_TRUE(std::all_of(none.rgb.begin(), none.rgb.end(), [](auto v) { return v == 0; }));
     b.planes[0].bits[0] += 1;
     b.planes[0].bits[1] = std::bit_cast<std::uint32_t>(5.0f);
     b.planes[0].bits[2] = canonical_nan;
-    const Picture some = heatmap(a, b);
+    const Picture some = only_panel(a, b);
     const auto heat = [&](std::size_t i) {
         return some.rgb[3 * i] + some.rgb[3 * i + 1] + some.rgb[3 * i + 2];
     };

@@ -69,9 +69,9 @@ inline Bytes make_png(int width, int height, int depth, PngColour colour, const 
 }
 
 /// An uncompressed 8-bit grey TIFF, one row a strip, pixels last in the file.
-inline Bytes make_tiff(int width, int height, const Bytes& pixels) {
+inline Bytes make_tiff(int width, int height, const Bytes& pixels, int orientation = 1) {
     const auto w = static_cast<std::uint32_t>(width), h = static_cast<std::uint32_t>(height);
-    constexpr std::uint32_t entries = 9, list = 8 + 2 + 12 * entries + 4;
+    constexpr std::uint32_t entries = 10, list = 8 + 2 + 12 * entries + 4;
     Bytes tiff("II*\0\x08\0\0\0", 8);
     append_little(tiff, entries, 2);
     const auto entry = [&](std::uint32_t tag, std::uint32_t count, std::uint32_t value) {
@@ -80,12 +80,13 @@ inline Bytes make_tiff(int width, int height, const Bytes& pixels) {
         append_little(tiff, count, 4);
         append_little(tiff, value, 4);
     };
-    entry(256, 1, w);             // ImageWidth
-    entry(257, 1, h);             // ImageLength
-    entry(258, 1, 8);             // BitsPerSample
-    entry(259, 1, 1);             // Compression: none
-    entry(262, 1, 1);             // PhotometricInterpretation: black is zero
-    entry(273, h, list);          // StripOffsets
+    entry(256, 1, w);     // ImageWidth
+    entry(257, 1, h);     // ImageLength
+    entry(258, 1, 8);     // BitsPerSample
+    entry(259, 1, 1);     // Compression: none
+    entry(262, 1, 1);     // PhotometricInterpretation: black is zero
+    entry(273, h, list);  // StripOffsets
+    entry(274, 1, static_cast<std::uint32_t>(orientation));
     entry(277, 1, 1);             // SamplesPerPixel
     entry(278, 1, 1);             // RowsPerStrip
     entry(279, h, list + 4 * h);  // StripByteCounts

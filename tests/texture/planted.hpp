@@ -31,6 +31,12 @@ enum class Planted {
     flip_forgotten,        ///< flip_v has no effect
     marks_of_all_lanes,    ///< texels of lanes that do not ask are marked, too
     error_swallowed,       ///< a truncated file reads as a success
+    orientation_ignored,   ///< pixels stay as they are stored
+    turns_swapped,         ///< a quarter turn to the left is one to the right
+    rows_from_the_top,     ///< a bitmap's first row is taken for its top
+    columns_packed,        ///< a grey bitmap's columns are a third of themselves (OpenImageIO)
+    luminance_of_points,   ///< of channels X Y Z the Y alone
+    layer_not_in_key,      ///< the cache gives one layer for another
 };
 
 }  // namespace quadrel::test

@@ -283,8 +283,9 @@ TEST(Swizzle, PicksChannels) {
     using Values = std::vector<float>;
     EXPECT_EQ(swizzled(rgba, ""), rgba.values);
     EXPECT_EQ(swizzled(rgba, "a"), Values{0.75f});
-    EXPECT_EQ(swizzled(rgba, height_swizzle), Values{0.75f});
-    EXPECT_EQ(swizzled(make_image(1, 1, 3, {1, 2, 3}), height_swizzle), Values{1});
+    EXPECT_EQ(swizzled(rgba, alpha_or_first), Values{0.75f});
+    EXPECT_EQ(swizzled(make_image(1, 1, 3, {1, 2, 3}), alpha_or_first), Values{1});
+    EXPECT_EQ(swizzled(make_image(1, 1, 2, {1, 2}), alpha_or_first), Values{1}) << "no alpha";
     EXPECT_EQ(swizzled(rgba, "1-a"), Values{0.25f});
     EXPECT_EQ(swizzled(rgba, "rgb1"), (Values{0.125f, 0.25f, 0.5f, 1}));
     EXPECT_EQ(swizzled(rgba, "rgb"), (Values{0.125f, 0.25f, 0.5f, 1}));

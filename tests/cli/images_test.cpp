@@ -1,0 +1,175 @@
+// Images that people bring, by way of the command line: layers, parts, crops, heights beside
+// colours, integers in float targets, pictures of vectors.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/process.hpp"
+#include "film/films.hpp"
+#include "io/exr_parts.hpp"
+#include "quadrel/film/exr.hpp"
+#include "texture/files.hpp"
+
+namespace quadrel::cli_tests {
+namespace {
+
+using testing_films::TemporaryFolder;
+using testing_films::write_bytes;
+
+std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+class ImageFiles : public testing::Test {
+  protected:
+    ImageFiles() {
+        Film depth{{0, 0, 2, 2}, {0, 0, 2, 2}, {}}, colours = depth;
+        depth.add("Z", ChannelType::float32, bits(3));
+        for (const char* name : {"R", "G", "B", "height.Y"})
+            colours.add(name, ChannelType::float32, bits(0.5f));
+        write_exr_parts(folder / "parts.exr", {{"depth", depth, {}}, {"rgba", colours, {}}});
+        write_exr(folder / "one.exr", colours, {});
+    }
+    Outcome quadrel(const std::vector<std::string>& arguments) const {
+        return run(arguments, folder.path());
+    }
+    /// One line that has the word, and nothing on standard output.
+    static testing::AssertionResult complains(const Outcome& outcome, int code,
+                                              const std::string& word) {
+        if (outcome.code == code && outcome.out.empty() &&
+            std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1 &&
+            outcome.err.find(word) != std::string::npos)
+            return testing::AssertionSuccess();
+        return testing::AssertionFailure() << outcome.code << ": " << outcome.err << outcome.out;
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(ImageFiles, EveryVerbAsksWhichPart) {
+    EXPECT_TRUE(complains(quadrel({"mips", "parts.exr", "-o", "m"}), 3, "2 parts"));
+    EXPECT_TRUE(complains(quadrel({"compare", "one.exr", "parts.exr"}), 3, "2 parts"));
+    EXPECT_EQ(quadrel({"mips", "parts.exr", "--part", "rgba", "--layer", "height", "-o", "m"}).code,
+              0);
+    EXPECT_EQ(read_exr(folder / "m.0.exr").film.planes[0].name, "Y");
+    EXPECT_EQ(quadrel({"compare", "one.exr", "parts.exr", "--part", "1"}).code, 0);
+    EXPECT_EQ(quadrel({"compare", "parts.exr", "one.exr", "--reference-part", "rgba"}).code, 0);
+    EXPECT_EQ(quadrel({"compare", "parts.exr", "one.exr", "--reference-part", "depth"}).code, 1);
+    EXPECT_EQ(quadrel({"bake", "parts.exr", "--layer", "height", "--kind", "max-mip", "--no-cache",
+                       "-o", "b.exr"})
+                  .code,
+              0);
+}
+
+TEST_F(ImageFiles, InfoGivesAnOverviewOfParts) {
+    const auto all = nlohmann::json::parse(quadrel({"info", "parts.exr", "--json"}).out);
+    ASSERT_EQ(all["parts"].size(), 2u);
+    EXPECT_EQ(all["parts"][1]["name"], "rgba");
+    EXPECT_EQ(all["parts"][0]["channels"], "Z");
+    const auto one =
+        nlohmann::json::parse(quadrel({"info", "parts.exr", "--part", "0", "--json"}).out);
+    EXPECT_EQ(one["channels"][0]["max"], 3);
+}
+
+/// A scene of a quad that fills the view, with this height map.
+std::string scene_of(const std::string& height) {
+    return R"({"quadrel": 1, "size": [8, 8], "camera": {"eye": [0, 0, 1.2]},
+ "material": {"height": {)" +
+           height + R"(}, "relief": {"trace": "linear", "steps": 64}},
+ "objects": [{"mesh": "quad"}]})";
+}
+
+TEST_F(ImageFiles, HeightsAreInTheFirstChannelUnlessASwizzleSaysOtherwise) {
+    // Heights 0.5 in red; alpha, all opaque, is not meant.
+    test::Bytes pixels;
+    for (int i = 0; i < 4; ++i) pixels += test::Bytes("\x80\x00\x00\xff", 4);
+    write_bytes(folder / "rgba.png", test::make_png(2, 2, 8, test::PngColour::rgba, pixels));
+    pixels.clear();
+    for (int i = 0; i < 4; ++i) pixels += test::Bytes("\x80\xff", 2);
+    write_bytes(folder / "ya.png", test::make_png(2, 2, 8, test::PngColour::grey_alpha, pixels));
+    const auto height = [&](const std::string& texture) {
+        write_bytes(folder / "s.json", scene_of(texture));
+        const Outcome outcome =
+            quadrel({"render", "s.json", "--channels", "hit.h,hit.s", "-o", "out.exr"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Film film = read_exr(folder / "out.exr").film;
+        EXPECT_NEAR(film.find("hit.s")->as_float(27), 1 - film.find("hit.h")->as_float(27), 0.02);
+        return film.find("hit.h")->as_float(27);
+    };
+    for (const char* file : {"rgba.png", "ya.png"}) {
+        const std::string texture = R"("file": ")" + std::string(file) + "\"";
+        EXPECT_FLOAT_EQ(height(texture), 128.0f / 255.0f) << file;
+        // What was read before, and would be wrong now: the alpha.
+        EXPECT_FLOAT_EQ(height(texture + R"(, "swizzle": "a")"), 1.0f) << file;
+        EXPECT_FLOAT_EQ(height(texture + R"(, "swizzle": "alpha-or-first")"), 1.0f) << file;
+    }
+    write_bytes(folder / "s.json", scene_of(R"("file": "rgba.png", "swizzle": "1-ga")"));
+    const Outcome plan = quadrel({"render", "s.json", "--channels", "hit.h", "--explain"});
+    EXPECT_NE(plan.out.find("rgba.png: heights from 1-g\n"), std::string::npos) << plan.out;
+}
+
+TEST_F(ImageFiles, ATextureNamesItsLayerAndPart) {
+    const auto render = [&](const std::string& more) {
+        write_bytes(folder / "s.json", scene_of(R"("file": "parts.exr")" + more));
+        return quadrel({"render", "s.json", "--channels", "hit.h", "-o", "out.exr"});
+    };
+    for (const char* part : {R"("rgba")", "1"}) {
+        const Outcome outcome = render(R"(, "layer": "height", "part": )" + std::string(part));
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_FLOAT_EQ(read_exr(folder / "out.exr").film.planes[0].as_float(27), 0.5f);
+    }
+    EXPECT_TRUE(complains(render(""), 3, "2 parts"));
+    EXPECT_TRUE(complains(render(R"(, "part": 2)"), 3, "no part \"2\""));
+    EXPECT_TRUE(complains(render(R"(, "part": 1.5)"), 3, "number from 0"));
+    EXPECT_TRUE(complains(render(R"(, "layer": "")"), 3, "name of a layer"));
+    EXPECT_TRUE(complains(render(R"(, "layer": "gloss", "part": 1)"), 3, "no layer \"gloss\""));
+}
+
+TEST_F(ImageFiles, ACropIsComparedWithAWholeFrameOnRequest) {
+    const Film whole = testing_films::smooth_film(1);
+    Film part = whole;
+    crop(part, {3, 2, 9, 7});
+    write_exr(folder / "whole.exr", whole, {});
+    write_exr(folder / "crop.exr", part, {});
+    part.planes[0].bits[7] += 1;  // at 4,3
+    write_exr(folder / "off.exr", part, {});
+    EXPECT_EQ(quadrel({"compare", "whole.exr", "crop.exr"}).code, 1) << "strict by default";
+    EXPECT_EQ(quadrel({"compare", "whole.exr", "crop.exr", "--overlap"}).code, 0);
+    EXPECT_EQ(quadrel({"compare", "crop.exr", "whole.exr", "--overlap"}).code, 0);
+    const Outcome off = quadrel({"compare", "whole.exr", "off.exr", "--overlap"});
+    EXPECT_EQ(off.code, 1);
+    EXPECT_NE(off.out.find("worst at 4,3"), std::string::npos) << off.out;
+    EXPECT_EQ(quadrel({"compare", "whole.exr", "off.exr", "--window", "5,3,9,7"}).code, 0);
+    EXPECT_EQ(quadrel({"compare", "whole.exr", "off.exr", "--window", "4,3,5,4"}).code, 1);
+    const auto json = nlohmann::json::parse(
+        quadrel({"compare", "whole.exr", "crop.exr", "--overlap", "--json"}).out);
+    EXPECT_EQ(json["preparation"]["window"], nlohmann::json::array({3, 2, 9, 7}));
+    EXPECT_TRUE(complains(quadrel({"compare", "whole.exr", "crop.exr", "--window", "0,0,4,4"}), 2,
+                          "test image"));
+    EXPECT_TRUE(complains(quadrel({"compare", "whole.exr", "crop.exr", "--window", "4,3,4,4"}), 2,
+                          "--window"));
+    Film elsewhere = whole;
+    crop(elsewhere, {10, 0, 12, 2});
+    write_exr(folder / "elsewhere.exr", elsewhere, {});
+    EXPECT_TRUE(
+        complains(quadrel({"compare", "crop.exr", "elsewhere.exr", "--overlap"}), 2, "share no"));
+}
+
+TEST_F(ImageFiles, IntegersInFloatTargets) {
+    Film reference{{0, 0, 3, 1}, {0, 0, 3, 1}, {}}, port = reference;
+    reference.add("hit.steps", ChannelType::uint32).bits = {0, 12, 4096};
+    port.add("hit.steps", ChannelType::float32).bits = {0, bits(12), bits(4096)};
+    write_exr(folder / "a.exr", reference, {});
+    write_exr(folder / "b.exr", port, {});
+    const Outcome equal = quadrel({"compare", "a.exr", "b.exr"});
+    EXPECT_EQ(equal.code, 0) << equal.out;
+    EXPECT_NE(equal.out.find("hit.steps: integers"), std::string::npos) << equal.out;
+    EXPECT_EQ(quadrel({"compare", "a.exr", "b.exr", "--encode", "half"}).code, 0);
+    port.planes[0].bits[1] = bits(13);
+    write_exr(folder / "c.exr", port, {});
+    EXPECT_EQ(quadrel({"compare", "a.exr", "c.exr"}).code, 1);
+    EXPECT_EQ(quadrel({"compare", "a.exr", "c.exr", "--abs", "1"}).code, 1)
+        << "what holds for all floats is no allowance for integers";
+    EXPECT_EQ(quadrel({"compare", "a.exr", "c.exr", "--abs", "hit.steps=1"}).code, 0);
+}
+
+}  // namespace
+}  // namespace quadrel::cli_tests
