@@ -194,7 +194,8 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     add_plugin_option(*verb, a->plugins);
-    verb->add_option("--heatmap", a->heatmap, "write a PNG of the largest error of each pixel");
+    verb->add_option("--heatmap", a->heatmap,
+                     "write a PNG of the largest differences, a panel for each kind of channel");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });
 }

@@ -21,11 +21,12 @@ struct GlibSampler {
 /// Texels reach the published stages in the order A R G B, as the listing's note on 32-bit bitmaps
 /// has it. For the colour map that is what its .gba means; the gloss and emissive maps carry three
 /// channels, which the listing takes by .r .g .b: the swizzle puts the file's there.
-inline constexpr std::array<GlibSampler, 5> glib_samplers{{{"Environment_Map", "environment", ""},
-                                                           {"Color_Map", "color", ""},
-                                                           {"Emissive_Map", "emissive", "gb0r"},
-                                                           {"Gloss_Map", "gloss", "gb0r"},
-                                                           {"Normal_Map", "height", "alpha-or-first"}}};
+inline constexpr std::array<GlibSampler, 5> glib_samplers{
+    {{"Environment_Map", "environment", ""},
+     {"Color_Map", "color", ""},
+     {"Emissive_Map", "emissive", "gb0r"},
+     {"Gloss_Map", "gloss", "gb0r"},
+     {"Normal_Map", "height", "alpha-or-first"}}};
 
 /// The texture unit that a sampler reads.
 struct GlibBinding {

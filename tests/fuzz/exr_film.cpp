@@ -3,6 +3,7 @@
 #include "quadrel/film/exr.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    return quadrel::fuzz::read_as("film.exr", data, size,
-                                  [](const auto& file) { quadrel::read_exr(file, {"", "0"}); });
+    return quadrel::fuzz::read_as("film.exr", data, size, [](const auto& file) {
+        quadrel::read_exr(file, {"", "0"});
+    });
 }

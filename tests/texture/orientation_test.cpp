@@ -118,6 +118,45 @@ TEST_F(Orientations, ExifOfAJpegIsFollowed) {
     }
 }
 
+/// 2 x 2 pixels of luminance and colour differences, not sub-sampled.
+Bytes make_ycbcr_tiff(int orientation) {
+    constexpr std::uint32_t entries = 11, list = 8 + 2 + 12 * entries + 4;
+    Bytes tiff("II*\0\x08\0\0\0", 8);
+    append_little(tiff, entries, 2);
+    const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count,
+                           std::uint32_t value) {
+        append_little(tiff, tag, 2);
+        append_little(tiff, type, 2);
+        append_little(tiff, count, 4);
+        append_little(tiff, value, 4);
+    };
+    constexpr std::uint32_t short_type = 3, long_type = 4;
+    entry(256, long_type, 1, 2);
+    entry(257, long_type, 1, 2);
+    entry(258, short_type, 3, list);
+    entry(259, short_type, 1, 1);
+    entry(262, short_type, 1, 6);  // YCbCr
+    entry(273, long_type, 1, list + 6);
+    entry(274, short_type, 1, static_cast<std::uint32_t>(orientation));
+    entry(277, short_type, 1, 3);
+    entry(278, long_type, 1, 2);
+    entry(279, long_type, 1, 12);
+    entry(530, short_type, 2, 0x10001);  // no sub-sampling
+    append_little(tiff, 0, 4);
+    for (int c = 0; c < 3; ++c) append_little(tiff, 8, 2);
+    return tiff + Bytes("\x10\x80\x80\x20\x80\x80\x30\x80\x80\x40\x80\x80", 12);
+}
+
+TEST_F(Orientations, WhatLibtiffTurnsInPartIsRefusedByName) {
+    EXPECT_EQ(load_image(write("1.tif", make_ycbcr_tiff(1))).width, 2);
+    try {
+        load_image(write("3.tif", make_ycbcr_tiff(3)));
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(error.found.find("YCbCr"), std::string::npos) << error.found;
+    }
+}
+
 TEST_F(Orientations, AResolutionLineThatIsNoneIsRefused) {
     EXPECT_THROW(load_image(write("a.hdr", "#?RADIANCE\n\n-Z 2 +X 3\n" + Bytes(24, '\x80'))),
                  InputError);

@@ -48,6 +48,16 @@ std::string pending_error(OIIO::ImageInput* input) {
     return error;
 }
 
+/// For these libtiff mirrors rows and columns itself, but does not turn, and OpenImageIO (2.4) says
+/// nothing of it.
+bool is_turned_in_part(const OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
+    constexpr int ycbcr = 6;
+    const std::string compression = spec.get_string_attribute("compression");
+    return std::string(input.format_name()) == "tiff" &&
+           (compression == "jpeg" || compression == "ojpeg" ||
+            spec.get_int_attribute("tiff:PhotometricInterpretation", 0) == ycbcr);
+}
+
 int read(const char* path, QuadrelOiioRequest& request) {
     OIIO::ImageSpec config;
     // Otherwise colours come back multiplied by alpha, which may hold heights.
@@ -64,6 +74,8 @@ int read(const char* path, QuadrelOiioRequest& request) {
     info.luminance = spec.nchannels == 1 || (spec.nchannels == 2 && spec.alpha_channel == 1);
     info.orientation = spec.get_int_attribute("Orientation", 1);
     if (info.orientation < 1 || info.orientation > 8) info.orientation = 1;  // reserved values
+    if (info.orientation != 1 && is_turned_in_part(*input, spec))
+        return fail(request, "a TIFF of JPEG or YCbCr data with another orientation than 1");
     void* const pixels = request.allocate(request.user, &info);
     if (pixels == nullptr) return 2;
     // In the native type: the library's own conversion to float misses half of the 8-bit codes.
