@@ -53,13 +53,17 @@ constexpr SceneKey keys[] = {
      "matrices: eye to clip space, taken as it is: depth range and clip y must suit the "
      "conventions"},
 
-    {"texture", "file", "path", "required", "EXR, or any image that OpenImageIO reads"},
+    {"texture", "file", "path", "required",
+     "EXR, or any image that OpenImageIO reads, DDS among them; KTX2 is not. See \"How images are "
+     "read\""},
     {"texture", "layer", "name", "all channels",
      "EXR: the channels that begin with `<layer>.`, or the part of that name"},
     {"texture", "part", "name, or number from 0", "the only one",
      "EXR: which of several parts; a name wins. Several parts and neither key is an error"},
-    {"texture", "swizzle", "1 to 4 of `r g b a 0 1 1-r 1-g 1-b 1-a`, without blanks", "as stored",
-     "what each channel is made of"},
+    {"texture", "swizzle",
+     "1 to 4 of `r g b a 0 1 1-r 1-g 1-b 1-a`, without blanks, or `alpha-or-first`",
+     "as stored; the first channel for `height`",
+     "what each channel is made of; `alpha-or-first` is `a` where the file has alpha, else `r`"},
     {"texture", "colour_space", "`linear` `srgb`", "`linear`",
      "how the file's colour channels are encoded"},
     {"texture", "format", "`unorm8` `srgb8` `unorm16` `half` `float`", "the file's",
