@@ -53,6 +53,7 @@ void read_sampler(Fields& fields, Hardware hardware, SamplerState& sampler) {
     sampler.weight_bits = model.weight_bits;
     sampler.lod_bits = model.lod_bits;
     sampler.scale_first = model.scale_first ? 1 : 0;
+    sampler.quad_lod = model.quad_lod ? 1 : 0;
 }
 
 /// A part is named, or counted from 0.

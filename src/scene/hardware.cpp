@@ -22,9 +22,14 @@ HardwareModel vulkan_min() {
 }
 
 // FIXED_ORDER 8 with cvtps (half to even); attribute planes of the unsnapped vertices; every
-// derivative is the fine one; float weights; exact rho^2 with a piecewise linear log2.
+// derivative is the fine one; float weights; exact rho^2 with a piecewise linear log2. Look-ups
+// with implicit derivatives take rho^2 from lane 0's differences alone (lp_build_rho: element 0 of
+// lp_build_packed_ddx_ddy_twocoord, packed or swizzled to its quad). Each lane's own are: dFdx, a
+// level, a bias or gradients that the shader gives, and cube maps (observed in Mesa 22.3.6).
 HardwareModel llvmpipe() {
-    return {.interpolation = Interpolation::llvmpipe, .lod_form = LodForm::linear_log2};
+    return {.interpolation = Interpolation::llvmpipe,
+            .lod_form = LodForm::linear_log2,
+            .quad_lod = true};
 }
 
 // 8 bits from RoundInt, attribute planes from the same fixed positions; unqualified derivatives

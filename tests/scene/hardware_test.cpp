@@ -35,6 +35,7 @@ TEST(Hardware, RenderersDifferWhereTheirSourcesDo) {
     EXPECT_EQ(llvmpipe.interpolation, Interpolation::llvmpipe);
     EXPECT_EQ(llvmpipe.lod_form, LodForm::linear_log2);
     EXPECT_EQ(llvmpipe.derivatives, DerivativeMode::fine);
+    EXPECT_TRUE(llvmpipe.quad_lod);
     const HardwareModel swiftshader = hardware_model(Hardware::swiftshader);
     EXPECT_EQ(swiftshader.interpolation, Interpolation::swiftshader);
     EXPECT_EQ(swiftshader.lod_form, LodForm::quartic_log2);
@@ -50,6 +51,7 @@ TEST(Hardware, ExactIsExact) {
     EXPECT_EQ(model.lod_bits, 0);
     EXPECT_EQ(model.lod_form, LodForm::sqrt_max);
     EXPECT_FALSE(model.scale_first);
+    EXPECT_FALSE(model.quad_lod);
 }
 
 }  // namespace

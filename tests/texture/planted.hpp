@@ -18,6 +18,8 @@ enum class Planted {
     rho_of_each_level,     ///< sizes of another level than 0
     half_up_level,         ///< nearest mip is floor(d + 0.5)
     nan_to_finest,         ///< a NaN gradient gives level 0
+    level_of_each_lane,    ///< a quad's level of detail is not lane 0's
+    bias_of_lane_0,        ///< nor is a shader's bias that of lane 0
     ties_to_x,             ///< cube face X wins over Y over Z
     corner_of_two,         ///< a cube corner is the mean of its two neighbours
     clamped_edges,         ///< cube footprints stop at the face's edge

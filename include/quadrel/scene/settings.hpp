@@ -32,6 +32,7 @@ struct HardwareModel {
     int weight_bits = 0;  ///< 0: exact
     int lod_bits = 0;     ///< 0: exact
     bool scale_first = false;
+    bool quad_lod = false;  ///< implicit look-ups: lane 0's level of detail for the whole quad
 };
 
 /// The model of each kind.

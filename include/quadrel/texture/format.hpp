@@ -46,6 +46,8 @@ struct SamplerState {
     std::int32_t weight_bits = 0;  ///< fraction bits of texel weights, rounded to even; 0: exact
     std::int32_t lod_bits = 0;     ///< fraction bits of the level of detail; 0: exact
     std::int32_t scale_first = 0;  ///< 1: repeat and mirror do not reduce the coordinate first
+    /// 1: look-ups with implicit derivatives take lane 0's level of detail in all lanes of a quad.
+    std::int32_t quad_lod = 0;
 };
 
 }  // namespace quadrel

@@ -152,20 +152,33 @@ vec4<F> texture_lod(const SampledTexture& texture, const SampleContext<F>& conte
     return sample_expanded(texture, context, uv, lod_from_level(texture, lod));
 }
 
+/// The record of implicit gradients: each lane's own, or lane 0's in all lanes of a quad where the
+/// sampler says so. All four lanes of a quad must have valid uv. The bias is each lane's own.
+template <Packet F>
+LodRecord<F> implicit_lod(const SampledTexture& texture, const vec2<F>& uv,
+                          DerivativeMode mode = DerivativeMode::fine, F bias = F(0)) {
+    vec2<F> dx = dFdx(uv, mode), dy = dFdy(uv, mode);
+    if (texture.sampler.quad_lod != 0) {
+        const auto of_lane_0 = [](F x) { return broadcast_lane<0>(x); };
+        dx = map_components(of_lane_0, dx);
+        dy = map_components(of_lane_0, dy);
+    }
+    return compute_lod(texture, dx, dy, bias);
+}
+
 /// Implicit gradients and a bias in levels. All four lanes of a quad must have valid uv.
 template <Packet F>
 vec4<F> texture_bias(const SampledTexture& texture, const SampleContext<F>& context,
                      const vec2<F>& uv, std::type_identity_t<F> bias,
                      DerivativeMode mode = DerivativeMode::fine) {
-    return sample_expanded(texture, context, uv,
-                           compute_lod(texture, dFdx(uv, mode), dFdy(uv, mode), bias));
+    return sample_expanded(texture, context, uv, implicit_lod(texture, uv, mode, bias));
 }
 
 /// Implicit gradients. All four lanes of a quad must have valid uv.
 template <Packet F>
 vec4<F> texture(const SampledTexture& from, const SampleContext<F>& context, const vec2<F>& uv,
                 DerivativeMode mode = DerivativeMode::fine) {
-    return texture_grad(from, context, uv, dFdx(uv, mode), dFdy(uv, mode));
+    return sample_expanded(from, context, uv, implicit_lod(from, uv, mode));
 }
 
 /// (level of detail after clamps and rounding, lambda before them).
