@@ -46,6 +46,12 @@ enum class BakeKind : std::int32_t {
     /// Never wider than `cone`, from a pyramid. Source: Valasek, Ban, "Quick Cone Map Generation on
     /// the GPU", EG 2022.
     cone_quick,
+    /// {height, root}: the square root of a ratio of at most 1, both rounded to 8 bits (a code over
+    /// 255), bit for bit what the source's compute shader stores. Heights are cut to [0, 1] and
+    /// rounded to 8 bits before. The field repeats whatever the wrap modes; rings are circles in
+    /// texels, so that maps other than square are wrong. Source: Rabbid76, graphics-snippets,
+    /// "Parallax Mapping", Cone Step Mapping.
+    cone_rabbid,
     /// {M, ratio} a stored dual cell (cell_grid), to be fetched by cell: M is the cell's greatest
     /// height, ratio the least of distance / (M' - M) over all higher cells, the distance between
     /// the cells' rectangles in tiles, 0 where cells touch. Exact for the bilinear field.

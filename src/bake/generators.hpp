@@ -11,6 +11,7 @@ std::shared_ptr<Texture> bake_texel_max(const BakeJob& job);
 std::shared_ptr<Texture> bake_cone(const BakeJob& job);
 std::shared_ptr<Texture> bake_cone_robust(const BakeJob& job);
 std::shared_ptr<Texture> bake_cone_quick(const BakeJob& job);
+std::shared_ptr<Texture> bake_cone_rabbid(const BakeJob& job);
 std::shared_ptr<Texture> bake_cone_cell(const BakeJob& job);
 std::shared_ptr<Texture> bake_relaxed_cone(const BakeJob& job);
 std::shared_ptr<Texture> bake_relaxed_cone_exact(const BakeJob& job);

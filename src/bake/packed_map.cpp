@@ -62,6 +62,12 @@ struct TexelPacker {
 
     void pack(const float* cone, const float* normal, Packing packing, float* out) const {
         const float h = std::clamp(cone[0], 0.0f, 1.0f), c = std::clamp(cone[1], 0.0f, 1.0f);
+        if (packing == Packing::height_root) {
+            out[0] = store(h, h, Direction::nearest, same);
+            out[1] = store(c, c, Direction::nearest, same);
+            out[2] = 0;
+            return;
+        }
         if (packing == Packing::height_sqrt_cone) {
             out[0] = store(h, h, direction(Direction::up), same);
             out[1] = store(c, std::sqrt(c), direction(Direction::down), squared);
@@ -110,13 +116,15 @@ std::shared_ptr<const Texture> make_plain(int width, int height, int channels,
 
 }  // namespace
 
-Packing packing_from_name(std::string_view name) {
-    if (name == "dummer") return Packing::height_sqrt_cone;
+Packing packing_from_name(std::string_view name, BakeKind kind) {
+    const bool holds_root = kind == BakeKind::cone_rabbid;
+    if (name == "dummer") return holds_root ? Packing::height_root : Packing::height_sqrt_cone;
     if (name == "gg3") return Packing::normal_cone_depth;
     throw UsageError(fmt::format("packing \"{}\" is unknown; expected dummer or gg3", name));
 }
 
-bool is_packable(BakeKind kind) {
+bool is_packable(BakeKind kind, Packing packing) {
+    if (packing == Packing::height_root) return kind == BakeKind::cone_rabbid;
     switch (kind) {
         case BakeKind::cone:
         case BakeKind::cone_robust:
@@ -153,18 +161,20 @@ void write_packed(const std::filesystem::path& file, const Texture& map, const T
 
 PackedMap load_packed(const std::filesystem::path& file, Packing packing, const std::string& key) {
     const Image image = load_image(file, NotFinite::refuse, key);
-    const bool dummer = packing == Packing::height_sqrt_cone;
-    const int least = dummer ? 2 : 4;
+    const bool depth = packing == Packing::normal_cone_depth;
+    const int least = depth ? 4 : 2;
     if (image.channels < least || image.luminance)
         throw InputError(file.string(), key, fmt::format("{} channels", image.channels),
-                         dummer ? "height in red, cones in green" : "red, green, blue and alpha");
+                         !depth ? "height in red, cones in green" : "red, green, blue and alpha");
     std::vector<float> heights, cones;
     for (std::size_t i = 0; i < image.values.size(); i += image.channels) {
         const float* const texel = &image.values[i];
-        const float h = dummer ? texel[0] : 1.0f - texel[3];
+        const float h = depth ? 1.0f - texel[3] : texel[0];
         heights.push_back(h);
         cones.push_back(h);
-        cones.push_back(dummer ? texel[1] * texel[1] : texel[2]);
+        cones.push_back(packing == Packing::height_sqrt_cone ? texel[1] * texel[1]
+                        : depth                              ? texel[2]
+                                                             : texel[1]);
     }
     return {make_plain(image.width, image.height, 1, std::move(heights), file),
             make_plain(image.width, image.height, 2, std::move(cones), file)};

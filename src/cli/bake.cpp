@@ -82,14 +82,15 @@ BakedTextureOptions make_options(const Arguments& arguments) {
 }
 
 /// Before long work.
-void check_arguments(const Arguments& arguments, BakeKind kind) {
+void check_arguments(const Arguments& arguments, BakeKind kind, Packing packing) {
     check_output_kinds({{"-o", ".exr", arguments.output}});
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
     if (!std::isfinite(arguments.border))
         throw UsageError(fmt::format("--border: found {}, expected a number", arguments.border));
-    if (!arguments.packed.empty() && !is_packable(kind))
-        throw UsageError(fmt::format("{} maps have no packing of their source", arguments.kind));
+    if (!arguments.packed.empty() && !is_packable(kind, packing))
+        throw UsageError(
+            fmt::format("{} maps have no packing \"{}\"", arguments.kind, arguments.packing));
 }
 
 void check_files(const Arguments& arguments) {
@@ -112,8 +113,8 @@ ExitCode run_bake(const Arguments& arguments) {
     const BakeKind kind = bake_kind_from_name(arguments.kind);
     const BakedTextureOptions options = make_options(arguments);
     if (const auto hint = threads_hint(arguments.threads)) tell("quadrel: " + *hint);
-    const Packing packing = packing_from_name(arguments.packing);
-    check_arguments(arguments, kind);
+    const Packing packing = packing_from_name(arguments.packing, kind);
+    check_arguments(arguments, kind, packing);
     check_files(arguments);
     const auto height = load_heights(arguments);
     const SamplerState sampler = make_sampler(arguments);

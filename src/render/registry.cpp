@@ -76,11 +76,18 @@ const StageInfo* find_stage(std::string_view id) {
 
 std::string_view slot_name(TextureSlot slot) {
     constexpr std::array<std::string_view, texture_slot_count> names{
-        "height",          "color",      "gloss",     "emissive",       "normal",
-        "environment",     "max-mip",    "min-max",   "texel-max",      "cone",
-        "cone-robust",     "cone-quick", "cone-cell", "relaxed-cone",   "relaxed-cone-exact",
-        "quad-cone",       "aniso-cone", "distance",  "distance-exact", "horizon",
-        "horizon-sampled", "rmq"};
+        "height",       "color",
+        "gloss",        "emissive",
+        "normal",       "environment",
+        "max-mip",      "min-max",
+        "texel-max",    "cone",
+        "cone-robust",  "cone-quick",
+        "cone-rabbid",  "cone-cell",
+        "relaxed-cone", "relaxed-cone-exact",
+        "quad-cone",    "aniso-cone",
+        "distance",     "distance-exact",
+        "horizon",      "horizon-sampled",
+        "rmq"};
     return names[static_cast<std::size_t>(slot)];
 }
 

@@ -27,6 +27,8 @@ enum class Planted {
     no_least_of_3x3,    ///< the filter left out
     code_rounded_up,    ///< the next code above
     early_exit,         ///< one sample fewer below each texel than listed
+    ratio_not_root,     ///< a ratio where a map has its root
+    exact_distances,    ///< distances to texels where a source has those of rings
     // Volumes, horizons, normals, tables.
     raised,          ///< every value a little too high
     lowered,         ///< every value a little too low

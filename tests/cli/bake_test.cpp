@@ -160,6 +160,7 @@ TEST(Bake, ComplainsInOneLine) {
         {{"bake", heights, "--kind", "max-mip", "--no-cache"}, 2},
         {{"bake", heights, "--kind", "max-mip", "--packed", out}, 2},
         {{"bake", heights, "--kind", "cone-quick", "--packed", out, "--packing", "gg4"}, 2},
+        {{"bake", heights, "--kind", "cone-rabbid", "--packed", out, "--packing", "gg3"}, 2},
         {{"bake", heights, "--kind", "cone-quick", "--packed", (folder / "a.jpg").string()}, 2},
         {{"bake", "none.exr", "--kind", "cone", "-o", out}, 3},
         {{"bake", heights, "--kind", "max-mip", "--channel", "a", "-o", out}, 3},

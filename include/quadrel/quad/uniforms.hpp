@@ -25,6 +25,7 @@ enum class TextureSlot : std::int32_t {
     cone,
     cone_robust,
     cone_quick,
+    cone_rabbid,
     cone_cell,
     relaxed_cone,
     relaxed_cone_exact,
