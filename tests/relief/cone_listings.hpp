@@ -13,7 +13,7 @@ namespace quadrel::listings {
 using ConeVec2 = vec2<float>;
 using ConeVec3 = vec3<float>;
 
-/// Height and linear cone ratio at a coordinate.
+/// Height and what the map holds of the cone, its ratio or the root of it, at a coordinate.
 using ConeSampler = std::function<ConeVec2(const ConeVec2&)>;
 /// Distance at (u, v, z).
 using VolumeSampler = std::function<float(const ConeVec3&)>;
@@ -24,7 +24,8 @@ struct ConeEnd {
     float s = 0;
 };
 
-/// Rabbid76, "Parallax Mapping", Cone Step Mapping: ConeStep, with the ratio already squared.
+/// Rabbid76, "Parallax Mapping", Cone Step Mapping: ConeStep. GetHeightAndCone, which the page does
+/// not show, is that of the repository's example: texture().rg, clamped to [0, 1].
 inline ConeEnd rabbid_cone_step(const ConeVec3& texDir3D, const ConeVec2& texCoord,
                                 const ConeVec2& tex_size, const ConeSampler& cone_map) {
     // float maxBumpHeight = 1.0;
@@ -45,11 +46,11 @@ inline ConeEnd rabbid_cone_step(const ConeVec3& texDir3D, const ConeVec2& texCoo
         // vec3 sample_pt = vec3(texCoord.xy, maxBumpHeight) + texDir3D * t;
         const ConeVec2 sample_pt = texCoord + xy * t;
         // vec2 h_and_c = GetHeightAndCone( sample_pt.xy );
-        const ConeVec2 texel = cone_map(sample_pt);
+        const ConeVec2 h_and_c = clamp(cone_map(sample_pt), 0.0f, 1.0f);
         // float h = h_and_c.x * maxBumpHeight;
-        const float h = clamp(texel.x, 0.0f, 1.0f) * maxBumpHeight;
+        const float h = h_and_c.x * maxBumpHeight;
         // float c = h_and_c.y * h_and_c.y / maxBumpHeight;
-        const float c = clamp(texel.y, 0.0f, 1.0f) / maxBumpHeight;
+        const float c = h_and_c.y * h_and_c.y / maxBumpHeight;
         // vec2 C = P + R * t;
         const ConeVec2 C = P + R * t;
         // if ( C.y <= h ) break;
@@ -81,7 +82,7 @@ inline ConeEnd dummer_exact(const ConeVec3& ds, const ConeVec2& dp, int texels,
     // while the ray is above the surface
     while (1.0f - ds.z * sc > t.x) {
         // go on by a texel's width and by the cone
-        sc = sc + w + (1.0f - ds.z * sc - t.x) / (ds.z + iz / t.y);
+        sc = sc + w + (1.0f - ds.z * sc - t.x) / (ds.z + iz / (t.y * t.y));
         // and look again
         t = cone_map(dp + ConeVec2(ds.x, ds.y) * sc);
     }

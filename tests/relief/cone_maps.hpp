@@ -60,9 +60,9 @@ class ConeBatch {
         height = make_stress_map(kinds[static_cast<std::size_t>(seed) % kinds.size()], 32, 24,
                                  plain_sampler(), random);
         for (const TextureSlot slot :
-             {TextureSlot::cone, TextureSlot::cone_robust, TextureSlot::relaxed_cone,
-              TextureSlot::relaxed_cone_exact, TextureSlot::quad_cone, TextureSlot::aniso_cone,
-              TextureSlot::distance, TextureSlot::distance_exact}) {
+             {TextureSlot::cone, TextureSlot::cone_robust, TextureSlot::cone_rabbid,
+              TextureSlot::relaxed_cone, TextureSlot::relaxed_cone_exact, TextureSlot::quad_cone,
+              TextureSlot::aniso_cone, TextureSlot::distance, TextureSlot::distance_exact}) {
             Map& map = maps[static_cast<std::size_t>(slot)];
             map.texture =
                 bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);

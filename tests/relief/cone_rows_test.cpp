@@ -33,6 +33,45 @@ ConeSampler cones_of(Batch<float>& batch, TextureSlot slot) {
     };
 }
 
+/// The same map with each texel's root in place of its ratio.
+ConeSampler roots_of(Batch<float>& batch, TextureSlot slot) {
+    struct Roots {
+        std::vector<float> texels;
+        SampledTexture map;
+    };
+    const auto roots = std::make_shared<Roots>();
+    roots->map = *batch.bound(slot);
+    const TextureView& view = roots->map.view;
+    for (int k = 0; k < 2 * view.width[0] * view.height[0]; ++k)
+        roots->texels.push_back(k % 2 ? std::sqrt(view.texels[k]) : view.texels[k]);
+    roots->map.view.texels = roots->texels.data();
+    return [roots](const ConeVec2& uv) {
+        const auto texel = read_map<2>(roots->map, uv);
+        return ConeVec2(texel[0], texel[1]);
+    };
+}
+
+/// Ratios, interpolated, and then their roots.
+ConeSampler roots_of_interpolated(const ConeSampler& ratios) {
+    return [=](const ConeVec2& uv) {
+        const ConeVec2 texel = ratios(uv);
+        return ConeVec2(texel.x, std::sqrt(texel.y));
+    };
+}
+
+/// A map of roots, interpolated after squaring.
+ConeSampler squared_first(Batch<float>& batch, TextureSlot slot) {
+    SampledTexture map = *batch.bound(slot);
+    const auto squares = std::make_shared<std::vector<float>>();
+    for (int k = 0; k < 2 * map.view.width[0] * map.view.height[0]; ++k)
+        squares->push_back(k % 2 ? map.view.texels[k] * map.view.texels[k] : map.view.texels[k]);
+    map.view.texels = squares->data();
+    return roots_of_interpolated([squares, map](const ConeVec2& uv) {
+        const auto texel = read_map<2>(map, uv);
+        return ConeVec2(texel[0], texel[1]);
+    });
+}
+
 /// A stage and its listing for one lane.
 struct ConeListing {
     std::string id;
@@ -40,25 +79,46 @@ struct ConeListing {
     std::string corrected;  ///< a stage that this one must not be taken for
 };
 
+/// The unit view ray; upwards seen from behind.
+ConeVec3 rabbid_direction(Batch<float>& b, int lane) {
+    const ConeVec3 V = ConeVec3(0.0f) - b.vector3(Value::P, lane);
+    const float frontFace = dot(b.vector3(Value::Ng, lane), V) < 0 ? -1.0f : 1.0f;
+    return normalize(ConeVec3(b.vector2(Value::K, lane), -frontFace));
+}
+
+ConeVec2 map_size(Batch<float>& b) {
+    const TextureView& view = b.bound(TextureSlot::cone)->view;
+    return {static_cast<float>(view.width[0]), static_cast<float>(view.height[0])};
+}
+
+ConeEnd rabbid_by(Batch<float>& b, int lane, const ConeSampler& cones) {
+    return listings::rabbid_cone_step(rabbid_direction(b, lane), b.vector2(Value::uv, lane),
+                                      map_size(b), cones);
+}
+
+ConeEnd dummer_by(Batch<float>& b, int lane, const ConeSampler& cones) {
+    return listings::dummer_exact(normalize(ConeVec3(b.vector2(Value::K, lane), 1.0f)),
+                                  b.vector2(Value::uv, lane),
+                                  static_cast<int>(std::max(map_size(b).x, map_size(b).y)), cones);
+}
+
 std::vector<ConeListing> cone_listings() {
     const auto K = [](Batch<float>& b, int lane) { return b.vector2(Value::K, lane); };
     const auto uv = [](Batch<float>& b, int lane) { return b.vector2(Value::uv, lane); };
-    const auto size = [](Batch<float>& b) {
-        const TextureView& view = b.bound(TextureSlot::cone)->view;
-        return ConeVec2(static_cast<float>(view.width[0]), static_cast<float>(view.height[0]));
-    };
     return {
         {"cone-rabbid",
-         [=](Batch<float>& b, int lane) {
-             return listings::rabbid_cone_step(normalize(ConeVec3(K(b, lane), -1.0f)), uv(b, lane),
-                                               size(b), cones_of(b, TextureSlot::cone));
+         [](Batch<float>& b, int lane) {
+             return rabbid_by(b, lane, cones_of(b, TextureSlot::cone_rabbid));
+         },
+         "cone-step"},
+        {"cone-rabbid-float",
+         [](Batch<float>& b, int lane) {
+             return rabbid_by(b, lane, roots_of(b, TextureSlot::cone));
          },
          "cone-step"},
         {"cone-dummer-exact",
-         [=](Batch<float>& b, int lane) {
-             return listings::dummer_exact(normalize(ConeVec3(K(b, lane), 1.0f)), uv(b, lane),
-                                           static_cast<int>(std::max(size(b).x, size(b).y)),
-                                           cones_of(b, TextureSlot::cone));
+         [](Batch<float>& b, int lane) {
+             return dummer_by(b, lane, roots_of(b, TextureSlot::cone));
          },
          "cone-step"},
         {"cone-gg3",
@@ -77,7 +137,7 @@ std::vector<ConeListing> cone_listings() {
         {"sphere-3d@published",
          [=](Batch<float>& b, int lane) {
              const SampledTexture& map = *b.bound(TextureSlot::distance);
-             const float layers = static_cast<float>(map.view.faces), width = size(b).x;
+             const float layers = static_cast<float>(map.view.faces), width = map_size(b).x;
              const auto volume = [&](const ConeVec3& p) {
                  const float at = clamp(p.z * layers - 0.5f, 0.0f, layers - 1.0f);
                  const int below = static_cast<int>(at);
@@ -115,6 +175,29 @@ TEST(ConeListings, StagesHaveTheirBits) {
         EXPECT_FALSE(is_the_listing(listing, {listing.corrected}, 0)) << listing.id;
         const auto nudge = [](Batch<float>& b) { b.real(Value::K, 5) *= 1.001f; };
         EXPECT_FALSE(is_the_listing(listing, {listing.id, nudge}, 0)) << listing.id;
+    }
+}
+
+/// What is interpolated is the root: not so if the map were squared before.
+TEST(ConeListings, RootsAreInterpolated) {
+    const ConeListing rabbid = {"cone-rabbid",
+                                [](Batch<float>& b, int lane) {
+                                    return rabbid_by(b, lane,
+                                                     squared_first(b, TextureSlot::cone_rabbid));
+                                },
+                                {}};
+    const ConeListing dummer = {
+        "cone-dummer-exact",
+        [](Batch<float>& b, int lane) {
+            return dummer_by(b, lane, roots_of_interpolated(cones_of(b, TextureSlot::cone)));
+        },
+        {}};
+    for (const ConeListing& flawed : {rabbid, dummer}) {
+        const auto equals = [&](int seed) -> bool {
+            return is_the_listing(flawed, {flawed.id}, seed);
+        };
+        EXPECT_FALSE(equals(1) && equals(2) && equals(3))
+            << flawed.id << " " << static_cast<int>(Planted::interpolated_squares);
     }
 }
 

@@ -2,6 +2,7 @@
 // this project; the names are the shader's.
 #pragma once
 
+#include "quadrel/raster/interpolation.hpp"
 #include "relief/listing_runs.hpp"
 
 namespace quadrel::listings {
@@ -51,12 +52,35 @@ inline End learnopengl(const Vec2& texCoords, const Vec3& viewDir, float heightS
 
 namespace quadrel::test {
 
+/// TangentFragPos of 5.3.parallax_mapping.vs in eye space, interpolated to a lane.
+inline Vec3 tangent_frag_pos(const Batch<float>& batch, int lane) {
+    const auto primitive = static_cast<std::size_t>(batch.primitive[lane]);
+    const PrimitiveVertices& row = batch.vertices[primitive];
+    const auto& w = batch.primitives[primitive].w;
+    const auto vector = [](const float(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
+    const auto vertex = [&](int v) {
+        // vec3 T = normalize(mat3(model) * aTangent);
+        const Vec3 T = normalize(vector(row.tangent[v]));
+        // vec3 B = normalize(mat3(model) * aBitangent);
+        const Vec3 B = normalize(vector(row.binormal[v]));
+        // vec3 N = normalize(mat3(model) * aNormal);
+        const Vec3 N = normalize(vector(row.normal[v]));
+        // mat3 TBN = transpose(mat3(T, B, N)); vs_out.TangentFragPos = TBN * vs_out.FragPos;
+        const Vec3 FragPos = vector(row.position[v]);
+        return Vec3(dot(T, FragPos), dot(B, FragPos), dot(N, FragPos));
+    };
+    const auto b = perspective_barycentrics(
+        PerVertex<float>{batch.edges[0][lane], batch.edges[1][lane], batch.edges[2][lane]},
+        PerVertex<float>{w[0], w[1], w[2]});
+    return interpolate(b, PerVertex<Vec3>{vertex(0), vertex(1), vertex(2)});
+}
+
 inline Listing learnopengl(float scale, int min_layers, int max_layers) {
     const auto run = [=](Batch<float>& b, int quad) {
         const auto fragment = [&](int i, const Sampler& inside, const Sampler& behind) {
             const int lane = 4 * quad + i;
-            // The eye minus the fragment in tangent space, normalised in the fragment.
-            const Vec3 viewDir = normalize(tangent_eye(b, lane));
+            // The eye, which is the origin, minus the fragment in tangent space, normalised.
+            const Vec3 viewDir = normalize(Vec3(0.0f) - tangent_frag_pos(b, lane));
             return listings::learnopengl(
                 b.vector2(Value::uv, lane), viewDir, scale, static_cast<float>(min_layers),
                 static_cast<float>(max_layers), [&](const Vec2& uv) { return 1.0f - inside(uv); },

@@ -138,7 +138,7 @@ inline Listing o3de(int algorithm, int quality, float scale, float offset) {
         return each_fragment(quad, [&](int lane) {
             return listings::o3de(b.vector2(Value::uv, lane), tangent_eye(b, lane),
                                   {algorithm, 16 << quality, scale, offset},
-                                  own_level(b, lane, false));
+                                  undisplaced_level(b, lane));
         });
     };
     const char* const corrected[] = {"offset-limit", "steep", "pom", "relief-binary", "contact"};

@@ -117,7 +117,7 @@ inline Listing playcanvas_offset(float factor, float base) {
     const auto run = [=](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
             return listings::playcanvas_offset(b.vector2(Value::uv, lane), tangent_view(b, lane),
-                                               factor, base, own_level(b, lane, false));
+                                               factor, base, undisplaced_level(b, lane));
         });
     };
     return {"playcanvas",

@@ -19,7 +19,7 @@ Listing unreal(float ratio, float plane) {
     const auto run = [=](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
             return listings::unreal(b.vector2(Value::uv, lane), tangent_eye(b, lane), ratio, plane,
-                                    own_level(b, lane, false));
+                                    undisplaced_level(b, lane));
         });
     };
     return {"unreal-bump-offset",

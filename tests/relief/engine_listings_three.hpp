@@ -131,7 +131,7 @@ inline Listing three_parallax_uv(float scale) {
     const auto run = [=](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
             return listings::three_parallax_uv(b.vector2(Value::uv, lane), tangent_view(b, lane),
-                                               scale, own_level(b, lane, false));
+                                               scale, undisplaced_level(b, lane));
         });
     };
     return {"three-parallax-uv", run, {{"scale", scale}}, "offset-limit"};

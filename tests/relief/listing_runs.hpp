@@ -30,6 +30,22 @@ inline Sampler own_level(Batch<float>& batch, int lane, bool level_0) {
     return [=](const Vec2& uv) { return height({}, spread(uv)).lane[0]; };
 }
 
+/// Look-ups of the level that a quad's undisplaced coordinates have by their fine differences:
+/// texture() there, or what is handed ddx_fine and ddy_fine of them.
+inline Sampler undisplaced_level(Batch<float>& batch, int lane) {
+    const SampledTexture& map = *batch.bound(TextureSlot::height);
+    const int first = lane / 4 * 4, i = lane % 4;
+    const auto difference = [&](int to, int from) {
+        const Vec2 d =
+            batch.vector2(Value::uv, first + to) - batch.vector2(Value::uv, first + from);
+        return vec2<Fetch>(Fetch(d.x), Fetch(d.y));
+    };
+    const GeneralHeight<Fetch> height(
+        map, compute_lod(map, difference(i | 1, i & 2), difference(i | 2, i & 1)));
+    return
+        [=](const Vec2& uv) { return height({}, vec2<Fetch>(Fetch(uv.x), Fetch(uv.y))).lane[0]; };
+}
+
 /// Look-ups of a level of detail.
 inline Sampler of_level(Batch<float>& batch, float level) {
     const SampledTexture& map = *batch.bound(TextureSlot::height);
@@ -249,6 +265,8 @@ inline StageUnderTest<float> flawed(const std::string& id, Planted planted) {
         }
         for (auto& tangent : b.vertices[2].tangent)
             for (float& x : tangent) x *= 1.0001f;
+        for (auto& position : b.vertices[2].position)
+            for (int c = 0; c < 2; ++c) position[c] *= 1.0001f;
     };
     const auto after = [planted](Batch<float>& b) {
         if (planted == Planted::one_sample_early) b.real(Value::hit_s, 21) -= 1.0f / 128;

@@ -30,17 +30,19 @@ enum class Planted {
     tile_of_the_u_axis,  ///< a tile's length is 1 / |grad u|
     fade_upside_down,    ///< the angles of the fade not where they should be
     // Searches.
-    strict_comparison,    ///< F > 0 in place of F >= 0
-    one_sample_late,      ///< the sample after the first one below
-    one_sample_early,     ///< the sample before
-    seat_forgotten,       ///< the march starts on the polygon, wherever that lies
-    steps_counted_once,   ///< the same number of steps in every lane
-    nan_is_floor,         ///< a broken map looks like a deep one
-    ray_nudged,           ///< K and tangents a ten-thousandth off
-    off_the_ray,          ///< the hit's UV not that of its s
-    half_a_step_late,     ///< behind the sample that hit
-    surface_not_reached,  ///< a hit reported above the surface
-    fetch_not_counted,    ///< one look-up missing from the sum
+    strict_comparison,     ///< F > 0 in place of F >= 0
+    one_sample_late,       ///< the sample after the first one below
+    one_sample_early,      ///< the sample before
+    seat_forgotten,        ///< the march starts on the polygon, wherever that lies
+    steps_counted_once,    ///< the same number of steps in every lane
+    nan_is_floor,          ///< a broken map looks like a deep one
+    ray_nudged,            ///< K and tangents a ten-thousandth off
+    off_the_ray,           ///< the hit's UV not that of its s
+    half_a_step_late,      ///< behind the sample that hit
+    surface_not_reached,   ///< a hit reported above the surface
+    fetch_not_counted,     ///< one look-up missing from the sum
+    interpolated_squares,  ///< the ratio of cones interpolated where a source has its root
+    level_0_look_ups,      ///< no implicit derivatives where a source has texture()
     // Exact searches, and the oracle.
     late_border,          ///< borders between cells lie a hundredth of a cell too far
     leap_without_margin,  ///< nodes left where the ray is above them by any amount

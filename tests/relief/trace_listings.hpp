@@ -230,11 +230,11 @@ inline End rabbid_offset(const Vec3& texDir3D, const Vec2& texCoord,
 }
 
 /// Rabbid76, "Parallax Mapping": function Parallax of Parallax Occlusion Mapping (`relief` false)
-/// and of Relief Parallax Mapping.
+/// and of Relief Parallax Mapping, whose second loop reads the map by `second`.
 inline End rabbid(const Vec3& texDir3D, const Vec2& texCoord, const Vec2& u_parallax_quality,
-                  float frontFace, bool relief, const Sampler& u_displacement_map) {
+                  float frontFace, bool relief, const Sampler& first, const Sampler& second) {
     End end;
-    const auto CalculateHeight = [&](const Vec2& texCoords) {
+    const auto CalculateHeight = [&](const Sampler& u_displacement_map, const Vec2& texCoords) {
         ++end.fetches;
         // float height = texture( u_displacement_map, texCoords ).x;
         const float height = u_displacement_map(texCoords);
@@ -271,8 +271,9 @@ inline End rabbid(const Vec3& texDir3D, const Vec2& texCoord, const Vec2& u_para
     for (int i = 0; i < to_int(numSteps); ++i) {
         // mapHeight = back_face + surf_sign * CalculateHeight( texC.xy - bestBumpHeight *
         // texStep.xy );
-        mapHeight = back_face + surf_sign * CalculateHeight({texC.x - bestBumpHeight * texStep.x,
-                                                             texC.y - bestBumpHeight * texStep.y});
+        mapHeight =
+            back_face + surf_sign * CalculateHeight(first, {texC.x - bestBumpHeight * texStep.x,
+                                                            texC.y - bestBumpHeight * texStep.y});
         // if ( mapHeight >= bestBumpHeight ) break;
         if (mapHeight >= bestBumpHeight) break;
         // bestBumpHeight -= bumpHeightStep;
@@ -289,9 +290,9 @@ inline End rabbid(const Vec3& texDir3D, const Vec2& texCoord, const Vec2& u_para
             bestBumpHeight -= bumpHeightStep;
             // mapHeight = back_face + surf_sign * CalculateHeight( texC.xy - bestBumpHeight *
             // texStep.xy );
-            mapHeight =
-                back_face + surf_sign * CalculateHeight({texC.x - bestBumpHeight * texStep.x,
-                                                         texC.y - bestBumpHeight * texStep.y});
+            mapHeight = back_face +
+                        surf_sign * CalculateHeight(second, {texC.x - bestBumpHeight * texStep.x,
+                                                             texC.y - bestBumpHeight * texStep.y});
             // bestBumpHeight += ( bestBumpHeight < mapHeight ) ? bumpHeightStep : 0.0;
             bestBumpHeight += (bestBumpHeight < mapHeight) ? bumpHeightStep : 0.0f;
         }

@@ -20,7 +20,7 @@ Listing unity() {
     const auto run = [](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
             return listings::unity(b.vector2(Value::uv, lane), tangent_eye(b, lane), 0.02f,
-                                   own_level(b, lane, false));
+                                   undisplaced_level(b, lane));
         });
     };
     return {"offset-limit-042@published", run, {}, "offset-limit-042"};
@@ -79,14 +79,16 @@ Listing dx_sdk() {
 
 Listing rabbid(bool relief, float least, float most) {
     const auto run = [=](Batch<float>& b, int quad) {
-        return each_fragment(quad, [&](int lane) {
+        const auto fragment = [&](int i, const Sampler& inside, const Sampler& behind) {
+            const int lane = 4 * quad + i;
             const Vec3 V = Vec3(0.0f) - b.vector3(Value::P, lane);
             const float frontFace = dot(b.vector3(Value::Ng, lane), V) < 0 ? -1.0f : 1.0f;
             const Vec2 K = b.vector2(Value::K, lane);
             return listings::rabbid(normalize(Vec3(K.x, K.y, -frontFace)),
                                     b.vector2(Value::uv, lane), Vec2(least, most), frontFace,
-                                    relief, own_level(b, lane, true));
-        });
+                                    relief, inside, behind);
+        };
+        return Lockstep(*b.bound(TextureSlot::height), fragment).run();
     };
     const Parameters quality = {{"quality_normal", least}, {"quality_grazing", most}};
     return relief ? Listing{"rabbid-relief", run, quality, "relief-binary"}
@@ -183,6 +185,29 @@ TEST(TraceListings, ErrorsAreCaught) {
         }
         EXPECT_TRUE(notices_the_ray(listing));
     }
+}
+
+/// Rabbid76's at level 0, in place of texture().
+Listing rabbid_at_level_0(bool relief) {
+    Listing listing = rabbid(relief, 0.5, 1);
+    listing.run = [relief](Batch<float>& b, int quad) {
+        return each_fragment(quad, [&](int lane) {
+            const Vec3 V = Vec3(0.0f) - b.vector3(Value::P, lane);
+            const float frontFace = dot(b.vector3(Value::Ng, lane), V) < 0 ? -1.0f : 1.0f;
+            const Vec2 K = b.vector2(Value::K, lane);
+            const Sampler level_0 = own_level(b, lane, true);
+            return listings::rabbid(normalize(Vec3(K.x, K.y, -frontFace)),
+                                    b.vector2(Value::uv, lane), Vec2(0.5, 1), frontFace, relief,
+                                    level_0, level_0);
+        });
+    };
+    return listing;
+}
+
+TEST(TraceListings, RabbidsLookUpsTakeImplicitDerivatives) {
+    for (const bool relief : {false, true})
+        EXPECT_FALSE(equals_listing(rabbid_at_level_0(relief), {rabbid(relief, 0.5, 1).id}, 10))
+            << static_cast<int>(Planted::level_0_look_ups);
 }
 
 /// How often fragments of the inputs end early, late, and from behind.

@@ -67,6 +67,13 @@ const SampledTexture& height_map(const Io& io) {
     return heights_are_noise(io) ? no_height_map : *io.template texture<TextureSlot::height>();
 }
 
+/// A look-up where heights are noise.
+template <class Io, class F>
+[[gnu::noinline]] F noise_height(const Io& io, const SampleContext<F>& context, const vec2<F>& uv) {
+    const MaterialUniforms& material = io.material();
+    return noise_fetch(context, uv, material.noise_frequency, material.noise_octaves).value;
+}
+
 /// Heights at uv for a whole march, its level of detail settled beforehand. The short way is taken
 /// when every lane reads one level, bilinearly, of a map of one channel; it has the same bits.
 template <class Io>
@@ -95,8 +102,7 @@ class MarchHeights {
         return general_(context, uv);
     }
     [[gnu::noinline]] F noise(const SampleContext<F>& context, const vec2<F>& uv) const {
-        const MaterialUniforms& material = io_.material();
-        return noise_fetch(context, uv, material.noise_frequency, material.noise_octaves).value;
+        return noise_height(io_, context, uv);
     }
 
     const Io& io_;

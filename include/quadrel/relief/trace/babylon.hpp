@@ -22,7 +22,9 @@
 //     the first sample to be 1.
 // hit.s is the depth of the sample that hit, the secant moves hit.uv alone; hit.h is the
 // height compared last. For the engine's own frame, its axes not of unit length, take
-// frame-cot@published.
+// frame-cot@published. Not reproduced: levels of the normal map other than 1 (the shader hands the
+// frame its normal times the scale, so that they change the view vector's z), the texture's matrix,
+// and back faces, for whose frame the shader negates the UV.
 #pragma once
 
 #include "quadrel/relief/trace/babylon_march.hpp"
@@ -44,6 +46,10 @@ struct Babylon : StageDefaults {
     static constexpr auto inputs =
         search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "levels of the normal map other than 1, which lengthen the frame's normal; the "
+        "texture's matrix; back faces, whose UV the frame takes negated; parallel "
+        "projections, where its view vector still comes from the camera's place";
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     using Params = BabylonParams;
@@ -78,8 +84,7 @@ struct Babylon : StageDefaults {
     template <class Io, class F>
     static void limited(const Io& io, const SearchRay<F>& ray, const vec3<F>& viewDir,
                         const Params& params) {
-        const F height = implicit_height(io, ray.active, ray.uv);
-        io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), height);
+        const F height = implicit_height_at_start(io, ray);
         const vec2<F> offset = vec2<F>(viewDir) * F(params.scale) * height;
         store_search(io, ray, offset_result(ray, height),
                      ray.uv + (params.right_handed != 0 ? offset : -offset));

@@ -14,7 +14,9 @@
 // hit.s is the shader's current_layer_depth, which it does not return: with the secant that of the
 // sample before it, because what it adds there is 0 but for rounding. The secant of equal
 // differences is no number: NAN. The relief's depth and seat move hit.depth alone. The engine
-// negates y because its bitangent points up the picture; the one here runs along growing v.
+// negates y because its bitangent points up the picture; the one here runs along growing v. Not
+// reproduced: the engine's frame (calculate_tbn_mikktspace), whose normal and tangents are
+// interpolated and not normalised; the UV transform and the second UV set.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
@@ -29,6 +31,9 @@ struct Bevy : StageDefaults {
     static constexpr auto inputs =
         values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's frame (normal and tangents interpolated and not normalised); the UV "
+        "transform and a second UV set";
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t relief = 0, relief_steps = 5;

@@ -3,7 +3,10 @@
 // Source: J. Dummer, "Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm",
 // 2006, intersect_exact: along the unit direction ds (K, -1 normalised, z taken positive), with iz
 // = sqrt(1 - ds.z^2), sc grows by w = 1 / texels plus the cone's step until the surface is passed,
-// then goes back by w. Kept: unbounded in the source; here a guard of 65536 steps ends it as CAP.
+// then goes back by w. Kept: what is interpolated is the root of the ratio, which the source's map
+// stores and its shader squares. Unbounded in the source; here a guard of 65536 steps ends it as
+// CAP. Not reproduced: the 8 bits of the source's map (here heights and ratios are floats, of the
+// same kind of cones).
 #pragma once
 
 #include "quadrel/relief/trace/cone_map.hpp"
@@ -16,6 +19,8 @@ struct ConeDummerExact : StageDefaults {
                                     "Dummer 2006, Cone Step Mapping"};
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the 8 bits of its map: heights and roots of cones are floats";
     static constexpr auto textures = slots(TextureSlot::cone);
     static constexpr int guard = 65536;
 
@@ -23,7 +28,7 @@ struct ConeDummerExact : StageDefaults {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto look = cone_look_up<TextureSlot::cone>(io);
+        const auto look = cone_look_up<TextureSlot::cone, Interpolated::roots>(io);
         const TextureView& view = io.template texture<TextureSlot::cone>()->view;
         const vec3<F> ds = normalize(vec3<F>(ray.K, F(1)));
         const vec2<F> along(ds);

@@ -6,6 +6,7 @@
 // relaxed variant, so that steps are shorter than the cone allows; a fixed number of steps; the end
 // is never tested (CAP where it is more than 1/256 above the surface). A straight ray over a cone
 // of ratio 0 divides 0 by 0.
+// Not reproduced: the 8 bits of its map; its depth bias and border clamp, both off by default.
 #pragma once
 
 #include "quadrel/relief/trace/cone_map.hpp"
@@ -18,6 +19,8 @@ struct ConeGg3 : StageDefaults {
     static constexpr auto inputs = values(Value::uv, Value::relief_depth, Value::r, Value::K,
                                           Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the 8 bits of its map; depth bias and border clamp, off by default";
     static constexpr auto textures = slots(TextureSlot::cone);
 
     template <class Io>

@@ -16,8 +16,13 @@ F cone_step_length(F gap, F ratio, F kappa) {
     return select(kappa > F(0), step, gap);
 }
 
+/// What the look-up of a cone map interpolates: its ratios, or their square roots, which sources of
+/// 8-bit maps store.
+enum class Interpolated { ratios, roots };
+
 /// Bilinear look-ups of `channels` channels of a baked map's level 0 by the sampler's wrap modes.
-template <TextureSlot slot, int channels, class Io>
+/// With roots the second channel is interpolated by its root, and squared again.
+template <TextureSlot slot, int channels, class Io, Interpolated what = Interpolated::ratios>
 class BakedLookUp {
   public:
     using F = typename Io::Number;
@@ -48,7 +53,14 @@ class BakedLookUp {
         count_coordinate(context, uv.y, F(coordinate_limit));
         if (const TexelMarks* marks = marks_of(context))
             mark_footprint<F>(*marks, map_, level, uv, Filter::linear, active);
-        return sample_linear<channels, F>(map_, level, uv);
+        if constexpr (what == Interpolated::ratios)
+            return sample_linear<channels, F>(map_, level, uv);
+        const Footprint<F> at = address(map_, level, uv, Filter::linear);
+        FourTaps<channels, F> taps = load_taps<channels, F>(map_, level, at);
+        for (auto& tap : taps.tap) tap.channel[1] = sqrt(tap.channel[1]);
+        Texel<channels, F> texel = blend(taps, at.x.weight, at.y.weight);
+        texel.channel[1] = texel.channel[1] * texel.channel[1];
+        return texel;
     }
 
     const Io& io_;
@@ -62,13 +74,15 @@ struct Cone {
     F height, ratio;
 };
 
-template <TextureSlot slot, class Io, class F = typename Io::Number>
+template <TextureSlot slot, Interpolated what = Interpolated::ratios, class Io,
+          class F = typename Io::Number>
 auto cone_look_up(const Io& io) {
-    return [&io, read = BakedLookUp<slot, 2, Io>(io)](Mask<F> active, F s, const vec2<F>& uv) {
-        const Texel<2, F> texel = read(active, uv);
-        io.march_step(active, s, uv, F(1) - s, texel.channel[0]);
-        return Cone<F>{texel.channel[0], texel.channel[1]};
-    };
+    return
+        [&io, read = BakedLookUp<slot, 2, Io, what>(io)](Mask<F> active, F s, const vec2<F>& uv) {
+            const Texel<2, F> texel = read(active, uv);
+            io.march_step(active, s, uv, F(1) - s, texel.channel[0]);
+            return Cone<F>{texel.channel[0], texel.channel[1]};
+        };
 }
 
 /// Fall in s to the nearest border between texel centres, where the bilinear patch changes, and a

@@ -19,8 +19,9 @@
 
 namespace quadrel {
 
-using ConeStages = StageList<Sphere3d, Sphere3dPublished, ConeStep, ConeRabbid, ConeGg3,
-                             ConeDummerExact, RelaxedCone, RelaxedConePublished, RelaxedConeExact,
-                             ConeRobust, ConeRobustExact, ConeQuad, ConeAniso, ConeHybrid>;
+using ConeStages =
+    StageList<Sphere3d, Sphere3dPublished, ConeStep, ConeRabbid, ConeRabbidFloat, ConeGg3,
+              ConeDummerExact, RelaxedCone, RelaxedConePublished, RelaxedConeExact, ConeRobust,
+              ConeRobustExact, ConeQuad, ConeAniso, ConeHybrid>;
 
 }  // namespace quadrel

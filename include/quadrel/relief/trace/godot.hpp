@@ -7,7 +7,9 @@
 // slope is the sine of the angle of view, not its tangent, and depths look too small along the
 // surface. Look-ups take implicit derivatives. The relief's depth and seat move hit.depth alone.
 // The engine's y axis is its bitangent negated, which points up the picture: along growing v, as
-// the bitangent does here.
+// the bitangent does here. Not reproduced: the engine's frame, whose tangents are interpolated and
+// not normalised, with EYE_OFFSET of stereo and heightmap_flip; the shift of a second UV set, which
+// subtracts the whole coordinate. An inverted map is a swizzle here.
 #pragma once
 
 #include "quadrel/relief/trace/layer_march.hpp"
@@ -23,6 +25,10 @@ struct Godot : StageDefaults {
     static constexpr auto inputs =
         values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's frame (tangents interpolated and not normalised, EYE_OFFSET of stereo, "
+        "flipped axes); parallel projections, where its view vector still comes from the "
+        "camera's place; the shift of a second UV set";
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
@@ -49,8 +55,7 @@ struct Godot : StageDefaults {
             store_layer_march(io, ray, vec2<F>(view_dir) * scale * unit, layers);
             return;
         }
-        const F height = implicit_height(io, ray.active, ray.uv);
-        io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), height);
+        const F height = implicit_height_at_start(io, ray);
         const vec2<F> offset = vec2<F>(view_dir) * (F(1) - height) * scale * unit;
         store_search(io, ray, offset_result(ray, height), ray.uv - offset);
     }

@@ -3,7 +3,7 @@
 //
 // Source: O3DE, ParallaxMapping.azsli (354a2ac), BasicParallaxMapping and AdvancedParallaxMapping,
 // with an identity UV transform, after which the unit eye vector is normalised once more. The
-// height is read from red with the gradients of the undisplaced UV. `scale` is the material's
+// height is read from red with the fine gradients of the undisplaced UV. `scale` is the material's
 // factor and `offset` its offset, lengths in the tangent frame that are added to UV as they are: a
 // unit of UV is taken to be a unit of the world. The relief's depth and seat move hit.depth alone.
 // The bitangent must run along growing v; nothing is flipped.
@@ -19,7 +19,10 @@
 //   * relief halves as often as there are steps; the sign that it moves by may be 0, and stays so;
 //   * contact's second march adds up anew, and where it misses what the first one met it walks on.
 // hit.s is depth in the range from `offset` on, of the point that the shader ends with: occlusion
-// interpolates the depth of its displacement as it does UV. hit.h is the height read last.
+// interpolates the depth of its displacement as it does UV. hit.h is the height read last. Not
+// reproduced: the engine's frame (ConstructTBN, normalised a fragment in object space and again in
+// the world's), the UV transform, clip highlights, pixel depth offset and shadows. (Until June 2024
+// CalculateParallaxOffset took dirToCameraTS for a float: every axis had its x.)
 #pragma once
 
 #include "quadrel/relief/trace/o3de_search.hpp"
@@ -32,8 +35,11 @@ struct O3de : StageDefaults {
     static constexpr StageText text{"o3de", "trace", "Open 3D Engine's parallax, all algorithms",
                                     "O3DE, ParallaxMapping.azsli"};
     static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's frame (normalised a fragment, before it is turned to world space); the UV "
+        "transform; clip highlights, pixel depth offset, shadows";
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = O3deParams;
     static constexpr std::array parameters{
@@ -63,7 +69,8 @@ struct O3de : StageDefaults {
     template <class Io, class F>
     static void basic(const Io& io, const SearchRay<F>& ray, const vec3<F>& dirToCameraTS,
                       const Params& params) {
-        const F height = height_at_start(io, ray);
+        const F s(ray.s_polygon), height = o3de_heights(io, ray.uv)(ray.active, ray.uv);
+        io.march_step(ray.active, s, ray.uv, F(1) - s, height);
         const O3deRange<F> range(params.scale, F(0));
         const vec2<F> delta =
             vec2<F>(dirToCameraTS) * range.normalized_depth(height) * F(params.scale);

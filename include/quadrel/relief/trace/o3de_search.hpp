@@ -31,6 +31,14 @@ class O3deRange {
     Mask<F> has_depth_;
 };
 
+/// Heights with ddx_fine and ddy_fine of the undisplaced UV, whatever the frame's derivatives.
+template <class Io, class F = typename Io::Number>
+MarchHeights<Io> o3de_heights(const Io& io, const vec2<F>& uv) {
+    const SampledTexture& map = height_map(io);
+    return {io, map,
+            compute_lod(map, dFdx(uv, DerivativeMode::fine), dFdy(uv, DerivativeMode::fine))};
+}
+
 template <class Io>
 class O3deSearch {
   public:
@@ -41,7 +49,7 @@ class O3deSearch {
     O3deSearch(const Io& io, const SearchRay<F>& ray, const vec3<F>& dirToCameraTS,
                const O3deParams& params)
         : ray_(ray),
-          heights_(march_heights(io)),
+          heights_(o3de_heights(io, ray.uv)),
           height_(io, heights_),
           range_(params.scale, F(-params.offset)),
           numSteps_(16 << params.quality),

@@ -4,7 +4,7 @@
 // scenes with shifts leave self-shadows out, as the sources do.
 #pragma once
 
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 
 namespace quadrel {
 
@@ -12,6 +12,14 @@ namespace quadrel {
 template <class Io, class F = typename Io::Number>
 F height_at_start(const Io& io, const SearchRay<F>& ray) {
     const F h = march_heights(io)(ray.active, ray.uv);
+    io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), h);
+    return h;
+}
+
+/// The same by a look-up with implicit derivatives, where the source has texture() or tex2D().
+template <class Io, class F = typename Io::Number>
+F implicit_height_at_start(const Io& io, const SearchRay<F>& ray) {
+    const F h = implicit_height(io, ray.active, ray.uv);
     io.march_step(ray.active, F(ray.s_polygon), ray.uv, F(1) - F(ray.s_polygon), h);
     return h;
 }

@@ -4,8 +4,9 @@
 // runs from -height / 2 to height / 2, the view vector is normalised, 0.42 is added to its z, and
 // the offset is the height times (v.xy / v.z). `scale` (its height) is a UV length, 0.02 unless a
 // material says otherwise; the relief's depth and seat move hit.depth alone. (Unity reads the green
-// channel, here it is channel 0.) viewDir is the caller's: Unity 4 makes it at the vertices, later
-// versions at the fragment; here it is the frame's, a fragment.
+// channel, here it is channel 0, with implicit derivatives; URP's ParallaxOffset1Step is the same.)
+// viewDir is the caller's: Unity 4 makes it at the vertices, later versions at the fragment; here
+// it is the frame's, a fragment. Not reproduced: half precision, which mobile targets have.
 #pragma once
 
 #include "quadrel/relief/trace/offset.hpp"
@@ -19,9 +20,11 @@ struct OffsetLimit042Published : StageDefaults {
                                     "Unity, UnityCG.cginc, ParallaxOffset"};
     static constexpr const char* not_reproduced =
         "viewDir, the caller's, made at vertices or fragments by Unity's version: here at "
-        "fragments, of the frame; the channel (.g): the height map's swizzle chooses it";
+        "fragments, of the frame; the channel (.g): the height map's swizzle chooses it; half "
+        "precision on mobile";
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
@@ -34,7 +37,7 @@ struct OffsetLimit042Published : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F texel = height_at_start(io, ray), height(params.scale);
+        const F texel = implicit_height_at_start(io, ray), height(params.scale);
         const F h = texel * height - height / F(2);
         vec3<F> v = normalize(tangent_eye(io));
         v.z = v.z + F(0.42f);

@@ -17,7 +17,9 @@
 //     hit is the fragment, HIT.
 // hit.s is the shader's hitBelowTop, before it fades, hit.h the last look-up's. The relief's depth
 // and seat move hit.depth alone. The engine negates y because its bitangent points up the picture;
-// the one here runs along growing v.
+// the one here runs along growing v. Not reproduced: the engine's frame, normalised a fragment, or
+// made of derivatives for meshes without tangents; the global textureBias of the offset's look-up
+// (its look-ups take implicit derivatives); self-shadows.
 #pragma once
 
 #include "quadrel/relief/trace/counted_heights.hpp"
@@ -32,8 +34,12 @@ struct PlayCanvas : StageDefaults {
                                     "PlayCanvas' height map, offset or occlusion",
                                     "PlayCanvas 2.22, shader chunk parallax.js"};
     static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's frame (normalised a fragment, or from derivatives); parallel "
+        "projections, where its view vector still comes from the camera's place; the global "
+        "textureBias of the offset's look-up; self-shadows";
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
@@ -57,7 +63,7 @@ struct PlayCanvas : StageDefaults {
             search(io, ray, Volume<F>(io, ray, view, scale, params), params);
             return;
         }
-        const F texel = height_at_start(io, ray);
+        const F texel = implicit_height_at_start(io, ray);
         const F height = (texel - F(params.base)) * scale;
         store_search(io, ray, offset_result(ray, texel), ray.uv + vec2<F>(view) * height);
     }

@@ -4,11 +4,15 @@
 // of "Parallax Occlusion Mapping" and "Relief Parallax Mapping". texDir3D is the unit view ray in
 // texture space, (K, -1) normalised, (K, +1) seen from behind; frontFace is 1 or -1. Kept:
 //   * the number of steps is real, int() of it is marched: the bottom plane is not reached;
-//   * heights are clamped to [0, 1], and read at level 0 (the source's maps have one level);
+//   * heights are clamped to [0, 1]; look-ups take implicit derivatives, in the loops too: lanes
+//     that left keep their last coordinate (in the repository's examples maps have one level:
+//     "mip": "none");
 //   * seen from behind, the march runs back from the far end of the ray with 1 - h.
+// Not part of the rows is the listing's main, which leaves texture coordinates alone at scales
+// below 0.001.
 #pragma once
 
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/implicit_height.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 
 namespace quadrel {
@@ -21,7 +25,7 @@ struct RabbidParams {
 template <Number F>
 struct RabbidMarch {
     F quality, surf_sign, back_face;
-    vec2<F> texStep, texC;
+    vec2<F> texStep, texC, at;  ///< at: of the last look-up
     F bumpHeightStep;
     F mapHeight = F(1), bestBumpHeight = F(1);
     Mask<F> found = Mask<F>(false), met_nan = Mask<F>(false);
@@ -35,27 +39,28 @@ struct RabbidMarch {
         back_face = step(F(0), -surf_sign);
         texStep = vec2<F>(texDir3D) * surf_sign / abs(texDir3D.z);
         texC = ray.uv + texStep * surf_sign + texStep * back_face;
+        at = ray.uv;
         bumpHeightStep = F(1) / rabbid_steps(quality);
     }
 
     /// Fetches at the height bestBumpHeight in the lanes of `active`.
-    template <class Io, class Heights>
-    void fetch(const Io& io, const Heights& heights, Mask<F> active) {
-        const vec2<F> at = texC - texStep * bestBumpHeight;
-        const F h = heights(active, at);
+    template <class Io>
+    void fetch(const Io& io, Mask<F> active) {
+        at = select(active, texC - texStep * bestBumpHeight, at);
+        const F h = implicit_height(io, active, at);
         met_nan = met_nan | (active & is_nan(h));
         mapHeight = select(active, back_face + surf_sign * clamp(h, F(0), F(1)), mapHeight);
         io.march_step(active, F(1) - bestBumpHeight, at, bestBumpHeight, mapHeight);
         count_in<F>(fetches, active);
     }
 
-    template <class Io, class Heights>
-    void march(const Io& io, const Heights& heights, Mask<F> active) {
+    template <class Io>
+    void march(const Io& io, Mask<F> active) {
         const F steps = trunc(rabbid_steps(quality));
         for (int i = 0; i < 50; ++i) {
             active = active & (F(static_cast<Scalar<F>>(i)) < steps);
             if (!any(active)) break;
-            fetch(io, heights, active);
+            fetch(io, active);
             const Mask<F> hit = active & (mapHeight >= bestBumpHeight);
             found = found | hit;
             active = active & !hit;

@@ -14,8 +14,11 @@ struct RabbidPom : StageDefaults {
     static constexpr StageText text{"rabbid-pom", "trace",
                                     "linear search whose correction is always 0",
                                     "Rabbid76, Parallax Mapping, Parallax Occlusion Mapping"};
-    static constexpr auto inputs = search_inputs_and(Value::P, Value::Ng);
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
+    static constexpr auto inputs = values_and(level_0_search_inputs, Value::P, Value::Ng);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the listing's main, which leaves texture coordinates alone at scales below 0.001";
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = RabbidParams;
     static constexpr auto parameters = rabbid_parameters;
@@ -24,9 +27,8 @@ struct RabbidPom : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto heights = march_heights_of_level(io, F(0));
         RabbidMarch<F> listing(ray, front_face(io), params);
-        listing.march(io, heights, ray.active);
+        listing.march(io, ray.active);
         listing.finish(io, ray);
     }
 };

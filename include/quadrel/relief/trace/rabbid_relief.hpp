@@ -14,8 +14,11 @@ namespace quadrel {
 struct RabbidRelief : StageDefaults {
     static constexpr StageText text{"rabbid-relief", "trace", "linear and binary search as listed",
                                     "Rabbid76, Parallax Mapping, Relief Parallax Mapping"};
-    static constexpr auto inputs = search_inputs_and(Value::P, Value::Ng);
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
+    static constexpr auto inputs = values_and(level_0_search_inputs, Value::P, Value::Ng);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the listing's main, which leaves texture coordinates alone at scales below 0.001";
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = RabbidParams;
     static constexpr auto parameters = rabbid_parameters;
@@ -24,17 +27,15 @@ struct RabbidRelief : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto heights = march_heights_of_level(io, F(0));
         RabbidMarch<F> listing(ray, front_face(io), params);
-        listing.march(io, heights, ray.active);
-        refine(io, heights, ray, listing);
+        listing.march(io, ray.active);
+        refine(io, ray, listing);
         listing.finish(io, ray);
     }
 
   private:
-    template <class Io, class Heights, class F>
-    static void refine(const Io& io, const Heights& heights, const SearchRay<F>& ray,
-                       RabbidMarch<F>& listing) {
+    template <class Io, class F>
+    static void refine(const Io& io, const SearchRay<F>& ray, RabbidMarch<F>& listing) {
         const F numBinarySteps = trunc(clamp(listing.quality * F(10), F(1), F(7)));
         F& best = listing.bestBumpHeight;
         best = best + listing.bumpHeightStep;
@@ -44,7 +45,7 @@ struct RabbidRelief : StageDefaults {
             const F half = listing.bumpHeightStep * F(0.5f);
             listing.bumpHeightStep = select(active, half, listing.bumpHeightStep);
             best = select(active, best - listing.bumpHeightStep, best);
-            listing.fetch(io, heights, active);
+            listing.fetch(io, active);
             const F back = select(best < listing.mapHeight, listing.bumpHeightStep, F(0));
             best = select(active, best + back, best);
         }

@@ -5,6 +5,7 @@
 // depth = 1 - height, cone steps v * (c * g / (|v| + c)) with the gap g saturated; then v is set to
 // half of the way down and halved before every signed step. Kept as listed: fixed numbers of steps,
 // so that grazing rays end before the surface; straight rays over a cone of ratio 0 divide 0 by 0.
+// Not reproduced: the 8 bits of its map; its depth bias and border clamp, both off by default.
 #pragma once
 
 #include "quadrel/relief/trace/cone_map.hpp"
@@ -17,6 +18,8 @@ struct RelaxedConePublished : StageDefaults {
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, disc"};
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the 8 bits of its map; depth bias and border clamp, off by default";
     static constexpr auto textures = slots(TextureSlot::relaxed_cone);
 
     template <class Io>

@@ -7,7 +7,8 @@
 //   * the binary steps are half steps forward or back from the last p, not a bisection: the first
 //     may lead forward;
 //   * the end is never tested. Here: FLOOR where no sample was at or below the surface;
-//   * level 0 (the demonstration's maps are not mip-mapped).
+//   * level 0 (the demonstration's sampler has MipFilter = None).
+// Not reproduced: the 8 bits of its map; its depth bias and border clamp, both off by default.
 #pragma once
 
 #include "quadrel/relief/trace/search.hpp"
@@ -21,6 +22,8 @@ struct ReliefGg3 : StageDefaults {
                                     "Policarpo, Oliveira, GPU Gems 3, chapter 18"};
     static constexpr auto inputs = search_inputs;
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the 8 bits of its map; depth bias and border clamp, off by default";
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t linear_steps = 15, binary_steps = 6;

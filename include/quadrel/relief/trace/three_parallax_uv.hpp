@@ -4,7 +4,7 @@
 // uv - parallaxDirection * scale: the unit view vector along tangent, bitangent and normal, left
 // unnormalised, and not divided by its z. What the scale is is the user's business; here, as in the
 // example webgpu_parallax_uv.html with its factor of 0.3, a length times a map of depths, read as
-// 1 - height with the gradients of the undisplaced UV. (The example takes its u from red and its v
+// 1 - height with implicit derivatives. (The example takes its u from red and its v
 // from green; here both are channel 0.) The relief's depth and seat move hit.depth alone.
 #pragma once
 
@@ -16,9 +16,13 @@ namespace quadrel {
 struct ThreeParallaxUv : StageDefaults {
     static constexpr StageText text{"three-parallax-uv", "trace", "parallaxUV of three.js' TSL",
                                     "three.js, src/nodes/accessors/AccessorsUtils.js"};
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the example's map, whose red moves u and whose green moves v: here both are channel "
+        "0";
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float scale = 0.3f;
@@ -30,7 +34,7 @@ struct ThreeParallaxUv : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F height = height_at_start(io, ray);
+        const F height = implicit_height_at_start(io, ray);
         const vec2<F> direction(tangent_viewer(io));
         const F scale = F(params.scale) * (F(1) - height);
         store_search(io, ray, offset_result(ray, height), ray.uv - direction * scale);

@@ -17,7 +17,9 @@
 //   * the angle of HDRP is that of the view vector after scaling, hardly one for a shallow relief;
 //   * nothing holds the offset back along the surface, and seen from behind it runs the other way.
 // hit.s is that of the last crossing, hit.h its outHeight. The relief's depth and seat move
-// hit.depth alone. (The shader flips no axis: its bitangent is taken to run along growing v.)
+// hit.depth alone. (The shader flips no axis: its bitangent is taken to run along growing v.) Not
+// reproduced: the engine's frame (HDRP's is not normalised), half precision where `real` is that,
+// object scale, tiling, and triplanar maps.
 #pragma once
 
 #include "quadrel/relief/trace/counted_heights.hpp"
@@ -32,6 +34,9 @@ struct UnityPom : StageDefaults {
     static constexpr auto inputs =
         values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's frame (not normalised in HDRP); half precision on mobile; object scale, "
+        "tiling and triplanar maps";
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t mode = 0, steps = 5, max_steps = 15;

@@ -5,7 +5,7 @@
 // Eye the unit vector to the camera in tangent space, not divided by its z: offset limiting.
 // Typical ratios are 0.02 to 0.1, a UV length; the reference plane, the height that stays where it
 // is, is 0.5 unless set. The height is whatever the material's graph supplies, here the height map
-// with the gradients of the undisplaced UV. The relief's depth and seat move hit.depth alone.
+// with implicit derivatives. The relief's depth and seat move hit.depth alone.
 // (Products are taken from left to right; the engine's compiler may order them otherwise.)
 #pragma once
 
@@ -17,9 +17,12 @@ namespace quadrel {
 struct UnrealBumpOffset : StageDefaults {
     static constexpr StageText text{"unreal-bump-offset", "trace", "Unreal Engine's BumpOffset",
                                     "Epic Games, UMaterialExpressionBumpOffset"};
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs =
-        search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
+        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
     static constexpr auto outputs = trace_outputs;
+    static constexpr const char* not_reproduced =
+        "the engine's own code, which is not public: the formula is that of its documentation";
     static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float height_ratio = 0.05f, reference_plane = 0.5f;
@@ -34,7 +37,7 @@ struct UnrealBumpOffset : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const F height = height_at_start(io, ray);
+        const F height = implicit_height_at_start(io, ray);
         const vec3<F> eye = normalize(tangent_eye(io));
         const vec2<F> offset =
             vec2<F>(eye) * (height - F(params.reference_plane)) * F(params.height_ratio);
