@@ -9,7 +9,7 @@ Listing welsh(bool limited) {
     const auto run = [limited](Batch<float>& b, int quad) {
         return each_fragment(quad, [&](int lane) {
             return listings::welsh(b.vector2(Value::uv, lane), vertex_eye(b, lane), 0.04f, -0.02f,
-                                   limited, own_level(b, lane, false));
+                                   limited, undisplaced_level(b, lane));
         });
     };
     return limited ? Listing{"offset-limit@published", run, {}, "offset-limit"}

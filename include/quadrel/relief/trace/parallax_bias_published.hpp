@@ -46,7 +46,7 @@ struct WelshOffset : StageDefaults {
         const SearchRay<F> ray = search_ray(io);
         const vec3<F> eye = vertex_eye(io);
         const vec3<F> eyevecs = eye * inversesqrt(dot(eye, eye));
-        const F texel = height_at_start(io, ray);
+        const F texel = implicit_height_at_start(io, ray);
         F height = texel * F(params.scale) + F(params.bias);
         if constexpr (!limited) height = height * (F(1) / eyevecs.z);
         const vec2<F> newtexcoord = vec2<F>(eyevecs) * height + ray.uv;
