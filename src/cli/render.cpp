@@ -122,7 +122,6 @@ void say_summary(const RenderSummary& summary) {
 }
 
 ExitCode run_render(const Arguments& arguments) {
-    check_kinds(arguments);
     CommandFiles files;
     add_outputs(files, arguments);
     load_plugins(arguments.plugins);
@@ -130,6 +129,7 @@ ExitCode run_render(const Arguments& arguments) {
     files.check_writable();
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     files.check();
+    check_kinds(arguments);
     say_notes(scene.notes);
     check_window(options, scene);
     if (arguments.explain) {
