@@ -13,7 +13,8 @@ constexpr SceneKey keys[] = {
      "where a partly covered pixel is shaded when it has several samples"},
     {"scene", "conventions", "`gl` `vulkan` `d3d`", "`gl`", "axes, depth range, facing"},
     {"scene", "hardware", "`exact` `d3d` `vulkan-min` `llvmpipe` `swiftshader`", "`exact`",
-     "whose precision and formulas to imitate"},
+     "whose precision and formulas to imitate (`llvmpipe`: also one level of detail a quad for "
+     "implicit look-ups)"},
     {"scene", "derivatives", "`fine` `coarse`", "the hardware's",
      "which differences `dFdx` and `dFdy` take"},
     {"scene", "background", "3 or 4 numbers", "`[0, 0, 0, 0]`", "colour of uncovered pixels"},
@@ -96,8 +97,9 @@ constexpr SceneKey keys[] = {
     {"material", "color", "name of a texture, or a `texture`", "none", "", Below::object,
      "texture"},
     {"material", "height", "name or `texture`", "none",
-     "height field in its first channel; 1 is the top. Or `{\"noise\": ...}` and nothing else: "
-     "noise in place of a map",
+     "height field in its first channel, whatever its alpha: maps that pack heights into alpha say "
+     "`\"swizzle\": \"a\"`; 1 is the top. Or `{\"noise\": ...}` and nothing else: noise in place "
+     "of a map",
      Below::object, "texture"},
     {"material", "gloss", "name or `texture`", "none", "", Below::object, "texture"},
     {"material", "emissive", "name or `texture`", "none", "", Below::object, "texture"},
