@@ -92,7 +92,7 @@ testing::AssertionResult interpolates(StageFunction stage) {
 template <class T, class Change>
 void run_changed(const StageCall* call, const Change& change) {
     StageCall changed = *call;
-    std::array<std::array<T, 16>, 3> edges;
+    std::array<std::array<double, 16>, 3> edges;
     std::vector<PrimitiveData> data(call->primitives, call->primitives + 1);
     for (std::size_t i = 0; i < 3; ++i) {
         std::memcpy(edges[i].data(), call->edges[i], sizeof edges[i]);

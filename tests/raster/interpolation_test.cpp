@@ -41,10 +41,12 @@ Quad<T> evaluate(const ScreenTriangle& t, const QuadPoints& points, const Values
     const auto b = perspective_barycentrics(e, vertex_w<T>(t));
     if (planted == Planted::weighted_sum || planted == Planted::float_weights) {
         const auto rounded = [&](const Quad<double>& weight) {
-            return planted == Planted::float_weights ? widen(narrow<Quad<float>>(weight)) : weight;
+            return planted == Planted::float_weights ? to_wide(from_wide<Quad<float>>(weight))
+                                                     : weight;
         };
-        return narrow<Quad<T>>(rounded(b.b0) * widen(value.v0) + rounded(b.b1) * widen(value.v1) +
-                               rounded(b.b2) * widen(value.v2));
+        return from_wide<Quad<T>>(rounded(b.b0) * to_wide(value.v0) +
+                                  rounded(b.b1) * to_wide(value.v1) +
+                                  rounded(b.b2) * to_wide(value.v2));
     }
     return interpolate(b, value);
 }

@@ -70,7 +70,7 @@ inline Vec3 tangent_frag_pos(const Batch<float>& batch, int lane) {
         return Vec3(dot(T, FragPos), dot(B, FragPos), dot(N, FragPos));
     };
     const auto b = perspective_barycentrics(
-        PerVertex<float>{batch.edges[0][lane], batch.edges[1][lane], batch.edges[2][lane]},
+        EdgeValues<float>{batch.edges[0][lane], batch.edges[1][lane], batch.edges[2][lane]},
         PerVertex<float>{w[0], w[1], w[2]});
     return interpolate(b, PerVertex<Vec3>{vertex(0), vertex(1), vertex(2)});
 }

@@ -47,7 +47,7 @@ void gather4(const float* base, Int<F> index, F out[4]) {
 
 /// F's lanes as doubles, exactly; consecutive doubles; doubles rounded to F.
 template <class F>
-Wide<F> widen(F a) {
+Wide<F> to_wide(F a) {
     return WideOps<F>::widen(a);
 }
 template <class F>
@@ -55,7 +55,7 @@ Wide<F> load_wide(const double* from) {
     return WideOps<F>::load(from);
 }
 template <class F>
-F narrow(Wide<F> a) {
+F from_wide(Wide<F> a) {
     return WideOps<F>::narrow(a);
 }
 

@@ -143,7 +143,8 @@ struct Interpolate : StageDefaults {
         }
         io.template store<Value::Ng>(vec3<F>(data.at(ng), data.at(ng + 1), data.at(ng + 2)));
         const Barycentrics<F>& b = interpolated.barycentrics();
-        io.template store<Value::bary>(vec3<F>(narrow<F>(b.b0), narrow<F>(b.b1), narrow<F>(b.b2)));
+        io.template store<Value::bary>(
+            vec3<F>(from_wide<F>(b.b0), from_wide<F>(b.b1), from_wide<F>(b.b2)));
         if (io.call().frames != nullptr) store_frame(io, interpolated);
     }
 

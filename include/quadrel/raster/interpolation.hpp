@@ -64,7 +64,7 @@ Barycentrics<F> window_barycentrics(const EdgeValues<F>& e) {
 /// Edge values times the w of the other two vertices: e_i / w_i but for a common factor.
 template <Number F>
 EdgeValues<F> perspective_edges(const EdgeValues<F>& e, const PerVertex<F>& w) {
-    const Wide<F> w0 = widen(w.v0), w1 = widen(w.v1), w2 = widen(w.v2);
+    const Wide<F> w0 = to_wide(w.v0), w1 = to_wide(w.v1), w2 = to_wide(w.v2);
     return {e.v0 * (w1 * w2), e.v1 * (w2 * w0), e.v2 * (w0 * w1)};
 }
 
@@ -77,8 +77,9 @@ Barycentrics<F> perspective_barycentrics(const EdgeValues<F>& e, const PerVertex
 /// The value in a lane, of a scalar or a vector over F.
 template <Number F>
 F interpolate(const Barycentrics<F>& b, const PerVertex<F>& value) {
-    const Wide<F> v0 = widen(value.v0);
-    const F mixed = narrow<F>(v0 + b.b1 * (widen(value.v1) - v0) + b.b2 * (widen(value.v2) - v0));
+    const Wide<F> v0 = to_wide(value.v0);
+    const F mixed =
+        from_wide<F>(v0 + b.b1 * (to_wide(value.v1) - v0) + b.b2 * (to_wide(value.v2) - v0));
     // Keeps -0, infinities, and constants where s vanishes.
     return select((value.v0 == value.v1) & (value.v0 == value.v2), value.v0, mixed);
 }
@@ -94,8 +95,8 @@ glm::vec<n, F, glm::defaultp> interpolate(const Barycentrics<F>& b,
 /// Clip w at the lane: the perspective-correct w, (e_0 + e_1 + e_2) / sum(e_i / w_i).
 template <Number F>
 F interpolate_w(const EdgeValues<F>& e, const PerVertex<F>& w) {
-    const Wide<F> product = widen(w.v0) * widen(w.v1) * widen(w.v2);
-    return narrow<F>(sum(e) * product / sum(perspective_edges(e, w)));
+    const Wide<F> product = to_wide(w.v0) * to_wide(w.v1) * to_wide(w.v2);
+    return from_wide<F>(sum(e) * product / sum(perspective_edges(e, w)));
 }
 
 /// Which vertex of the original primitive gives flat values.

@@ -45,7 +45,7 @@ inline constexpr int inverse_w_at = 3, slope_at = 6, origin_at = 12, centre_at =
 /// a b + c, rounded once but for a rare double rounding: the product is exact in double.
 template <Number F>
 F fused(F a, F b, F c) {
-    return narrow<F>(widen(a) * widen(b) + widen(c));
+    return from_wide<F>(to_wide(a) * to_wide(b) + to_wide(c));
 }
 
 template <Number F>
