@@ -112,7 +112,7 @@ template <class T>
 void clamped_helpers(const StageCall* call) {
     run_changed<T>(call, [](auto& edges, PrimitiveData&) {
         for (auto& edge : edges)
-            for (T& e : edge) e = std::max(e, T(0));
+            for (double& e : edge) e = std::max(e, 0.0);
     });
 }
 
