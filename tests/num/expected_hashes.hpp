@@ -43,6 +43,8 @@ inline constexpr ExpectedHash expected_hashes[] = {
     {"copysign", 0x0e6eb34224b11bb9, 0xc78ca93f61a26a7d},
     {"to_int", 0xe5008c2d01caeca5, 0x5d1c19bf33bfb607},
     {"to_float", 0xb91cfbeaa044e82a, 0xc0f358b7f8af2325},
+    {"wide a*b+c", 0x6aeaffbd5d1ce17d, 0xa922438caf81c0ed},
+    {"wide a/b-c", 0x45848861e1422cbc, 0x7b08c329d12126f2},
     {"exponent", 0x99140d6c79712325, 0xf514928bcfaf2325},
     {"significand", 0xd09aa2fb471949d6, 0x859dfd28e00c2cbf},
     {"power_of_two", 0xf14387084caf2325, 0xdd02728bcfaf2325},
