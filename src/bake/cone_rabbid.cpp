@@ -56,19 +56,21 @@ class RingSearch {
     float height(std::size_t texel) const { return heights_[texel]; }
     float root(std::size_t texel) const { return stored(std::sqrt(cones_[texel])); }
 
-    /// A row's texels by one ring; whether a wider one can matter to any of them.
-    bool narrow(float dist, const std::vector<Offset>& ring, int y) {
+    /// A row's texels by one ring; for how many of them neither it nor a wider one can matter.
+    int narrow(float dist, const std::vector<Offset>& ring, int y) {
         const std::vector<const float*> rows = rows_of(ring, y);
-        bool open = false;
+        int done = 0;
         for (int x = 0; x < cx_; ++x) {
             const std::size_t texel = std::size_t(y) * cx_ + x;
-            if (!reaches(dist, heights_[texel], cones_[texel])) continue;
-            open = true;
+            if (!reaches(dist, heights_[texel], cones_[texel])) {
+                ++done;
+                continue;
+            }
             const float sample_h = highest_of(ring, rows, x);
             const float h = heights_[texel];
             if (sample_h > h) cones_[texel] = std::min(cones_[texel], dist / (sample_h - h));
         }
-        return open;
+        return done;
     }
 
   private:
@@ -113,19 +115,24 @@ std::shared_ptr<Texture> bake_cone_rabbid(const BakeJob& job) {
     const int cx = job.plane.width, cy = job.plane.height;
     RingSearch search(job.plane);
     const float step = std::max(1.0f / static_cast<float>(cx), 1.0f / static_cast<float>(cy));
-    std::atomic<bool> open = true;
-    for (float dist = step; dist <= 1.0f && open; dist += step) {
+    const int texels = cx * cy;
+    int done = 0;
+    for (float dist = step; dist <= 1.0f && done < texels; dist += step) {
         const std::vector<Offset> ring = ring_offsets(dist, step, cx, cy);
-        open = false;
-        job.rows(cy, step, [&](int y) {
-            if (search.narrow(dist, ring, y)) open = true;
+        std::atomic<int> now = 0;
+        tbb::parallel_for(0, cy, [&](int y) {
+            now += search.narrow(dist, ring, y);
+            job.progress.check_time();
         });
+        // Rings widen and cones narrow: a texel that is done stays so.
+        job.progress.add(static_cast<double>(now - done) / texels);
+        done = now;
     }
     const auto map = job.make(2, 1, {{cx, cy}});
-    float* const texels = map->level_texels(0, 0);
+    float* const out = map->level_texels(0, 0);
     for (std::size_t k = 0; k < std::size_t(cx) * cy; ++k) {
-        texels[2 * k] = search.height(k);
-        texels[2 * k + 1] = search.root(k);
+        out[2 * k] = search.height(k);
+        out[2 * k + 1] = search.root(k);
     }
     return map;
 }
