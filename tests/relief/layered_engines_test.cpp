@@ -63,7 +63,7 @@ TEST(LayeredEngines, LoopsWithoutAnEndAreCutOff) {
 // ---- Flat maps ----------------------------------------------------------------------------------
 
 /// The view vector that a listing's fragments have: Learn OpenGL's comes from its vertex shader.
-dvec3 view_of(const Listing& listing, const Batch<float>& batch, int lane) {
+dvec3 view_of(const Listing& listing, Batch<float>& batch, int lane) {
     if (listing.id != "learnopengl") return dvec3(tangent_view(batch, lane));
     return dvec3(normalize(-tangent_frag_pos(batch, lane)));
 }
