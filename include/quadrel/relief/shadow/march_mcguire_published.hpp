@@ -23,7 +23,9 @@ struct ShadowMarchMcguirePublished : StageDefaults {
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};
     static constexpr const char* not_reproduced =
         "the vertex shader, which the page does not show: G3D's bump.vert of 2004 stands in its "
-        "place";
+        "place; with mip levels, what an implementation reads in quads in which a fragment stays "
+        "out "
+        "of the listing's branch: derivatives are undefined there";
     static constexpr auto inputs = values_and(tangent_light_inputs, Value::relief_depth,
                                               Value::frame_status, Value::hit_uv, Value::hit_h);
     static constexpr auto outputs = shadow_outputs;

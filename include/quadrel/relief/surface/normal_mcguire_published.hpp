@@ -19,7 +19,8 @@ namespace quadrel {
 
 struct NormalMcGuirePublished : StageDefaults {
     static constexpr StageText text{"normal-mcguire@published", "surface",
-                                    "normal of the map as the march met it, not normalised",
+                                    "normal of the map as the march met it, not normalised; green "
+                                    "is against v",
                                     "McGuire and McGuire, Steep Parallax Mapping (2005)"};
     static constexpr const char* not_reproduced =
         "the footprint in the page's loop after other searches than its march in equal steps";

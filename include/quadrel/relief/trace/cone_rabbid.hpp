@@ -38,7 +38,8 @@ struct RabbidConeStep : StageDefaults {
     static constexpr auto outputs = trace_outputs;
     static constexpr const char* not_reproduced =
         "the listing's main, which leaves texture coordinates alone at scales below 0.001; "
-        "the height that it returns";
+        "the height that it returns; the coarser filter that implementations have for 8-bit "
+        "textures";
     static constexpr auto textures = slots(slot);
 
     template <class Io>
