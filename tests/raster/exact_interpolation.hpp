@@ -8,6 +8,7 @@
 
 #include "quadrel/raster/interpolation.hpp"
 #include "raster/support.hpp"
+#include "ulp.hpp"
 
 namespace quadrel::test {
 
@@ -39,13 +40,6 @@ inline std::optional<ExactValue> exact_value(const ScreenTriangle& t, const Quad
     exact.value = sum / s;
     exact.kappa = mpq_class(absolute / abs(s)).get_d() * (1 + 1e-12);
     return exact;
-}
-
-/// Distance from the float at or below |x| to the next.
-inline double float_ulp(double x) {
-    int exponent;
-    std::frexp(x, &exponent);
-    return std::ldexp(1.0, std::max(exponent - 24, -149));
 }
 
 /// What interpolation.hpp promises of a float, or of a double.

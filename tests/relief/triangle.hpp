@@ -4,6 +4,7 @@
 #include "quadrel/raster/interpolation.hpp"
 #include "relief/frame_oracle.hpp"
 #include "relief/vertex_inputs.hpp"
+#include "ulp.hpp"
 
 namespace quadrel::test {
 
@@ -85,13 +86,6 @@ inline Triangle random_triangle(Random& random, double lean) {
         const double area = t.edge(0, t.window[0]);
         if (std::abs(area) > 40 && dot(t.face_normal(), plane.normal) > 0.999) return t;
     }
-}
-
-/// Distance from the float at or below |x| to the next.
-inline double float_ulp(double x) {
-    int exponent;
-    std::frexp(x, &exponent);
-    return std::ldexp(1.0, std::max(exponent - 24, -149));
 }
 
 /// An attribute's exact value at a lane, and the bound of interpolation.hpp for its error.
