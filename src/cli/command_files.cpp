@@ -10,6 +10,8 @@
 namespace quadrel::cli {
 
 void CommandFiles::add_output(const std::string& option, const std::filesystem::path& file) {
+    // Standard output is render's alone, which does not name it here.
+    if (file == "-") throw UsageError(option + ": found -, expected the name of a file");
     if (!file.empty()) outputs_.push_back({option, file});
 }
 

@@ -10,9 +10,11 @@
 #include "cli/compare_blame.hpp"
 #include "cli/compare_region.hpp"
 #include "cli/console.hpp"
+#include "cli/hints.hpp"
 #include "cli/plugins.hpp"
 #include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
+#include "io/printable.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/heatmap.hpp"
 #include "quadrel/film/preview.hpp"
@@ -122,6 +124,7 @@ ExitCode run_compare(const Arguments& arguments) {
     for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
     files.add_output("--heatmap", arguments.heatmap);
     files.check_writable();
+    check_output_kinds({{"--heatmap", ".png", arguments.heatmap}});
     load_plugins(arguments.plugins);
     Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
@@ -137,7 +140,14 @@ ExitCode run_compare(const Arguments& arguments) {
         report.blame = find_blame(reference, test, images.rules, report);
         if (report.blame) point_at_probe(*report.blame, *scene, images.reference);
     }
-    arguments.json ? print_json(to_json(report)) : print(to_text(report));
+    if (arguments.json) {
+        print_json(to_json(report));
+    } else {
+        for (std::string* name :
+             {&report.preparation->reference_file, &report.preparation->test_file})
+            *name = printable(*name);
+        print(to_text(report));
+    }
     if (!arguments.heatmap.empty()) {
         if (reference.window == test.window) {
             fill_left_out(reference, images.test.film, images.rules.left_out);

@@ -12,6 +12,7 @@
 #include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "io/output_group.hpp"
+#include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
 #include "texture/texel_format.hpp"
@@ -69,6 +70,7 @@ ExitCode run_mips(const Arguments& arguments) {
         make_texture(load_image(arguments.image, NotFinite::refuse, "", arguments.selection),
                      texture_options(arguments));
     const std::vector<std::string> files = level_files(arguments, texture->view().levels);
+    if (arguments.prefix == "-") throw UsageError("-o: found -, expected how names begin");
     for (const std::string& file : files) all.add_output("-o", file);
     all.check_writable();
     OutputGroup outputs;

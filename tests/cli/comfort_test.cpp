@@ -134,6 +134,29 @@ TEST_F(Comfort, MinusStreamsTheImage) {
     EXPECT_EQ(run({"render", "quad.json", "-o", "-"}, folder.path(), "/dev/full").code, 5);
 }
 
+/// Only render writes to standard output; elsewhere "-" would become a file of this name.
+TEST_F(Comfort, MinusIsNoFileOfOtherVerbs) {
+    ASSERT_EQ(render("quad", {"--channels", "A"}).code, 0);
+    const std::size_t files = folder.count();
+    for (const Words& words :
+         std::vector<Words>{{"sheet", "quad.json", "-o", "-"},
+                            {"mips", "a.exr", "-o", "-"},
+                            {"bake", "a.exr", "--kind", "max-mip", "-o", "-", "--no-cache"},
+                            {"compare", "a.exr", "a.exr", "--heatmap", "-"},
+                            {"compare", "a.exr", "a.exr", "--heatmap", "h.exr"}})
+        EXPECT_EQ(run(words, folder.path()).code, 2) << words[0];
+    EXPECT_EQ(folder.count(), files);
+}
+
+/// A name cannot forge a line of the report.
+TEST_F(Comfort, NamesStayOnTheirLine) {
+    ASSERT_EQ(render("quad", {"--channels", "A"}).code, 0);
+    std::filesystem::copy(folder / "a.exr", folder / "x\nequal\n.exr");
+    const Outcome outcome = run({"compare", "x\nequal\n.exr", "a.exr"}, folder.path());
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(has(outcome.out, "x\\nequal\\n.exr")) << outcome.out;
+}
+
 TEST_F(Comfort, AnotherStageByTheCommandLine) {
     const Words other = {"-D", "material.relief.trace=steep"};
     testing_films::write_bytes(folder / "secant.json", R"({"quadrel": 1, "size": [16, 8],
