@@ -167,7 +167,8 @@ TEST(VertexRows, TakeTheMeshsOwnTangents) {
 TEST(VertexRows, StandInForWhatIsMissing) {
     Mesh mesh = triangle({0, 0, 0}, {0, 0, -2}, {0, 2, 0});
     mesh.uvs.clear();
-    const VertexRows rows(mesh, glm::mat4(1), {{}, {}, {}});
+    const std::vector<glm::vec2> none(3);
+    const VertexRows rows(mesh, glm::mat4(1), none);
     const PrimitiveVertices row = rows.of(whole_triangle(), {0, {0, 1, 2}});
     EXPECT_EQ(as_vector(row.normal[1]), glm::vec3(1, 0, 0));
     EXPECT_EQ(as_vector(row.tangent[1]), glm::vec3(0));

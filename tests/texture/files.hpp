@@ -9,10 +9,10 @@ namespace quadrel::test {
 
 using Bytes = std::string;
 
-inline void append_big(Bytes& to, std::uint32_t value, int bytes) {
+inline void append_big(Bytes& to, std::uint64_t value, int bytes) {
     for (int i = bytes - 1; i >= 0; --i) to.push_back(static_cast<char>(value >> (8 * i) & 255));
 }
-inline void append_little(Bytes& to, std::uint32_t value, int bytes) {
+inline void append_little(Bytes& to, std::uint64_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) to.push_back(static_cast<char>(value >> (8 * i) & 255));
 }
 
