@@ -8,12 +8,16 @@
 namespace quadrel {
 
 /// Whether a library's message is that of an allocation, or of a thread that had no memory to start
-/// with: some keep the words of an exception and lose its type.
+/// with: some keep the words of an exception and lose its type. Words that a quotation mark follows
+/// are a name from the file.
 inline bool says_out_of_memory(std::string_view message) {
     for (const std::string_view words :
          {"std::bad_alloc", "std::bad_array_new_length", "annot allocate memory", "ut of memory",
-          "nable to allocate", "failed to map segment", "Resource temporarily unavailable"})
-        if (message.find(words) != message.npos) return true;
+          "nable to allocate", "failed to map segment", "Resource temporarily unavailable"}) {
+        const std::size_t found = message.rfind(words);
+        if (found == message.npos) continue;
+        if (message.find_first_of("\"'", found + words.size()) == message.npos) return true;
+    }
     return false;
 }
 

@@ -177,5 +177,35 @@ TEST(DamagedExr, ABlockOfNoBytesIsRefused) {
 #endif
 }
 
+/// A channel of this name that is sampled every 0 rows, of which OpenEXR complains by name.
+void write_badly_sampled(const std::filesystem::path& file, const std::string& name) {
+    write_film(file, Imf::NO_COMPRESSION, false, {name});
+    std::string bytes = testing_films::file_bytes(file);
+    // After the name: its 0, the type, four bytes for linearity, then sampling in x and in y.
+    const std::size_t sampling = bytes.find(name) + name.size() + 1 + 4 + 4 + 4;
+    std::memset(&bytes[sampling], 0, 4);
+    testing_films::write_bytes(file, bytes);
+}
+
+AssertionResult is_refused(const std::string& channel) {
+    const TemporaryFolder folder;
+    write_badly_sampled(folder / "bad.exr", channel);
+    try {
+        read_with_quadrel(folder / "bad.exr");
+    } catch (const InputError& error) {
+        return AssertionResult(std::string(error.what()).find(channel) != std::string::npos)
+               << error.what();
+    } catch (const std::bad_alloc&) {
+        return AssertionFailure() << "out of memory";
+    }
+    return AssertionFailure() << "read";
+}
+
+TEST(DamagedExr, ANameIsNoLackOfMemory) {
+    EXPECT_TRUE(is_refused("height"));
+    EXPECT_TRUE(is_refused("std::bad_alloc"));
+    EXPECT_TRUE(is_refused("Out of memory"));
+}
+
 }  // namespace
 }  // namespace quadrel

@@ -283,19 +283,28 @@ bool agree(Batch<float>& single, Batch<double>& wide, Value v, int lane) {
     return true;
 }
 
+/// Where the view points away from the surface this march ends at its bound of 65536 steps, as in
+/// most quads of these inputs: an eighth of the quads takes seconds and shows as much.
+void leave_out_long_marches(const StageInfo& stage, Batch<float>& batch) {
+    if (std::string(stage.text.id) != "steep-constant-xy@published") return;
+    for (int lane = 0; lane < batch.lanes; ++lane)
+        if (lane / 4 % 8 != 0) batch.active[lane] = false;
+}
+
 testing::AssertionResult number_types_agree(const StageInfo& info_of, const Stage& stage) {
     int lanes = 0;
     std::map<std::string_view, int> differ;
     for (int seed = 10; seed < 14; ++seed) {
         StageInputs inputs(seed);
+        leave_out_long_marches(info_of, inputs.batch);
         Batch<double> wide = in_double(inputs.batch);
         stage.run(inputs.batch);
         wide.run(info_of.text.id);
-        lanes += wide.lanes;
-        for (const Value v : info_of.outputs) {
-            for (int lane = 0; lane < wide.lanes; ++lane) {
+        for (int lane = 0; lane < wide.lanes; ++lane) {
+            if (!inputs.batch.active[lane]) continue;
+            ++lanes;
+            for (const Value v : info_of.outputs)
                 differ[info(v).name] += !agree(inputs.batch, wide, v, lane);
-            }
         }
     }
     const int allowed = lanes_that_may_differ(info_of, lanes);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,15 @@ inline const testing_films::TemporaryFolder& texture_folder() {
     return folder;
 }
 
+/// Writes a texture unless it is there: tests of one process may give one name to two maps.
+inline std::filesystem::path write_if_new(const std::string& name, const Film& film) {
+    static std::map<std::string, Film> written;
+    const auto file = texture_folder() / name;
+    if (written[name] != film) write_exr(file, film, {});
+    written[name] = film;
+    return file;
+}
+
 /// Writes an RGBA image of `size` squared texels; `texel(x, y, channel)` gives its values.
 template <class Texel>
 std::filesystem::path write_texture(const std::string& name, int size, const Texel& texel) {
@@ -33,9 +43,7 @@ std::filesystem::path write_texture(const std::string& name, int size, const Tex
                 plane.bits[film.index(x, y)] =
                     std::bit_cast<std::uint32_t>(static_cast<float>(texel(x, y, c)));
     }
-    const auto file = texture_folder() / name;
-    if (!std::filesystem::exists(file)) write_exr(file, film, {});
-    return file;
+    return write_if_new(name, film);
 }
 
 /// Values in [0, 1] that look like noise; all of them different.
