@@ -84,6 +84,8 @@ BakedTextureOptions make_options(const Arguments& arguments) {
 /// Before long work.
 void check_arguments(const Arguments& arguments, BakeKind kind, Packing packing) {
     check_output_kinds({{"-o", ".exr", arguments.output}});
+    const bool png = std::filesystem::path(arguments.packed).extension() == ".png";
+    check_output_kinds({{"--packed", png ? ".png" : ".exr", arguments.packed}});
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
     if (!std::isfinite(arguments.border))
@@ -169,9 +171,11 @@ void add_field(CLI::App& verb, Arguments& a) {
 }
 
 void add_outputs(CLI::App& verb, Arguments& a) {
-    verb.add_option("-o,--output", a.output, "EXR to write (without it the map is cached only)");
+    verb.add_option("-o,--output", a.output, "EXR to write (without it the map is cached only)")
+        ->type_name("OUT.exr");
     verb.add_option("--packed", a.packed,
-                    "also write .png (8 bits) or .exr in the channels of the source");
+                    "also write .png (8 bits) or .exr in the channels of the source")
+        ->type_name("OUT");
     verb.add_option("--packing", a.packing,
                     "dummer: height, root of the cone; gg3: normal x y, cone, depth")
         ->capture_default_str();

@@ -205,7 +205,8 @@ void add_compare(CLI::App& app, Action& action) {
         ->allow_extra_args(false);
     add_plugin_option(*verb, a->plugins);
     verb->add_option("--heatmap", a->heatmap,
-                     "write a PNG of the largest differences, a panel for each kind of channel");
+                     "write a PNG of the largest differences, a panel for each kind of channel")
+        ->type_name("OUT.png");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });
 }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "cli/mesh_info.hpp"
+#include "io/read_file.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/scene/mesh_file.hpp"
@@ -148,8 +149,11 @@ Json scene_info(const std::string& file) {
 }  // namespace
 
 Json file_info(const std::string& file, const ImageSelection& selection) {
-    if (begins_like_exr(file)) return exr_info(file, selection);
     const std::filesystem::path path(file);
+    std::error_code error;
+    if (std::filesystem::is_fifo(path, error))
+        throw InputError(file, "", reason_not_to_read(path), "a file");
+    if (begins_like_exr(file)) return exr_info(file, selection);
     if (is_mesh_file(path)) return mesh_info(file);
     const bool bare_name = path.extension().empty() && !path.has_parent_path();
     if (path.extension() == ".json" || path.extension() == ".glib" ||

@@ -36,6 +36,15 @@ std::string kind_of(const std::string& extension) {
     return extension == ".exr" || extension == ".json" ? extension : "";
 }
 
+/// Whether the name does not say what is written: devices, pipes and standard output take
+/// everything, and of folders the writer says that they are some.
+bool is_no_file(const std::string& name) {
+    if (name == "-" || std::filesystem::path(name).filename().empty()) return true;
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(name, error);
+    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+}
+
 }  // namespace
 
 std::optional<std::string> bitangent_hint(const std::vector<std::string>& requests) {
@@ -53,12 +62,13 @@ std::optional<std::string> threads_hint(int threads) {
 
 void check_output_kinds(const std::vector<OutputOption>& outputs) {
     for (const OutputOption& output : outputs) {
-        const std::string extension = extension_of(output.file), kind = kind_of(extension);
-        if (kind.empty() || extension == output.extension) continue;
+        const std::string extension = extension_of(output.file);
+        if (output.file.empty() || extension == output.extension || is_no_file(output.file))
+            continue;
         std::string right;
         for (const OutputOption& other : outputs)
-            if (other.extension == kind && other.option != output.option)
-                right = fmt::format("; {} is written by {}", kind, other.option);
+            if (other.extension == kind_of(extension) && other.option != output.option)
+                right = fmt::format("; {} is written by {}", other.extension, other.option);
         throw UsageError(fmt::format("{}: found {}, expected a name that ends in {}{}",
                                      output.option, output.file, output.extension, right));
     }

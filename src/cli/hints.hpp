@@ -19,8 +19,8 @@ struct OutputOption {
     std::string file;  ///< empty: not given
 };
 
-/// Throws UsageError where a file's name says that it is of another kind than its option writes,
-/// with the option that writes that kind: -o x.png, --preview x.exr. Names of no kind pass.
+/// Throws UsageError where a file's name does not end as what its option writes, with the option
+/// that writes that kind if there is one: -o x.png, -o x. Devices, pipes and - pass.
 void check_output_kinds(const std::vector<OutputOption>& outputs);
 
 }  // namespace quadrel::cli

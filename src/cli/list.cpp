@@ -10,6 +10,7 @@
 #include "cli/plugins.hpp"
 #include "cli/quiet.hpp"
 #include "cli/verbs.hpp"
+#include "io/printable.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
@@ -108,7 +109,7 @@ Rows scene_rows() {
     for (const std::string& name : installed_scenes()) {
         const std::string description = scene_description(name);
         rows.push_back({name + " " + description,
-                        fmt::format("{:<37} {}\n", name, first_sentence(description)),
+                        fmt::format("{:<37} {}\n", printable(name), first_sentence(description)),
                         {{"name", name}, {"description", description}}});
     }
     return rows;

@@ -42,7 +42,7 @@ int run(const Action& action, const SpelledVerb& verb) {
 
 int parse_and_run(int argc, char** argv) {
     CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
-    app.set_version_flag("--version", "quadrel " QUADREL_VERSION);
+    app.set_version_flag("-V,--version", "quadrel " QUADREL_VERSION);
     app.require_subcommand(1);
     app.footer(exit_code_help());
     Action action;
@@ -56,10 +56,12 @@ int parse_and_run(int argc, char** argv) {
     add_bake(app, action);
     add_explain(app, action);
     add_examples(app);
-    const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    const std::vector<std::string> arguments =
+        with_help_words({argv + std::min(argc, 1), argv + argc});
     const SpelledVerb verb = spelled_verb(app, arguments);
+    if (!verb.unknown.empty()) return complain(unknown_verb_message(verb), ExitCode::usage);
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::Success& help) {
         return run(
             [&] {
@@ -68,9 +70,19 @@ int parse_and_run(int argc, char** argv) {
             },
             verb);
     } catch (const CLI::ParseError& error) {
-        return complain(usage_message(error, verb, arguments), ExitCode::usage);
+        return run(
+            [&]() -> ExitCode {
+                refuse_empty_arguments(*verb.app);
+                throw UsageError(usage_message(error, verb, arguments));
+            },
+            verb);
     }
-    return run(action, verb);
+    return run(
+        [&] {
+            refuse_empty_arguments(*verb.app);
+            return action();
+        },
+        verb);
 }
 
 }  // namespace

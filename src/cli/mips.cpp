@@ -90,6 +90,7 @@ void add_mips(CLI::App& app, Action& action) {
     const auto a = std::make_shared<Arguments>();
     verb->add_option("image", a->image, "image of any format that textures may have")->required();
     verb->add_option("-o,--output", a->prefix, "levels go to PREFIX.0.exr, PREFIX.1.exr, ...")
+        ->type_name("PREFIX")
         ->required();
     add_selection_options(*verb, a->selection);
     verb->add_option("--format", a->format, "round each level to this (default: the file's)")

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 
 namespace quadrel::cli {
@@ -15,10 +14,7 @@ void add_plugin_option(CLI::App& verb, std::vector<std::string>& files) {
 }
 
 void load_plugins(const std::vector<std::string>& files) {
-    for (const std::string& file : files) {
-        if (file.empty()) throw UsageError("--plugin: found an empty name, expected a file");
-        load_plugin(file);
-    }
+    for (const std::string& file : files) load_plugin(file);
 }
 
 }  // namespace quadrel::cli

@@ -150,7 +150,8 @@ void add_values(CLI::App& verb, Arguments& a) {
     verb.add_option("scene", a.scene, "scene file, or the name of an installed scene")->required();
     verb.add_option("-o,--output", a.output,
                     "EXR to write (default: the scene's name in the current directory); "
-                    "-: standard output");
+                    "-: standard output")
+        ->type_name("OUT.exr");
     verb.add_option("-D,--define", a.overrides,
                     "override a value of the scene, as material.relief.steps=256; repeatable")
         ->type_name("KEY=VALUE")
@@ -162,8 +163,10 @@ void add_values(CLI::App& verb, Arguments& a) {
                     "render this part only: half-open, pixels from the top-left")
         ->type_name("X0,Y0,X1,Y1");
     verb.add_flag("--explain", a.explain, "print the plan and render nothing");
-    verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON");
-    verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at");
+    verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON")
+        ->type_name("OUT.json");
+    verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at")
+        ->type_name("OUT.png");
 }
 
 void add_execution(CLI::App& verb, RenderOptions& options) {

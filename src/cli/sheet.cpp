@@ -137,7 +137,7 @@ void add_sheet(CLI::App& app, Action& action) {
     const auto a = std::make_shared<Arguments>();
     verb->add_option("inputs", a->inputs, "EXR images, scenes, or folders of scenes, row by row")
         ->required();
-    verb->add_option("-o,--output", a->output, "PNG to write")->required();
+    verb->add_option("-o,--output", a->output, "PNG to write")->type_name("OUT.png")->required();
     verb->add_option("--columns", a->columns, "images in a row")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();

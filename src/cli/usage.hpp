@@ -19,6 +19,16 @@ SpelledVerb spelled_verb(const CLI::App& program, const std::vector<std::string>
 /// `message` and whose help to read, unless it names a command to look at itself.
 std::string with_help(const std::string& message, const SpelledVerb& verb);
 
+/// What to say of `verb.unknown`.
+std::string unknown_verb_message(const SpelledVerb& verb);
+
+/// "help VERB" as "VERB --help", "help" as "--help", "version" as "--version".
+std::vector<std::string> with_help_words(std::vector<std::string> arguments);
+
+/// Throws UsageError for an option, or an argument that has to be there, that is the empty text: no
+/// name, and not the same as none.
+void refuse_empty_arguments(const CLI::App& verb);
+
 /// What to say of arguments that do not parse.
 std::string usage_message(const CLI::ParseError& error, const SpelledVerb& verb,
                           const std::vector<std::string>& arguments);

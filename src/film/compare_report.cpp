@@ -3,6 +3,7 @@
 
 #include <bit>
 
+#include "io/printable.hpp"
 #include "quadrel/compare.hpp"
 
 namespace quadrel {
@@ -49,10 +50,11 @@ std::string statistics_text(const ChannelReport& channel) {
 }
 
 std::string channel_text(const ChannelReport& channel) {
-    if (channel.unequal == 0) return fmt::format("{:<{}} equal\n", channel.name, name_width);
+    const std::string name = printable(channel.name);
+    if (channel.unequal == 0) return fmt::format("{:<{}} equal\n", name, name_width);
     const char* verdict = channel.differing == 0 ? ", within" : channel.passes() ? ", allowed" : "";
     std::string text =
-        fmt::format("{:<{}} {} of {} differ ({} unequal{}): {}{}\n", channel.name, name_width,
+        fmt::format("{:<{}} {} of {} differ ({} unequal{}): {}{}\n", name, name_width,
                     channel.differing, channel.pixels, channel.unequal, verdict,
                     statistics_text(channel), tolerance_text(channel.tolerance));
     const char* label = "worst at";
@@ -73,9 +75,11 @@ std::string preparation_text(const Preparation& preparation) {
         text += fmt::format("encoded as {}\n", encoding_name(preparation.encoding));
     if (preparation.flip_y) text += "test flipped in y\n";
     for (const auto& [reference, test] : preparation.mappings)
-        text += fmt::format("channel {} is {} of the test\n", reference, test);
+        text +=
+            fmt::format("channel {} is {} of the test\n", printable(reference), printable(test));
     for (const std::string& name : preparation.by_value)
-        text += fmt::format("channel {}: integers of one image as the nearest floats\n", name);
+        text += fmt::format("channel {}: integers of one image as the nearest floats\n",
+                            printable(name));
     if (const auto& window = preparation.window)
         text += fmt::format("only pixels {},{} to {},{}, the latter excluded\n", window->x0,
                             window->y0, window->x1, window->y1);
@@ -83,17 +87,18 @@ std::string preparation_text(const Preparation& preparation) {
 }
 
 std::string blame_text(const CompareReport& report, const Blame& blame) {
-    std::string text = fmt::format("worst pixel of {}: {},{}\n", blame.symptom, blame.x, blame.y);
+    std::string text =
+        fmt::format("worst pixel of {}: {},{}\n", printable(blame.symptom), blame.x, blame.y);
     if (!blame.upstream.empty()) {
         text += "still right there:";
-        for (const std::string& name : blame.upstream) text += " " + name;
+        for (const std::string& name : blame.upstream) text += " " + printable(name);
         text += "\n";
     }
     for (const ChannelReport& channel : report.channels)
         if (channel.name == blame.first)
-            text +=
-                fmt::format("first wrong there: {}, reference {}, test {}\n", blame.first,
-                            value_text(channel, blame.reference), value_text(channel, blame.test));
+            text += fmt::format("first wrong there: {}, reference {}, test {}\n",
+                                printable(blame.first), value_text(channel, blame.reference),
+                                value_text(channel, blame.test));
     if (blame.same_scene.has_value() && !*blame.same_scene)
         text += "the reference was rendered from another scene, or with other values\n";
     return blame.command.empty() ? text : text + "look: " + blame.command + "\n";
@@ -104,7 +109,7 @@ std::string blame_text(const CompareReport& report, const Blame& blame) {
 std::string to_text(const CompareReport& report) {
     std::string text;
     if (report.preparation) text += preparation_text(*report.preparation);
-    for (const std::string& line : report.structure) text += line + "\n";
+    for (const std::string& line : report.structure) text += printable(line) + "\n";
     if (report.left_out > 0) text += fmt::format("pixels left out: {}\n", report.left_out);
     for (const ChannelReport& channel : report.channels) text += channel_text(channel);
     if (report.blame) text += blame_text(report, *report.blame);

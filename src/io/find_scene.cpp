@@ -23,6 +23,35 @@ bool is_bare_name(const std::filesystem::path& path) {
     return !path.has_parent_path() || !there_is(path);
 }
 
+/// The installed scene that a name is nearly: as a whole, or the last part of one in a folder.
+std::string nearest_scene(const std::string& name) {
+    const std::vector<std::string> scenes = installed_scenes();
+    const std::string whole = nearest_word(name, scenes);
+    if (!whole.empty()) return whole;
+    std::vector<std::string> parts;
+    for (const std::string& scene : scenes)
+        parts.push_back(std::filesystem::path(scene).filename().string());
+    const std::string part = nearest_word(name, parts);
+    const auto at = std::find(parts.begin(), parts.end(), part);
+    return at == parts.end() ? "" : scenes[static_cast<std::size_t>(at - parts.begin())];
+}
+
+[[noreturn]] void refuse_name(const std::filesystem::path& name) {
+    std::error_code error;
+    if (std::filesystem::is_directory(name, error))
+        throw InputError(name.string(), "", "a directory", "a scene");
+    if (there_is(name)) {
+        const char* const reason = reason_not_to_read(name);
+        throw InputError(name.string(), "", reason != nullptr ? reason : "a file without extension",
+                         "the name of an installed scene, or a path: ./" + name.string());
+    }
+    const std::string nearest = nearest_scene(name.string());
+    throw InputError(name.string(), "", "no installed scene of this name",
+                     (nearest.empty() ? "one of those in `quadrel list scenes`"
+                                      : "\"" + nearest + "\" (see `quadrel list scenes`)") +
+                         ", or a path with an extension");
+}
+
 // A glman scene keeps its extension in its installed name.
 std::filesystem::path find_glib(const std::filesystem::path& file) {
     if (file.has_parent_path() || there_is(file)) return file;
@@ -49,8 +78,7 @@ std::filesystem::path find_scene(const std::filesystem::path& file_or_name) {
         const auto candidate = directory / "scenes" / (name + ".json");
         if (there_is(candidate)) return candidate;
     }
-    throw InputError(name, "", "no installed scene of this name",
-                     one_of(name, installed_scenes()) + "; or a path with an extension");
+    refuse_name(file_or_name);
 }
 
 std::vector<std::string> installed_scenes() {

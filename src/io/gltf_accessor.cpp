@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
+#include <type_traits>
 
+#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -33,10 +36,38 @@ const tinygltf::BufferView& checked_view(const GltfFile& file, int view, const s
     return found;
 }
 
+std::string multiple_of(std::size_t n) { return "a multiple of " + std::to_string(n); }
+
+/// glTF 2.0, 3.6.2.4: offsets, within the view and within the buffer, are multiples of a
+/// component's size. (Strides are multiples of 4 by the schema.)
+void check_alignment(const GltfFile& file, const tinygltf::BufferView& view, std::size_t offset,
+                     std::size_t component, const std::string& key) {
+    if (offset % component != 0)
+        file.fail(key + ".byteOffset", std::to_string(offset), multiple_of(component));
+    const std::size_t in_buffer = view.byteOffset + offset;
+    if (in_buffer % component != 0)
+        file.fail(key, "elements from byte " + std::to_string(in_buffer) + " of the buffer",
+                  multiple_of(component));
+}
+
+/// The same section: each element of a vertex attribute begins at a multiple of 4 in its view.
+void check_attribute_alignment(const GltfFile& file, const tinygltf::Accessor& accessor,
+                               std::size_t element_size, const std::string& key) {
+    constexpr std::size_t step = 4;
+    if (accessor.byteOffset % step != 0)
+        file.fail(key + ".byteOffset", std::to_string(accessor.byteOffset), multiple_of(step));
+    const tinygltf::BufferView& view = checked_view(file, accessor.bufferView, key);
+    if (view.byteStride == 0 && element_size % step != 0)
+        file.fail(key, std::to_string(element_size) + " bytes an element without a stride",
+                  multiple_of(step));
+}
+
 /// Only vertex attributes may be `interleaved` with others.
 Elements elements_of(const GltfFile& file, int view_index, std::size_t offset, std::size_t count,
-                     std::size_t element_size, bool interleaved, const std::string& key) {
+                     std::size_t component, std::size_t element_size, bool interleaved,
+                     const std::string& key) {
     const tinygltf::BufferView& view = checked_view(file, view_index, key);
+    check_alignment(file, view, offset, component, key);
     if (!interleaved && view.byteStride != 0)
         file.fail(place("bufferViews", view_index) + ".byteStride",
                   std::to_string(view.byteStride) + " for other than vertex attributes", "none");
@@ -145,6 +176,49 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index) {
     return accessor;
 }
 
+/// The value of a bound as elements are read: as float32, normalised.
+float as_element(double bound, const tinygltf::Accessor& accessor) {
+    const auto value = static_cast<float>(bound);
+    if (!accessor.normalized) return value;
+    switch (accessor.componentType) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return std::max(value / 127.0f, -1.0f);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return value / 255.0f;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return std::max(value / 32767.0f, -1.0f);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return value / 65535.0f;
+        default:
+            return value;
+    }
+}
+
+/// Notes an accessor whose bounds are not the least and the greatest of its elements (3.6.2.5).
+/// Nobody needs them here, and so nothing is refused.
+template <class Number>
+void note_wrong_bounds(const GltfFile& file, int index, const std::vector<Number>& values,
+                       std::size_t components) {
+    const tinygltf::Accessor& accessor = file.model.accessors[static_cast<std::size_t>(index)];
+    if (accessor.bufferView < 0 && !accessor.sparse.isSparse) return;
+    const auto agrees = [&](const std::vector<double>& bounds, const auto& further) {
+        if (bounds.empty()) return true;
+        if (bounds.size() != components) return false;
+        for (std::size_t c = 0; c < components; ++c) {
+            Number found = values[c];
+            for (std::size_t i = c; i < values.size(); i += components)
+                if (further(values[i], found)) found = values[i];
+            const auto stated = static_cast<double>(as_element(bounds[c], accessor));
+            const bool whole = std::is_integral_v<Number>;
+            if (static_cast<double>(found) != (whole ? bounds[c] : stated)) return false;
+        }
+        return true;
+    };
+    if (!agrees(accessor.minValues, std::less<Number>()) ||
+        !agrees(accessor.maxValues, std::greater<Number>()))
+        file.wrong_bounds.insert(index);
+}
+
 void load_element(const unsigned char* bytes, const tinygltf::Accessor& accessor,
                   std::size_t components, float* out) {
     const std::size_t size = component_size(accessor.componentType);
@@ -160,12 +234,13 @@ void for_sparse(const GltfFile& file, const tinygltf::Accessor& accessor, std::s
     const auto count = static_cast<std::size_t>(std::max(sparse.count, 0));
     const int type = sparse.indices.componentType;
     if (!is_index_type(type)) file.fail(key + ".sparse", "another index type", "unsigned integers");
+    const std::size_t index_size = component_size(type);
     const Elements indices = elements_of(file, sparse.indices.bufferView,
                                          static_cast<std::size_t>(sparse.indices.byteOffset), count,
-                                         component_size(type), false, key + ".sparse.indices");
-    const Elements values = elements_of(file, sparse.values.bufferView,
-                                        static_cast<std::size_t>(sparse.values.byteOffset), count,
-                                        element_size, interleaved, key + ".sparse.values");
+                                         index_size, index_size, false, key + ".sparse.indices");
+    const Elements values = elements_of(
+        file, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
+        component_size(accessor.componentType), element_size, interleaved, key + ".sparse.values");
     std::int64_t last = -1;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t at = load_index(indices.first + i * indices.stride, type);
@@ -218,8 +293,10 @@ GltfNumbers read_numbers(const GltfFile& file, int index, std::size_t components
     const std::size_t size = component_size(accessor.componentType) * components;
     GltfNumbers out{components, std::vector<float>(accessor.count * components)};
     if (accessor.bufferView >= 0) {
-        const Elements elements = elements_of(file, accessor.bufferView, accessor.byteOffset,
-                                              accessor.count, size, interleaved, key);
+        if (interleaved) check_attribute_alignment(file, accessor, size, key);
+        const Elements elements =
+            elements_of(file, accessor.bufferView, accessor.byteOffset, accessor.count,
+                        size / components, size, interleaved, key);
         for (std::size_t i = 0; i < elements.count; ++i)
             load_element(elements.first + i * elements.stride, accessor, components,
                          &out.values[i * components]);
@@ -232,8 +309,10 @@ GltfNumbers read_numbers(const GltfFile& file, int index, std::size_t components
     for (std::size_t i = 0; i < out.values.size(); ++i)
         if (!std::isfinite(out.values[i]))
             file.fail(key,
-                      "a value that is not finite in element " + std::to_string(i / components),
+                      not_finite_name(static_cast<double>(out.values[i])) + " in element " +
+                          std::to_string(i / components),
                       "finite numbers");
+    note_wrong_bounds(file, index, out.values, components);
     return out;
 }
 
@@ -245,8 +324,9 @@ std::vector<std::uint32_t> read_indices(const GltfFile& file, int index) {
         file.fail(key, "elements of another type", "unsigned integers");
     std::vector<std::uint32_t> out(accessor.count);
     if (accessor.bufferView >= 0) {
+        const std::size_t size = component_size(type);
         const Elements elements = elements_of(file, accessor.bufferView, accessor.byteOffset,
-                                              accessor.count, component_size(type), false, key);
+                                              accessor.count, size, size, false, key);
         for (std::size_t i = 0; i < out.size(); ++i)
             out[i] = load_index(elements.first + i * elements.stride, type);
     }
@@ -255,6 +335,7 @@ std::vector<std::uint32_t> read_indices(const GltfFile& file, int index) {
             file, accessor, component_size(type), false, key,
             [&](std::size_t at, const unsigned char* bytes) { out[at] = load_index(bytes, type); });
     for (const std::uint32_t value : out) check_index(file, value, type, key);
+    note_wrong_bounds(file, index, out, 1);
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct GltfFile {
     std::string name;
     nlohmann::json json;  ///< as it stands in the file, without the buffers
     tinygltf::Model model;
+    /// Accessors whose "min" or "max" their elements contradict, as far as they have been read.
+    mutable std::set<int> wrong_bounds;
 
     /// Throws InputError at `key` (as "accessors[3].count").
     [[noreturn]] void fail(const std::string& key, const std::string& found,
@@ -48,8 +51,9 @@ struct GltfNumbers {
 /// number is absurd.
 std::size_t accessor_count(const GltfFile& file, int accessor);
 
-/// Finite numbers, normalised integers decoded as the specification says, sparse elements replaced.
-/// `interleaved`: they may have a stride, as vertex attributes do and nothing else.
+/// Finite numbers, aligned as the specification says (3.6.2.4), normalised integers decoded as the
+/// specification says, sparse elements replaced. `interleaved`: they may have a stride, as vertex
+/// attributes do and nothing else.
 GltfNumbers read_numbers(const GltfFile& file, int accessor, std::size_t components,
                          GltfStored stored, bool interleaved = true);
 

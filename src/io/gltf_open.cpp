@@ -1,11 +1,14 @@
 #include "io/gltf_open.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/gltf_asset.hpp"
 #include "io/gltf_buffers.hpp"
 #include "io/gltf_container.hpp"
 #include "io/gltf_schema.hpp"
+#include "io/not_finite.hpp"
 #include "io/read_file.hpp"
 
 namespace quadrel {
@@ -41,6 +44,11 @@ json parse(const GltfFile& file, std::string_view text) {
         json root = json::parse(text);
         if (!root.is_object()) file.fail("", "JSON that is no object", "glTF 2.0");
         return root;
+    } catch (const json::parse_error& error) {
+        const auto word = word_around(text, error.byte == 0 ? 0 : error.byte - 1);
+        if (spells_not_finite(word))
+            file.fail("", fmt::format("{} in byte {}", word, error.byte), "finite numbers");
+        file.fail("", one_line(error.what()), "glTF 2.0");
     } catch (const json::exception& error) {
         file.fail("", one_line(error.what()), "glTF 2.0");
     }

@@ -53,6 +53,8 @@ constexpr Property properties[] = {
     {"accessor", "byteOffset", Kind::bytes},
     {"accessor", "componentType", Kind::whole, 0, "", required},
     {"accessor", "count", Kind::whole, 1, "", required},
+    {"accessor", "max", Kind::numbers},
+    {"accessor", "min", Kind::numbers},
     {"accessor", "normalized", Kind::boolean},
     {"accessor", "sparse", Kind::object, 0, "sparse"},
     {"accessor", "type", Kind::text, 0, "", required},

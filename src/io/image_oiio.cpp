@@ -157,6 +157,9 @@ Image read_other_image(const std::string& file, const std::string& key) {
     const int result = read_quietly(module, file, request);
     if (read.exception) std::rethrow_exception(read.exception);
     if (result != 0 && says_out_of_memory(request.error)) throw std::bad_alloc();
+    if (result == quadrel_oiio_unknown_format)
+        throw InputError(file, key, "no image format that is known",
+                         "PNG, JPEG, TIFF, EXR, HDR, BMP, TGA, DDS or another of OpenImageIO's");
     if (result != 0) throw InputError(file, key, request.error, "a complete image file");
     Image image;
     image.width = read.info.width;

@@ -181,6 +181,7 @@ class GltfMeshReader {
         any_uvs_ = any_uvs_ || !part.uvs.empty();
         if (!part.uvs.empty() && uvs.others_differ) ignored_.insert("other texture transforms");
         const UvTransform& transform = uvs.transform;
+        any_transform_ = any_transform_ || (!part.uvs.empty() && !(transform == UvTransform{}));
         for (const glm::dvec2& stored : part.uvs) {
             const glm::vec2 uv(transform == UvTransform{}
                                    ? stored
@@ -208,9 +209,21 @@ class GltfMeshReader {
         mesh_.tangents.resize(mesh_.positions.size(), glm::vec4(0.0f));
     }
 
+    std::string wrong_bounds_text() const {
+        constexpr std::size_t most = 4;
+        std::string text = "min and max that contradict the elements of";
+        std::size_t named = 0;
+        for (const int accessor : file_.wrong_bounds) {
+            if (named++ == most) return text + " ...";
+            text += " accessors[" + std::to_string(accessor) + "]";
+        }
+        return text;
+    }
+
     std::vector<std::string> ignored() const {
-        std::vector<std::string> names = ignored_in_gltf(file_.json);
+        std::vector<std::string> names = ignored_in_gltf(file_.json, any_transform_);
         names.insert(names.end(), ignored_.begin(), ignored_.end());
+        if (!file_.wrong_bounds.empty()) names.push_back(wrong_bounds_text());
         return names;
     }
 
@@ -218,7 +231,7 @@ class GltfMeshReader {
     const GltfNodes nodes_;
     bool flip_v_;
     int uv_set_;
-    bool any_uvs_ = false;
+    bool any_uvs_ = false, any_transform_ = false;
     int uv_sets_ = 0;
     std::set<std::string> ignored_;  ///< of primitives that are drawn
     Mesh mesh_;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <vector>
 
+#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -103,6 +104,7 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
 
     bool parse_error(std::size_t position, const std::string&,
                      const nlohmann::detail::exception& error) override {
+        refuse_word(position, error);
         const TextPosition here = lines_.position_at(position == 0 ? 0 : position - 1);
         // The library's message is "[...] parse error at line L, column C: what - found; expected".
         std::string found = error.what();
@@ -121,6 +123,24 @@ class TreeBuilder : public nlohmann::json_sax<Json> {
         Json* value;
         std::string path, key;
     };
+
+    /// Throws InputError where the parser stopped at NaN, an infinity or a number beyond double,
+    /// which the library names in words of its own.
+    void refuse_word(std::size_t position, const nlohmann::detail::exception& error) const {
+        constexpr int number_overflow = 406;
+        const bool overflow = error.id == number_overflow;
+        const bool at_value =
+            overflow || std::string_view(error.what()).find("parsing value") != std::string::npos;
+        const std::string_view found = word_around(text_, position == 0 ? 0 : position - 1);
+        const std::string word(found);
+        if (!at_value || !(overflow || spells_not_finite(word))) return;
+        const TextPosition here =
+            lines_.position_at(static_cast<std::size_t>(found.data() - text_.data()));
+        throw InputError(document_.file.string(), path_of_next(),
+                         overflow ? "the number " + word : word,
+                         overflow ? "a number within the range of float64" : "a finite number",
+                         here.line, here.column);
+    }
 
     std::size_t offset() const { return static_cast<std::size_t>(reached_ - text_.data()); }
 
@@ -200,11 +220,12 @@ SceneDocument parse_scene_text(std::string_view text, const std::filesystem::pat
     return document;
 }
 
-std::optional<Json> parse_json_value(std::string_view text) {
+Json parse_option_value(std::string_view text) {
     try {
         return parse_scene_text(text, "-D").root;
-    } catch (const InputError&) {
-        return std::nullopt;
+    } catch (const InputError& error) {
+        if (!error.key.empty()) throw;
+        return std::string(text);
     }
 }
 

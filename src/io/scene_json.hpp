@@ -41,7 +41,9 @@ std::string join_index(const std::string& path, std::size_t index);
 /// Parses `text`. Throws InputError with line and column for a syntax error or a duplicate key.
 SceneDocument parse_scene_text(std::string_view text, const std::filesystem::path& file);
 
-/// Parses a value of the command line; nothing if it is not JSON.
-std::optional<Json> parse_json_value(std::string_view text);
+/// A value of the command line: JSON, or where it is none the text itself, a string. Throws
+/// InputError for a bracket with NaN, an infinity, a number beyond double or a key twice in it;
+/// the error's key is the place within the value.
+Json parse_option_value(std::string_view text);
 
 }  // namespace quadrel

@@ -1,5 +1,6 @@
 #include "quadrel/scene/load.hpp"
 
+#include "io/file_kind.hpp"
 #include "io/find_scene.hpp"
 #include "io/glib_commands.hpp"
 #include "io/glib_scene.hpp"
@@ -9,6 +10,7 @@
 #include "io/scene_override.hpp"
 #include "io/scene_read.hpp"
 #include "io/scene_replaced.hpp"
+#include "quadrel/scene/mesh_file.hpp"
 
 namespace quadrel {
 namespace {
@@ -17,7 +19,10 @@ SceneDocument open_document(const std::filesystem::path& file,
                             const std::vector<std::string>& overrides,
                             std::vector<std::string>& notes) {
     const auto parse = is_glib_file(file) ? parse_glib_text : parse_scene_text;
-    SceneDocument document = parse(read_whole_file(file), file);
+    const std::string text = read_whole_file(file);
+    const char* const kind = is_mesh_file(file) ? "a mesh" : kind_by_first_bytes(text);
+    if (kind != nullptr) throw InputError(file.string(), "", kind, "a scene");
+    SceneDocument document = parse(text, file);
     check_scene_keys(document);
     const Json before = document.root;
     for (const std::string& assignment : overrides) apply_override(document, assignment);

@@ -6,6 +6,7 @@
 #include "io/printable.hpp"
 #include "io/scene_keys.hpp"
 #include "io/scene_value.hpp"
+#include "io/shell_word.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -69,6 +70,7 @@ class Walker {
         *at_ = std::move(value);
         document_.overridden.insert(path_);
     }
+    const std::string& path() const { return path_; }
     /// Takes the key that was reached last out of its object.
     void remove() {
         if (parent_ == nullptr) fail(path_, "null for an element", "a key, which null removes");
@@ -106,12 +108,18 @@ class Walker {
         path_ = path;
     }
 
+    /// Names are not made up on the way, since a mistyped one would change nothing in silence.
+    std::string how_to_add(const std::string& name) const {
+        return "a name that the scene has, and it has none; -D " +
+               shell_word(path_ + "={\"" + name + "\": {...}}") + " adds it";
+    }
+
     void into_name(const std::string& name, const std::string& path) {
         std::vector<std::string> names;
         if (at_->is_object())
             for (const auto& [known, member] : at_->items()) names.push_back(known);
         if (!at_->is_object() || !at_->contains(name))
-            fail(path, "an unknown name", one_of(name, names));
+            fail(path, "an unknown name", names.empty() ? how_to_add(name) : one_of(name, names));
         below_ = Below::object;
     }
 
@@ -169,6 +177,17 @@ void remove_key(SceneDocument& document, const std::vector<Step>& steps) {
     walker.remove();
 }
 
+/// The value of an assignment to `path`.
+Json option_value(const SceneDocument& document, const std::string& path, const std::string& text) {
+    try {
+        return parse_option_value(text);
+    } catch (const InputError& error) {
+        const std::string key =
+            error.key.starts_with('[') ? path + error.key : join_key(path, error.key);
+        throw InputError(document.file.string(), key, error.found + " (set by -D)", error.expected);
+    }
+}
+
 }  // namespace
 
 void apply_override(SceneDocument& document, const std::string& assignment) {
@@ -180,7 +199,7 @@ void apply_override(SceneDocument& document, const std::string& assignment) {
     if (text == "null") return remove_key(document, steps);
     Walker walker(document);
     for (const Step& step : steps) walker.descend(step);
-    walker.set(parse_json_value(text).value_or(Json(text)));
+    walker.set(option_value(document, walker.path(), text));
 }
 
 }  // namespace quadrel

@@ -2,9 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
+#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
+namespace {
+
+/// Whether all of the text is a number beyond double.
+bool overflows(const std::string& text) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc::result_out_of_range && stop == end;
+}
+
+}  // namespace
 
 std::string Range::text(std::string_view kind) const {
     const bool low_bound = std::isfinite(low), high_bound = std::isfinite(high);
@@ -22,7 +36,7 @@ std::string describe(const Json& json) {
     if (json.is_null()) return "null";
     // JSON has no word for NaN and infinities, and dump() says null.
     if (json.is_number_float() && !std::isfinite(json.get<double>()))
-        return fmt::format("the number {}", json.get<double>());
+        return not_finite_name(json.get<double>());
     std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     if (text.size() > 60) text = text.substr(0, 57) + "...";
     return (json.is_string() ? "the string " : json.is_number() ? "the number " : "") + text;
@@ -35,7 +49,15 @@ void Value::fail(const std::string& found, const std::string& expected) const {
                      expected, at.line, at.column);
 }
 
-void Value::reject(const std::string& expected) const { fail(describe(*json_), expected); }
+void Value::reject(const std::string& expected) const {
+    // What -D cannot read as JSON it takes for a string.
+    if (json_->is_string() && document_->set_by_option(path_)) {
+        const std::string text = json_->get<std::string>();
+        if (spells_not_finite(text)) fail(text, expected);
+        if (overflows(text)) fail("the number " + text, expected + " that float64 can hold");
+    }
+    fail(describe(*json_), expected);
+}
 
 double Value::number(Range range) const {
     if (!json_->is_number()) reject(range.text("a number"));

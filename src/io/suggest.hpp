@@ -28,18 +28,31 @@ inline int edit_distance(std::string_view a, std::string_view b) {
     return previous[b.size()];
 }
 
-/// The known word nearest to `word`, or empty if none is near (more than half of it changed). One
-/// that begins with `word` counts as one change away.
+/// The most changes after which a word of that length is still the same word mistyped: none of one
+/// letter, one of up to five, two of up to eight, then a third of it.
+inline int most_changes(std::size_t length) {
+    if (length < 2) return 0;
+    return length < 9 ? 1 + static_cast<int>(length) / 6 : static_cast<int>(length) / 3;
+}
+
+/// The known word nearest to `word`, or empty if none is near (most_changes). One that begins with
+/// `word` counts as one change away, and one of three letters or more that `word` begins with as
+/// just near enough; of these the longest.
 template <class Words>
 std::string nearest_word(std::string_view word, const Words& known) {
+    constexpr std::size_t least_beginning = 3;
     std::string best;
-    int least = static_cast<int>(word.size()) / 2 + 2;
+    const int most = most_changes(word.size());
+    int least = most + 1;
     for (const auto& candidate : known) {
-        const bool begun = word.size() > 1 && std::string_view(candidate).starts_with(word);
-        const int distance = begun && word != candidate ? 1 : edit_distance(word, candidate);
-        if (distance < least) {
+        const std::string_view text = candidate;
+        const bool begun = word.size() > 1 && text.starts_with(word) && text != word;
+        const bool longer = text.size() >= least_beginning && word.starts_with(text);
+        int distance = begun ? 1 : edit_distance(word, text);
+        if (longer) distance = std::min(distance, most);
+        if (distance < least || (longer && distance == least && text.size() > best.size())) {
             least = distance;
-            best = std::string(candidate);
+            best = std::string(text);
         }
     }
     return best;

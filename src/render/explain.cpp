@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "io/printable.hpp"
 #include "render/added_stages.hpp"
 #include "render/names.hpp"
 #include "render/prepared.hpp"
@@ -165,12 +166,14 @@ std::string explain(const PreparedRender& prepared) {
         "without area, {} off the frame, {} not finite\n",
         counts.submitted, counts.drawn, counts.outside, counts.culled, counts.zero_area,
         counts.off_frame, counts.non_finite);
-    for (const std::string& line : hidden_objects(scene)) out += "leaves out " + line + "\n";
+    for (const std::string& line : hidden_objects(scene))
+        out += "leaves out " + printable(line) + "\n";
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const MaterialText text = describe(prepared, m);
-        out += fmt::format("material \"{}\"\n", scene.materials[m].name);
-        for (const std::string& line : text.does) out += "  " + line + "\n";
-        for (const std::string& line : text.leaves_out) out += "  leaves out " + line + "\n";
+        out += fmt::format("material \"{}\"\n", printable(scene.materials[m].name));
+        for (const std::string& line : text.does) out += "  " + printable(line) + "\n";
+        for (const std::string& line : text.leaves_out)
+            out += "  leaves out " + printable(line) + "\n";
     }
     return out;
 }

@@ -28,7 +28,7 @@ std::string loader_message(const std::filesystem::path& file) {
 
 const PluginTable* open_plugin(const std::filesystem::path& file, std::string_view isa) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) refuse(file, "no such file");
+    if (const char* const reason = reason_not_to_read(file)) refuse(file, reason);
     if (const auto fault = elf_fault(read_whole_file(file))) refuse(file, *fault);
     // With a slash in it, so that the loader does not look anywhere else.
     const std::filesystem::path path = std::filesystem::absolute(file, error);

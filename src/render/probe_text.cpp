@@ -1,6 +1,7 @@
 // A probe's report for people: four columns, one a lane, decimal above hex float.
 #include <fmt/format.h>
 
+#include "io/printable.hpp"
 #include "quadrel/probe.hpp"
 
 namespace quadrel {
@@ -84,7 +85,8 @@ void append(std::string& out, const ProbeStage& stage) {
 
 void append(std::string& out, const ProbeFragment& fragment) {
     out += fmt::format("object {} \"{}\", primitive {}, material \"{}\"\n", fragment.object,
-                       fragment.object_name, fragment.primitive, fragment.material);
+                       printable(fragment.object_name), fragment.primitive,
+                       printable(fragment.material));
     line(out, "lane", {"0", "1", "2", "3"});
     line(out, "covered samples",
          cells([&](int i) { return fmt::format("{:#06x}", fragment.covered[i]); }));

@@ -1,27 +1,17 @@
 // What users get wrong, as the command line sees it: one line that says what is where, the right
 // exit code, and nothing left behind.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "cli/bad_input.hpp"
-#include "film/films.hpp"
-#include "quadrel/film/exr.hpp"
-#include "texture/files.hpp"
+#include "cli/bad_input_files.hpp"
 
 namespace quadrel::cli_tests {
 namespace {
-
-using testing::AssertionFailure;
-using testing::AssertionResult;
-using testing::AssertionSuccess;
-using testing_films::file_bytes;
-using testing_films::TemporaryFolder;
-using testing_films::write_bytes;
 
 TEST(BadInputCheck, CanFail) {
     const BadInput bad{"", {}, 3, {"key", "found"}};
@@ -34,84 +24,6 @@ TEST(BadInputCheck, CanFail) {
     EXPECT_FALSE(complains({3, "", "quadrel: key: found \x1b[2J\n"}, bad));
 }
 
-/// One channel "Y" of these values, row by row.
-void write_heights(const std::filesystem::path& file, int width, int height,
-                   const std::vector<float>& values) {
-    Film film{{0, 0, width, height}, {0, 0, width, height}, {}};
-    film.add("Y", ChannelType::float32);
-    for (std::size_t i = 0; i < film.planes[0].bits.size(); ++i)
-        film.planes[0].bits[i] = std::bit_cast<std::uint32_t>(values[i % values.size()]);
-    write_exr(file, film, {});
-}
-
-const std::string corners = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n";
-const std::string face = "f 1/1 2/2 3/3\n";
-
-class BadInputs : public testing::Test {
-  protected:
-    BadInputs() {
-        constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        write_heights(folder / "h.exr", 4, 4, {0.5f, 0.75f, 0.25f});
-        write_heights(folder / "nan.exr", 3, 2, {1, 1, 1, 1, nan, 1});
-        write_heights(folder / "infinite.exr", 3, 2, {1, 1, infinity, 1, 1, 1});
-        write_heights(folder / "one.exr", 1, 1, {0.5f});
-        write_heights(folder / "column.exr", 1, 13, {0.5f, 0.25f});
-        write_heights(folder / "odd.exr", 7, 5, {0.5f, 0.25f});
-        const std::string whole = file_bytes(folder / "h.exr");
-        write_bytes(folder / "truncated.exr", whole.substr(0, whole.size() / 2));
-        write_bytes(folder / "header.exr", whole.substr(0, 60));
-        write_bytes(folder / "empty", "");
-        write_bytes(folder / "empty.exr", "");
-        write_bytes(folder / "text.png", "this is no image");
-        const auto png = test::make_png(8, 8, 8, test::PngColour::grey, std::string(64, 'x'));
-        write_bytes(folder / "truncated.png", png.substr(0, png.size() - 30));
-        write_bytes(folder / "good.obj", corners + face);
-        write_bytes(folder / "bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        write_bytes(folder / "nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n");
-        write_bytes(folder / "beyond.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
-        write_bytes(folder / "none.obj", "# nothing\n");
-        write_bytes(folder / "mesh.stl", "solid\n");
-        write_bytes(folder / "text.glb", "not glTF");
-        write_bytes(folder / "truncated.glb", std::string("glTF\2\0\0\0\xff\0\0\0", 12));
-    }
-
-    /// A scene of these members, in a file of its own.
-    std::string scene(const std::string& members, const std::string& name = "s.json") const {
-        const std::string rest = members.empty() ? "" : ",\n" + members;
-        write_bytes(folder / name, "{\"quadrel\": 1, \"size\": [16, 16]" + rest + "}");
-        return name;
-    }
-    static std::string relief(const std::string& texture) {
-        return "\"material\": {\"height\": {" + texture + "}}, \"objects\": [{\"mesh\": \"quad\"}]";
-    }
-    static std::string with_mesh(const std::string& file) {
-        return "\"objects\": [{\"mesh\": {\"file\": \"" + file + "\"}}]";
-    }
-
-    /// Whether `render` refuses the scene, leaving the folder as it was.
-    AssertionResult refuses(const std::string& what, const std::string& members,
-                            const std::vector<std::string>& says) const {
-        return refuses({what, {"render", scene(members), "-o", "out.exr"}, 3, says});
-    }
-    AssertionResult refuses(const BadInput& bad) const {
-        const std::size_t before = folder.count();
-        const AssertionResult result = complains(run(bad.arguments, folder.path()), bad);
-        if (result && folder.count() != before)
-            return AssertionFailure() << bad.what << ": something is left behind";
-        return result;
-    }
-    /// Renders; the output, or nothing and a failure.
-    Film renders(const std::string& members, std::vector<std::string> options = {}) const {
-        options.insert(options.begin(), {"render", scene(members), "-o", "out.exr"});
-        const Outcome outcome = run(options, folder.path());
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return outcome.code == 0 ? read_exr(folder / "out.exr").film : Film{};
-    }
-
-    TemporaryFolder folder;
-};
-
 TEST_F(BadInputs, SceneFiles) {
     write_bytes(folder / "truncated.json", R"({"quadrel": 1, "size": [4, 4], "cam)");
     write_bytes(folder / "comma.json", "{\"quadrel\": 1,\n \"size\": [4,, 4]}");
@@ -120,10 +32,12 @@ TEST_F(BadInputs, SceneFiles) {
     write_bytes(folder / "deep.json", R"({"quadrel": 1, "a": )" + std::string(5000, '['));
     write_bytes(folder / "first.json", R"({"size": [4, 4], "quadrel": 1})");
     write_bytes(folder / "newer.json", R"({"quadrel": 2})");
+    std::filesystem::create_directory(folder / "folder");
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     write_bytes(folder / "s.glib", "Perspective 70\nShpere 1 2 3\n");
     const std::vector<BadInput> files = {
         {"missing", {"none.json"}, 3, {"none.json: ", "no such file"}},
-        {"no such name", {"none"}, 3, {"none", "no installed scene"}},
+        {"no such name", {"none"}, 3, {"none", "no installed scene", "`quadrel list scenes`"}},
         {"a long name", {std::string(300, 'n')}, 3, {"no installed scene"}},
         {"a long file", {std::string(300, 'n') + ".json"}, 3, {"no such file"}},
         {"control characters", {"a\n\x1b[2J.json"}, 3, {"a \\x1b[2J.json: ", "no such file"}},
@@ -134,7 +48,14 @@ TEST_F(BadInputs, SceneFiles) {
         {"truncated", {"truncated.json"}, 3, {"truncated.json:1:"}},
         {"a comma too many", {"comma.json"}, 3, {"comma.json:2:13: ", "','"}},
         {"a key twice", {"twice.json"}, 3, {"twice.json:3:2: size: ", "second time"}},
-        {"an image", {"bytes.json"}, 3, {"bytes.json:1:1: "}},
+        {"an image", {"bytes.json"}, 3, {"bytes.json: ", "a PNG image", "a scene"}},
+        {"another image", {"h.exr"}, 3, {"h.exr: ", "an EXR image", "a scene"}},
+        {"a mesh", {"good.obj"}, 3, {"good.obj: ", "a mesh", "a scene"}},
+        {"a pipe by a bare name", {"pipe"}, 3, {"pipe: ", "a pipe", "./pipe"}},
+        {"a folder by a bare name", {"folder"}, 3, {"folder: ", "a directory", "a scene"}},
+        {"a file by a bare name", {"empty"}, 3, {"empty: ", "without extension", "./empty"}},
+        {"nearly a name", {"thesis-teapo"}, 3, {"\"thesis-teapot\" (see `quadrel list scenes`)"}},
+        {"part of a name", {"linear"}, 3, {"\"rows/linear\""}},
         {"deep brackets", {"deep.json"}, 3, {"deep.json", "nested"}},
         {"version not first", {"first.json"}, 3, {"first.json:1:2: size: "}},
         {"another version", {"newer.json"}, 3, {"newer.json:1:2: quadrel: ", "2"}},
@@ -178,6 +99,64 @@ TEST_F(BadInputs, Values) {
                         R"("materials": {"stone": {"relief": {"trace": "linear"}}},
                            "objects": [{"mesh": "quad"}])",
                         {"s.json: materials.stone.height: ", "nothing"}));
+}
+
+/// JSON has no word for them; whatever brings one, the message names it and its key.
+TEST_F(BadInputs, NumbersThatAreNone) {
+    for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "-inf", "-NaN"}) {
+        EXPECT_TRUE(refuses(
+            word, "\"camera\": {\"height\": " + std::string(word) + "}",
+            {"s.json:2:22: camera.height: found " + std::string(word) + ",", "a finite number"}));
+        EXPECT_TRUE(refuses(word, "\"background\": [1, " + std::string(word) + ", 0]",
+                            {"s.json:2:19: background[1]: found " + std::string(word) + ","}));
+    }
+    EXPECT_TRUE(refuses("another word", R"("background": [1, nanny, 0])", {"s.json:2:", "JSON"}));
+    EXPECT_TRUE(refuses("a key", R"(NaN: 1)", {"s.json:2:", "object key"}));
+    EXPECT_TRUE(refuses("1e999", R"("background": [-1e999, 0, 0])",
+                        {"s.json:2:16: background[0]: found the number -1e999,", "float64"}));
+    scene("");
+    const auto set = [&](const std::string& assignment, const std::string& says) {
+        return refuses({assignment, {"render", "s.json", "-D", assignment}, 3, {says, "by -D"}});
+    };
+    EXPECT_TRUE(set("camera.fov_y=NaN", "camera.fov_y: found NaN ("));
+    EXPECT_TRUE(set("camera.fov_y=-inf", "camera.fov_y: found -inf ("));
+    EXPECT_TRUE(set("camera.fov_y=1e999", "camera.fov_y: found the number 1e999 ("));
+    EXPECT_TRUE(set("samples=NaN", "samples: found NaN ("));
+    EXPECT_TRUE(set("camera.eye=[NaN,0,1]", "camera.eye[0]: found NaN ("));
+    EXPECT_TRUE(
+        set("camera={\"eye\": [0, 0, -1e999]}", "camera.eye[2]: found the number -1e999 ("));
+    EXPECT_TRUE(set("camera={\"near\": 1, \"near\": 2}", "camera.near: found the key a second"));
+    renders(R"("objects": [{"mesh": "quad"}])", {"-D", "objects[0].name=NaN"});
+}
+
+TEST_F(BadInputs, NamesThatTheSceneDoesNotHave) {
+    scene("");
+    EXPECT_TRUE(refuses({"none",
+                         {"render", "s.json", "-D", "textures.t.file=h.exr"},
+                         3,
+                         {"textures.t: ", "-D 'textures={\"t\": {...}}' adds it"}}));
+    renders(R"("objects": [{"mesh": "quad"}])",
+            {"-D", R"(textures={"t": {"file": "h.exr"}})", "-D", "material.color=t"});
+}
+
+TEST_F(BadInputs, FilesThatAreNoImages) {
+    write_bytes(folder / "a.xyz", "not an image");
+    for (const char* name : {"a.xyz", "text.png", "good.obj"}) {
+        const BadInput bad{name,
+                           {"mips", name, "-o", "m"},
+                           3,
+                           {std::string(name) + ": ", "no image format that is known", "TIFF"}};
+        EXPECT_TRUE(refuses(bad));
+    }
+    ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+    for (const std::vector<std::string>& line :
+         std::vector<std::vector<std::string>>{{"info", "pipe"}, {"mips", "pipe", "-o", "m"}})
+        EXPECT_TRUE(refuses({line[0], line, 3, {"pipe: ", "a pipe"}}));
+    for (const char* name : {"pipe", "."})
+        EXPECT_TRUE(refuses({"plugin",
+                             {"render", scene(""), "--plugin", name},
+                             3,
+                             {name == std::string(".") ? "a directory" : "a pipe", "a plugin"}}));
 }
 
 TEST_F(BadInputs, SizesAndWindows) {

@@ -38,6 +38,47 @@ TEST_F(BadOutputs, OutputsThatCannotBe) {
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
+/// A name that is empty is not the same as none, and one says what is written.
+TEST_F(BadOutputs, NamesThatAreNone) {
+    write_exr(folder / "a.exr", testing_films::smooth_film(1), {});
+    using Words = std::vector<std::string>;
+    const Words render = {"render", "s.json"}, compare = {"compare", "a.exr", "a.exr"},
+                bake = {"bake", "a.exr", "--kind", "cone"}, sheet = {"sheet", "s.json"};
+    struct Row {
+        Words line, more;
+        std::string says;
+    };
+    for (const Row& row : std::vector<Row>{{render, {"-o", ""}, "-o: found an empty text"},
+                                           {render, {"--output="}, "--output"},
+                                           {render, {"--preview", ""}, "--preview: found an"},
+                                           {render, {"--stats", ""}, "--stats: found an"},
+                                           {render, {"--channels", ""}, "--channels: found an"},
+                                           {render, {"--size", ""}, "expected WxH"},
+                                           {render, {"-D", ""}, "-D: found an"},
+                                           {render, {"-t", ""}, "-t: found an"},
+                                           {{"render", ""}, {}, "scene: found an"},
+                                           {compare, {"--heatmap", ""}, "--heatmap: found an"},
+                                           {compare, {"--blame", ""}, "--blame: found an"},
+                                           {bake, {"-o", ""}, "-o: found an"},
+                                           {bake, {"--packed", ""}, "--packed: found an"},
+                                           {sheet, {"-o", ""}, "-o: found an"},
+                                           {{"mips", "a.exr"}, {"-o", ""}, "expected PREFIX"},
+                                           {render, {"-o", "name"}, "ends in .exr"},
+                                           {render, {"-o", "name.tmp"}, "ends in .exr"},
+                                           {render, {"--preview", "name"}, "ends in .png"},
+                                           {render, {"--stats", "name.txt"}, "ends in .json"},
+                                           {compare, {"--heatmap", "s.txt"}, "ends in .png"},
+                                           {bake, {"-o", "name"}, "ends in .exr"},
+                                           {bake, {"--packed", "name"}, "ends in .exr"},
+                                           {sheet, {"-o", "name"}, "ends in .png"}}) {
+        Words line = row.line;
+        line.insert(line.end(), row.more.begin(), row.more.end());
+        EXPECT_TRUE(refuses({row.says, line, 2, {row.says}})) << row.line[0];
+    }
+    EXPECT_EQ(run({"list", "channels", ""}, folder.path()).code, 0) << "a filter may be empty";
+    EXPECT_EQ(run({"render", "s.json", "-o", "UPPER.EXR"}, folder.path()).code, 0);
+}
+
 TEST_F(BadOutputs, AReadOnlyFileStays) {
     write_bytes(folder / "old.exr", "old");
     chmod((folder / "old.exr").c_str(), 0400);

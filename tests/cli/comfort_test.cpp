@@ -157,6 +157,40 @@ TEST_F(Comfort, NamesStayOnTheirLine) {
     EXPECT_TRUE(has(outcome.out, "x\\nequal\\n.exr")) << outcome.out;
 }
 
+TEST_F(Comfort, NamesFromScenesStayOnTheirLine) {
+    constexpr const char* forged = "x\\nforged\\u001b[2J";
+    testing_films::write_bytes(
+        folder / "names.json",
+        R"({"quadrel": 1, "size": [4, 4], "materials": {")" + std::string(forged) +
+            R"(": {"color": {"file": "a\nforged.exr"}}}, "objects": [{"mesh": "quad", "name": ")" +
+            forged + R"("}, {"mesh": "quad", "visible": false, "name": ")" + forged + R"("}]})");
+    ASSERT_EQ(render("quad", {"--channels", "R,G,B"}).code, 0);
+    std::filesystem::copy(folder / "a.exr", folder / "a\nforged.exr");
+    const std::filesystem::path data = folder / "data";
+    std::filesystem::create_directories(data / "scenes");
+    std::filesystem::copy(folder / "quad.json", data / "scenes" / "x\nforged.json");
+    setenv("QUADREL_DATA", data.c_str(), 1);
+    for (const Words& words :
+         std::vector<Words>{{"probe", "names.json", "--pixel", "1,1"},
+                            {"render", "names.json", "--explain"},
+                            {"render", "names.json", "-o", "n.exr"},
+                            {"info", "names.json"},
+                            {"list", "scenes", "forged"},
+                            {"render", "names.json", "-D", "objects[0].material=none"}}) {
+        const Outcome outcome = run(words, folder.path());
+        const std::string text = outcome.out + outcome.err;
+        EXPECT_FALSE(has("\n" + text, "\nforged")) << words[0] << ": " << text;
+        EXPECT_TRUE(has(text, "forged") || words[0] == "render") << text;
+    }
+    unsetenv("QUADREL_DATA");
+    // Channels are named by files, too.
+    Film film = read_exr(folder / "a.exr").film;
+    film.planes[0].name = "x\nforged";
+    write_exr(folder / "b.exr", film, {});
+    const std::string report = run({"compare", "a.exr", "b.exr"}, folder.path()).out;
+    EXPECT_TRUE(has(report, "x\\nforged") && !has(report, "\nforged")) << report;
+}
+
 TEST_F(Comfort, AnotherStageByTheCommandLine) {
     const Words other = {"-D", "material.relief.trace=steep"};
     testing_films::write_bytes(folder / "secant.json", R"({"quadrel": 1, "size": [16, 8],

@@ -77,11 +77,54 @@ TEST(Help, MistypedWordsGetTheNearest) {
     EXPECT_TRUE(refuses({"rendr", "bricks-45"}, {"\"rendr\"", "\"render\"", "`quadrel --help`"}));
     EXPECT_TRUE(refuses({"xyzzy"}, {"\"xyzzy\"", "one of render", "`quadrel --help`"}));
     EXPECT_TRUE(refuses({"list", "chanels"}, {"\"channels\"", "`quadrel list --help`"}));
-    EXPECT_TRUE(refuses({"render", "a", "--chanels", "R"}, {"--channels?"}));
+    EXPECT_TRUE(refuses({"render", "a", "--chanels", "R"}, {"expected \"--channels\""}));
     EXPECT_TRUE(refuses({"explain", "camera.fov"}, {"camera.fov", "`quadrel explain --help`"}));
     EXPECT_TRUE(refuses({"explain", "hit.stats"}, {"\"hit.status\""}));
     EXPECT_TRUE(refuses({"explain", "mateial.reliev"}, {"\"material.relief\""}));
     EXPECT_TRUE(refuses({"explain", "linaer"}, {"\"linear\""}));
+}
+
+TEST(Help, OnlyNearWordsAreSuggested) {
+    const auto suggests = [](const Words& words) {
+        return run(words).err.find("did you mean") != std::string::npos ||
+               run(words).err.find(", or one of") != std::string::npos;
+    };
+    EXPECT_TRUE(suggests({"explain", "hit.stats"}));
+    for (const Words& words : std::vector<Words>{{"explain", "99"},
+                                                 {"explain", "xyzzy"},
+                                                 {"explain", "K9"},
+                                                 {"paint"},
+                                                 {"render", "a", "--xyzzy"},
+                                                 {"render", "a", "-x"}})
+        EXPECT_FALSE(suggests(words)) << run(words).err;
+    EXPECT_TRUE(refuses({"explain", "relief.depth.thickness"}, {"mean \"relief.depth\"?"}));
+}
+
+TEST(Help, MistypedOptionsReadLikeMistypedVerbs) {
+    EXPECT_TRUE(refuses({"render", "a", "--chanels", "R"},
+                        {"found \"--chanels\", expected \"--channels\", or one of --help"}));
+    EXPECT_TRUE(refuses({"render", "--chanels=R"}, {"found \"--chanels\", expected"}));
+    EXPECT_TRUE(refuses({"render", "a", "-x"}, {"found \"-x\", expected one of"}));
+    EXPECT_TRUE(refuses({"--versoin"}, {"found \"--versoin\", expected \"--version\""}));
+    EXPECT_TRUE(refuses({"render", "--version"}, {"expected `quadrel --version`"}));
+    EXPECT_TRUE(refuses({"render", "a", "b"}, {"found \"b\", expected no more"}));
+    EXPECT_TRUE(refuses({"list"}, {"found nothing after \"quadrel list\"", "one of algorithms"}));
+}
+
+TEST(Help, HelpAndVersionAsWords) {
+    for (const auto& [words, same] : std::vector<std::pair<Words, Words>>{
+             {{"help"}, {"--help"}},
+             {{"help", "render"}, {"render", "--help"}},
+             {{"help", "list", "scenes"}, {"list", "scenes", "--help"}},
+             {{"version"}, {"--version"}},
+             {{"-V"}, {"--version"}}}) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(outcome.code, 0) << words[0];
+        EXPECT_EQ(outcome.out, run(same).out);
+        EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_TRUE(refuses({"help", "rendr"}, {"\"render\""}));
+    EXPECT_TRUE(refuses({"rendr", "--help"}, {"\"render\""}));
 }
 
 TEST(Help, UsageErrorsNameTheVerbsOwn) {

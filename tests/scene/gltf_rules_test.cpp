@@ -123,8 +123,10 @@ TEST_F(GltfRules, AttributesHaveTheirTypes) {
     const auto with = [&](const char* name, int type, bool normalized, const char* kind) {
         GltfBuilder gltf = square_gltf();
         const std::size_t components = kind[3] - '0';
+        const bool bytes = type < 5122;
         const int accessor = gltf.add<std::uint8_t>(
-            std::vector<std::uint8_t>(4 * components * (type < 5122 ? 1 : 4)), type, kind, 4);
+            std::vector<std::uint8_t>(4 * (bytes ? 4 : 4 * components)), type, kind, 4);
+        if (bytes) gltf.json["bufferViews"].back()["byteStride"] = 4;
         gltf.json["accessors"][accessor]["normalized"] = normalized;
         gltf.json["meshes"][0]["primitives"][0]["attributes"][name] = accessor;
         return loads(gltf);
@@ -143,6 +145,71 @@ TEST_F(GltfRules, OnlyVertexAttributesHaveStrides) {
     EXPECT_TRUE(refused([](json& j) { j["bufferViews"][4]["byteStride"] = 4; },
                         {"bufferViews[4].byteStride", "4", "none"}));
     EXPECT_TRUE(accepted([](json& j) { j["bufferViews"][0]["byteStride"] = 12; }));
+}
+
+/// 3.6.2.4: what a GPU could not take as it is.
+TEST_F(GltfRules, ElementsAreAligned) {
+    const auto at = [&](int accessor, std::size_t in_view, std::size_t in_buffer) {
+        GltfBuilder gltf = square_gltf();
+        gltf.bytes += std::string(64, '\0');
+        json& found = gltf.json["accessors"][accessor];
+        json& view = gltf.json["bufferViews"][accessor];
+        found["byteOffset"] = in_view;
+        view["byteOffset"] = view["byteOffset"].get<std::size_t>() + in_buffer;
+        view["byteLength"] = view["byteLength"].get<std::size_t>() + in_view;
+        return loads(gltf);
+    };
+    constexpr int normals = 1, indices = 4;
+    EXPECT_TRUE(at(normals, 0, 0));
+    EXPECT_FALSE(at(normals, 2, 2)) << "aligned in the buffer, not in its view";
+    EXPECT_FALSE(at(normals, 0, 2)) << "aligned in the view, not in the buffer";
+    EXPECT_FALSE(at(indices, 1, 0));
+    EXPECT_FALSE(at(indices, 0, 1));
+    EXPECT_TRUE(at(indices, 2, 0));
+    EXPECT_TRUE(at(indices, 0, 2)) << "they are shorts";
+    EXPECT_TRUE(refused([](json& j) { j["bufferViews"][0]["byteStride"] = 13; },
+                        {"", "byteStride", "glTF"}));
+    GltfBuilder tight = square_gltf();
+    const int bytes = tight.add(std::vector<std::int8_t>(12, 127), 5120, "VEC3", 4);
+    tight.json["accessors"][bytes]["normalized"] = true;
+    tight.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = bytes;
+    EXPECT_FALSE(loads(tight)) << "three bytes a vertex";
+}
+
+/// 3.6.2.5: wrong bounds harm nothing here, and are said.
+TEST_F(GltfRules, BoundsThatContradictTheElementsAreSaid) {
+    const auto says = [&](int accessor, const json& least, const json& greatest) {
+        GltfBuilder gltf = square_gltf();
+        json& found = gltf.json["accessors"][accessor];
+        found["min"] = least;
+        found["max"] = greatest;
+        const auto ignored = read_mesh_file(folder.write("m.glb", gltf.binary())).ignored;
+        const std::string name = "min and max that contradict the elements of accessors[" +
+                                 std::to_string(accessor) + "]";
+        return ignored == std::vector<std::string>{name};
+    };
+    EXPECT_FALSE(says(0, {0, 0, 0}, {1, 1, 0}));
+    EXPECT_TRUE(says(0, {0, 0, 0}, {1, 1, 1}));
+    EXPECT_TRUE(says(0, {0, -1, 0}, {1, 1, 0}));
+    EXPECT_TRUE(says(0, {0, 0, 0.5}, {1, 1, 0})) << "an element is out of them";
+    EXPECT_TRUE(says(0, {0, 0}, {1, 1, 0}));
+    EXPECT_FALSE(says(4, json::array({0}), json::array({3})));
+    EXPECT_TRUE(says(4, json::array({0}), json::array({4})));
+    EXPECT_TRUE(refused([](json& j) { j["accessors"][0]["min"] = "none"; },
+                        {"accessors[0].min", "none", "numbers"}));
+    GltfBuilder gltf = square_gltf();
+    const std::int8_t z = -127;
+    const int normals = gltf.add(
+        std::vector<std::int8_t>{0, 0, z, 0, 0, 0, z, 0, 0, 0, z, 0, 0, 0, z, 0}, 5120, "VEC3", 4);
+    gltf.json["bufferViews"].back()["byteStride"] = 4;
+    gltf.json["accessors"][normals]["normalized"] = true;
+    gltf.json["accessors"][normals]["min"] = {0, 0, -127};
+    gltf.json["accessors"][normals]["max"] = {0, 0, -127};
+    gltf.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = normals;
+    EXPECT_TRUE(read_mesh_file(folder.write("m.glb", gltf.binary())).ignored.empty())
+        << "as stored, not as decoded";
+    gltf.json["accessors"][normals]["min"] = {0, 0, -1};
+    EXPECT_FALSE(read_mesh_file(folder.write("m.glb", gltf.binary())).ignored.empty());
 }
 
 TEST_F(GltfRules, SparseIndicesIncrease) {

@@ -290,7 +290,16 @@ TEST_F(MeshFiles, GltfNumbersMustBeFinite) {
     GltfBuilder gltf = square_gltf();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(gltf.bytes.data() + 4, &nan, 4);
-    EXPECT_TRUE(glb_refused(gltf, {"accessors[0]", "not finite", "finite"}));
+    EXPECT_TRUE(glb_refused(gltf, {"accessors[0]", "NaN in element 0", "finite"}));
+    const float infinity = -std::numeric_limits<float>::infinity();
+    std::memcpy(gltf.bytes.data() + 4, &infinity, 4);
+    EXPECT_TRUE(glb_refused(gltf, {"accessors[0]", "-infinity in element 0", "finite"}));
+    gltf = square_gltf();
+    std::string text = gltf.text("m.bin");
+    folder.write("m.bin", gltf.bytes);
+    text.replace(text.find("\"mesh\":0"), 8, "\"mesh\":0,\"scale\":[1,-Infinity,1]");
+    const auto file = folder.write("m.gltf", text);
+    EXPECT_TRUE(complains([&] { load_mesh(file); }, {"", "-Infinity", "finite"}));
 }
 
 }  // namespace

@@ -63,7 +63,11 @@ int read(const char* path, QuadrelOiioRequest& request) {
     // Otherwise colours come back multiplied by alpha, which may hold heights.
     config.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path, &config);
-    if (!input) return fail(request, pending_error(nullptr));
+    if (!input) {
+        fail(request, pending_error(nullptr));
+        const bool known = OIIO::ImageInput::create(path) != nullptr;
+        return known ? 1 : quadrel_oiio_unknown_format;
+    }
     const OIIO::ImageSpec& spec = input->spec();
     QuadrelOiioInfo info{spec.width, spec.height, spec.nchannels, quadrel_oiio_uint8, 0, 1};
     if (spec.depth > 1) return fail(request, "a volume");

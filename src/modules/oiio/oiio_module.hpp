@@ -35,9 +35,11 @@ struct QuadrelOiioRequest {
     char error[512]; /**< filled when the read fails */
 };
 
-/** Returns 0 for success, 1 with `error` set, 2 when `allocate` gave up. */
+/** Returns 0 for success, 1 with `error` set, 2 when `allocate` gave up,
+    quadrel_oiio_unknown_format where no reader knows the file. */
 typedef std::int32_t QuadrelOiioRead(const char* path, QuadrelOiioRequest* request);
 }
 
-inline constexpr std::uint32_t quadrel_oiio_version = 2;
+inline constexpr std::uint32_t quadrel_oiio_version = 3;
+inline constexpr std::int32_t quadrel_oiio_unknown_format = 3;
 inline constexpr const char* quadrel_oiio_symbol = "quadrel_oiio_read";
