@@ -29,6 +29,8 @@ struct RenderOptions {
     /// The same before the first tile, while a map that no cache has is derived from heights; `map`
     /// is what to call it.
     std::function<void(const std::string& map, double share)> baking;
+    /// Told why the disk cache, unless it is switched off, does not keep such a map.
+    std::function<void(const std::string& reason)> not_kept;
 };
 
 /// Renders. The film's bits depend on scene, channels and number type only: not on window (beyond

@@ -74,9 +74,6 @@ BakedTextureOptions make_options(const Arguments& arguments) {
     options.threads = arguments.threads;
     options.disk = !arguments.no_cache;
     options.must_keep = arguments.output.empty() && arguments.packed.empty();
-    options.not_kept = [](const std::string& reason) {
-        say("quadrel: the map is not kept in the cache: " + reason);
-    };
     options.seconds_limit = std::numeric_limits<double>::infinity();
     return options;
 }
@@ -108,6 +105,7 @@ std::shared_ptr<const Texture> bake_with_bar(const Texture& height, BakeKind kin
                                              BakedTextureOptions options) {
     ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
+    options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
     return baked_texture(height, kind, sampler, options);
 }
 

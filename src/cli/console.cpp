@@ -114,4 +114,11 @@ void ProgressBar::show(double share, std::string_view what) {
                               printable(what)));
 }
 
+void say_not_kept(const std::string& reason, ProgressBar& bar) {
+    static std::set<std::string> said;
+    if (!said.insert(reason).second) return;
+    bar.clear();
+    say("quadrel: warning: the map is not kept in the cache: " + reason);
+}
+
 }  // namespace quadrel::cli

@@ -54,4 +54,8 @@ class ProgressBar {
     std::string what_;
 };
 
+/// The warning that a map that was derived from heights is not kept in the cache, once in the life
+/// of the process for each reason.
+void say_not_kept(const std::string& reason, ProgressBar& bar);
+
 }  // namespace quadrel::cli

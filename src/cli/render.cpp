@@ -86,9 +86,11 @@ Film render_with_bar(const Scene& scene, RenderOptions& options) {
     ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
     options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
+    options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
     Film film = render(scene, options);
     options.progress = nullptr;
     options.baking = nullptr;
+    options.not_kept = nullptr;
     return film;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/hints.hpp"
 #include "cli/plugins.hpp"
 #include "cli/quiet.hpp"
+#include "cli/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
@@ -26,6 +27,7 @@ struct Arguments {
     std::vector<std::string> inputs;
     std::string output, size, each;
     std::vector<std::string> overrides, plugins;
+    ImageSelection selection;  ///< of every EXR
     int columns = 4;
 };
 
@@ -94,19 +96,22 @@ std::vector<SheetInput> open_inputs(const Arguments& arguments, const Variants& 
     return inputs;
 }
 
-Picture picture_of(const SheetInput& input, const RenderOptions& options) {
-    if (!input.scene) return preview(read_exr(input.file).film);
+Picture picture_of(const SheetInput& input, const ImageSelection& selection,
+                   const RenderOptions& options) {
+    if (!input.scene) return preview(read_exr(input.file, selection).film);
     return preview(render(*input.scene, options));
 }
 
-std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs) {
+std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs,
+                                     const ImageSelection& selection) {
     std::vector<SheetEntry> entries;
     ProgressBar bar;
     RenderOptions options;
     options.channels = {"R", "G", "B", "A"};
     options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
+    options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
     for (const SheetInput& input : inputs) {
-        entries.push_back({input.label, picture_of(input, options)});
+        entries.push_back({input.label, picture_of(input, selection, options)});
         bar.show(static_cast<double>(entries.size()) / static_cast<double>(inputs.size()));
     }
     return entries;
@@ -121,7 +126,7 @@ ExitCode run_sheet(const Arguments& arguments) {
     load_plugins(arguments.plugins);
     const std::vector<SheetInput> inputs = open_inputs(arguments, variants, files);
     files.check();
-    const auto entries = make_entries(inputs);
+    const auto entries = make_entries(inputs, arguments.selection);
     for (const SheetInput& input : inputs)
         if (input.scene) say_notes(input.scene->notes);
     write_png(arguments.output, contact_sheet(entries, arguments.columns));
@@ -147,6 +152,7 @@ void add_sheet(CLI::App& app, Action& action) {
     verb->add_option("--each", a->each, "render every scene with each of these values of a key")
         ->type_name("KEY=VALUE,VALUE...");
     add_plugin_option(*verb, a->plugins);
+    add_selection_options(*verb, a->selection, "", "every EXR");
     verb->add_option("--size", a->size, "size of every render in pixels")->type_name("WxH");
     add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_sheet(*a); }; });

@@ -37,12 +37,14 @@ class Canonical {
 
   private:
     Sorted below(const Json& json, const SceneKey& row) {
-        if (row.key == "file" || row.key == "faces") return paths(json, row.section == "mesh");
+        if (row.key == "file") return hash_of(json, row.section == "mesh");
         if (row.below == Below::object) return section(json, row.below_section);
         if (row.below == Below::value) return plain(json);
         Sorted out = json.is_array() ? Sorted::array() : Sorted::object();
         for (const auto& [name, member] : json.items()) {
-            if (json.is_array())
+            if (json.is_array() && row.key == "faces" && member.is_string())
+                out.push_back(hash_of(member, false));
+            else if (json.is_array())
                 out.push_back(section(member, row.below_section));
             else
                 out[name] = section(member, row.below_section);
@@ -50,12 +52,7 @@ class Canonical {
         return out;
     }
 
-    Sorted paths(const Json& json, bool mesh) {
-        if (json.is_array()) {
-            Sorted out = Sorted::array();
-            for (const Json& path : json) out.push_back(paths(path, mesh));
-            return out;
-        }
+    Sorted hash_of(const Json& json, bool mesh) const {
         const std::filesystem::path file = folder_ / json.get<std::string>();
         return content_hash(mesh ? files_of_mesh(file) : std::vector{file});
     }

@@ -208,7 +208,8 @@ constexpr SceneKey keys[] = {
     {"light", "attenuation", "3 numbers >= 0, not all 0", "`[1, 0, 0]`",
      "point lights: constant, linear and quadratic term in the distance"},
 
-    {"environment", "faces", "6 paths", "required", "the cube's faces +X -X +Y -Y +Z -Z"},
+    {"environment", "faces", "6 paths, or `face`s", "required",
+     "the cube's faces +X -X +Y -Y +Z -Z", Below::list, "face"},
     {"environment", "colour_space", "as for a texture", "`linear`", ""},
     {"environment", "format", "as for a texture", "the file's", ""},
     {"environment", "mip", "as for a texture", "`box`", ""},
@@ -219,6 +220,10 @@ constexpr SceneKey keys[] = {
     {"environment", "lod_bias", "as for a texture", "0", ""},
     {"environment", "lod_min", "as for a texture", "-1000", ""},
     {"environment", "lod_max", "as for a texture", "1000", ""},
+
+    {"face", "file", "path", "required", "as for a texture"},
+    {"face", "layer", "as for a texture", "all channels", ""},
+    {"face", "part", "as for a texture", "the only one", "so one EXR can hold all faces"},
 };
 
 }  // namespace

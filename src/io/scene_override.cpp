@@ -125,8 +125,10 @@ class Walker {
 
     void into_key(const std::string& key, const std::string& path) {
         if (below_ != Below::object) fail(path, "a key below " + describe(*at_), "none there");
-        // A stage may be named by its id alone; a parameter of it makes the id a member.
+        // A stage may be named by its id alone; a parameter of it makes the id a member. So it is
+        // with a face and its file.
         if (section_ == "stage" && at_->is_string()) *at_ = Json{{"id", *at_}};
+        if (section_ == "face" && at_->is_string()) *at_ = Json{{"file", *at_}};
         if (at_->is_null()) *at_ = Json::object();
         if (!at_->is_object()) fail(path, "a key below " + describe(*at_), "an object there");
         const SceneKey* row = find_scene_key(section_, key);

@@ -72,6 +72,16 @@ void read_selection(Fields& fields, ImageSelection& selection) {
     if (selection.part.empty()) part.reject("the name of a part, or its number from 0");
 }
 
+/// A face of an environment: a file, or an object with the image that is meant.
+std::filesystem::path read_face(const Value& value, ImageSelection& selection) {
+    if (!value.json().is_object()) return read_path(value);
+    Fields fields(value);
+    read_selection(fields, selection);
+    const std::filesystem::path file = read_path(fields.get("file"));
+    fields.finish("a face");
+    return file;
+}
+
 // One to four of r g b a 0 1 and 1-r 1-g 1-b 1-a.
 bool is_swizzle(std::string_view text) {
     int channels = 0;
@@ -126,7 +136,8 @@ Environment read_environment(const Value& value, Hardware hardware) {
     const Value faces = fields.get("faces");
     if (!faces.json().is_array() || faces.json().size() != 6)
         faces.reject("an array of 6 files: +X -X +Y -Y +Z -Z");
-    for (std::size_t i = 0; i < 6; ++i) environment.faces[i] = read_path(faces.element(i));
+    for (std::size_t i = 0; i < 6; ++i)
+        environment.faces[i] = read_face(faces.element(i), environment.selections[i]);
     fields.read("colour_space", environment.srgb, colour_space_words);
     if (fields.has("format")) environment.format = fields.get("format").word(named_formats);
     fields.read("mip", environment.mip_rule, mip_words);

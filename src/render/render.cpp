@@ -206,7 +206,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels) {
     PreparedRender prepared = plan_render(scene, options, kernels);
-    load_plan_textures(scene, prepared.used, prepared.plan, options.baking);
+    load_plan_textures(scene, prepared.used, prepared.plan, {options.baking, options.not_kept});
     return prepared;
 }
 
@@ -271,7 +271,7 @@ Film render(const Scene& scene, const RenderOptions& options) {
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
     phases.plan = watch.lap();
-    load_plan_textures(scene, prepared.used, prepared.plan, options.baking);
+    load_plan_textures(scene, prepared.used, prepared.plan, {options.baking, options.not_kept});
     phases.load = watch.lap();
     DrawRecord record;
     Film film = draw(prepared, options, &record,

@@ -102,7 +102,7 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
 }
 
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
-                        const BakingProgress& baking) {
+                        const BakingListener& baking) {
     TextureCache cache;
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         if (!used[m]) continue;

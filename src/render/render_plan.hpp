@@ -41,7 +41,7 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
 /// Loads the textures that the plan reads, of the materials in `used`, and measures the heights of
 /// those whose stages leave out steps by them. Tells `baking` of maps that are derived.
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
-                        const BakingProgress& baking);
+                        const BakingListener& baking);
 
 /// The same plan, storing the step counts of the searches that it runs, too. What they leave out
 /// stays left out.

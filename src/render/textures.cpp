@@ -41,7 +41,7 @@ void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures&
     options.format = environment.format;
     options.mip_rule = environment.mip_rule;
     options.key = environment.key;
-    out.owned[slot] = cache.load_cube(environment.faces, options);
+    out.owned[slot] = cache.load_cube(environment.faces, options, environment.selections);
     out.sampled[slot] = {out.owned[slot]->view(), environment.sampler};
 }
 
@@ -61,7 +61,7 @@ std::string bake_arguments(const TextureReference& reference) {
 /// Binds what is derived from a material's height map, under the wrap modes that this is sampled
 /// with; nothing where it has none. Throws InputError for a map that takes too long.
 void load_baked(const Scene& scene, const Material& material, TextureSlot slot, TextureCache& cache,
-                const BakingProgress& baking, MaterialTextures& out) {
+                const BakingListener& baking, MaterialTextures& out) {
     const auto found = material.textures.find(std::string(slot_name(TextureSlot::height)));
     if (found == material.textures.end()) return;
     // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
@@ -71,9 +71,10 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
     BakedTextureOptions options;
     options.input = bake_arguments(reference);
     options.key = reference.key;
-    if (baking)
+    options.not_kept = baking.not_kept;
+    if (baking.progress)
         options.progress = [&, map = fmt::format("{} map", slot_name(slot))](double share) {
-            baking(map, share);
+            baking.progress(map, share);
         };
     const auto i = static_cast<std::size_t>(slot);
     try {
@@ -92,7 +93,7 @@ std::string height_swizzle(const TextureReference& reference) {
 }
 
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache, const BakingProgress& baking) {
+                               TextureCache& cache, const BakingListener& baking) {
     MaterialTextures out;
     for (int i = 0; i < texture_slot_count; ++i) {
         const auto slot = static_cast<TextureSlot>(i);

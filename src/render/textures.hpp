@@ -21,14 +21,20 @@ struct MaterialTextures {
     const SampledTexture* bound(int slot) const { return owned[slot] ? &sampled[slot] : nullptr; }
 };
 
-/// Told what is derived from heights and how much of it is done; may be none.
-using BakingProgress = std::function<void(const std::string& map, double share)>;
+/// Who is told of what is derived from heights; each may be none.
+struct BakingListener {
+    /// How much of it is done.
+    std::function<void(const std::string& map, double share)> progress;
+    /// Why the disk cache does not keep it.
+    std::function<void(const std::string& reason)> not_kept;
+};
+
 /// Which channel of its file holds a material's heights, as a swizzle: the first unless the scene
 /// says otherwise.
 std::string height_swizzle(const TextureReference& reference);
 
 /// Loads those of the material's textures that are in `slots`.
 MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache, const BakingProgress& baking);
+                               TextureCache& cache, const BakingListener& baking);
 
 }  // namespace quadrel

@@ -44,14 +44,19 @@ std::shared_ptr<const Texture> TextureCache::load(const std::filesystem::path& f
 }
 
 std::shared_ptr<const Texture> TextureCache::load_cube(
-    const std::array<std::filesystem::path, 6>& faces, const TextureOptions& options) {
-    std::string hashes;
-    for (const auto& face : faces) hashes += file_hash(face, options.key);
-    return find_or_make(texture_id(hashes, options), [&] {
+    const std::array<std::filesystem::path, 6>& faces, const TextureOptions& options,
+    const std::array<ImageSelection, 6>& selections) {
+    std::string hashes, parts;
+    for (std::size_t i = 0; i < 6; ++i) {
+        hashes += file_hash(faces[i], options.key);
+        parts += '\n' + selections[i].part + '\n' + selections[i].layer;
+    }
+    return find_or_make(texture_id(hashes, options) + parts, [&] {
         std::array<Image, 6> images;
-        for (std::size_t i = 0; i < 6; ++i) {
-            images[i] = load_image(faces[i], NotFinite::refuse, options.key);
-        }
+        for (std::size_t i = 0; i < 6; ++i)
+            images[i] =
+                load_image(faces[i], NotFinite::refuse,
+                           options.key + ".faces[" + std::to_string(i) + "]", selections[i]);
         return make_cube_texture(images, options);
     });
 }

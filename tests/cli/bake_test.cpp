@@ -108,6 +108,31 @@ TEST(Bake, WithoutAUsableCache) {
     unsetenv("QUADREL_CACHE_MIB");
 }
 
+/// A render makes its maps all the same, and says it once.
+TEST(Bake, ARenderWithoutAUsableCacheWarnsOnce) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const auto lines = [&](const std::string& verb) {
+        const Outcome outcome =
+            run({verb, "rows/cone-cell", "--size", "8x8", "-o",
+                 (folder / (verb == "sheet" ? "a.png" : "a.exr")).string(), "--quiet"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        if (outcome.err.empty()) return 0;
+        EXPECT_TRUE(outcome.err.starts_with("quadrel: warning: the map is not kept in the cache: "))
+            << outcome.err;
+        return static_cast<int>(std::count(outcome.err.begin(), outcome.err.end(), '\n'));
+    };
+    testing_films::write_bytes(cache.folder / "quadrel", "no folder");
+    EXPECT_EQ(lines("render"), 1);
+    EXPECT_EQ(lines("sheet"), 1);
+    setenv("QUADREL_CACHE_MIB", "0", 1);
+    EXPECT_EQ(lines("render"), 0) << "not wanted";
+    unsetenv("QUADREL_CACHE_MIB");
+    std::filesystem::remove(cache.folder / "quadrel");
+    EXPECT_EQ(lines("render"), 0);
+    EXPECT_EQ(cache.entries(), 1u);
+}
+
 /// Lines of a file that begin with the words.
 std::vector<std::string> lines_with(const std::filesystem::path& file, const std::string& words) {
     std::istringstream text(file_bytes(file));

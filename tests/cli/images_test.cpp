@@ -59,6 +59,64 @@ TEST_F(ImageFiles, EveryVerbAsksWhichPart) {
               0);
 }
 
+TEST_F(ImageFiles, SheetsTakeAPartOfEveryImage) {
+    EXPECT_TRUE(complains(quadrel({"sheet", "parts.exr", "-o", "s.png"}), 3, "2 parts"));
+    const auto sheet = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> line = {"sheet", "parts.exr", "-o", "s.png", "--part"};
+        line.insert(line.end(), more.begin(), more.end());
+        EXPECT_EQ(quadrel(line).code, 0);
+        return testing_films::file_bytes(folder / "s.png");
+    };
+    const std::string depth = sheet({"0"}), colours = sheet({"rgba"});
+    EXPECT_NE(depth, colours);
+    EXPECT_EQ(sheet({"depth"}), depth);
+    EXPECT_NE(sheet({"rgba", "--layer", "height"}), colours);
+}
+
+/// A ball that mirrors an environment of these faces.
+std::string mirror_scene(const std::string& faces) {
+    return R"({"quadrel": 1, "size": [16, 16], "objects": [{"mesh": "sphere"}],
+ "material": {"gloss": {"file": ")" QUADREL_DATA_DIR R"(/textures/mirror_gloss.exr"},
+              "shade": "shade-thesis"}, "environment": {"faces": [)" +
+           faces + "]}}";
+}
+
+/// Faces that are parts of one file give the bits of faces that are files.
+TEST_F(ImageFiles, FacesOfEnvironmentsMayBeParts) {
+    std::vector<ExrPart> parts;
+    std::string files, of_one;
+    float value = 0;
+    for (const std::string name : {"px", "nx", "py", "ny", "pz", "nz"}) {
+        Film face{{0, 0, 2, 2}, {0, 0, 2, 2}, {}};
+        value += 0.125f;
+        for (const char* channel : {"R", "G", "B"})
+            face.add(channel, ChannelType::float32, bits(value));
+        write_exr(folder / (name + ".exr"), face, {});
+        parts.push_back({name, face, {}});
+        const std::string comma = files.empty() ? "" : ", ";
+        files += comma + "\"" + name + ".exr\"";
+        of_one += comma + R"({"file": "cube.exr", "part": ")" + name + "\"}";
+    }
+    write_exr_parts(folder / "cube.exr", parts);
+    const auto render = [&](const std::string& faces, const std::vector<std::string>& more = {}) {
+        write_bytes(folder / "s.json", mirror_scene(faces));
+        std::vector<std::string> line = {"render", "s.json", "-o", "s.exr"};
+        line.insert(line.end(), more.begin(), more.end());
+        const Outcome outcome = quadrel(line);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return film_hash(read_exr(folder / "s.exr").film);
+    };
+    const std::string right = render(files);
+    EXPECT_EQ(render(of_one), right);
+    const std::string other = render(of_one, {"-D", "environment.faces[4].part=px"});
+    EXPECT_NE(other, right) << "the face towards the eye";
+    EXPECT_EQ(render(files, {"-D", "environment.faces[4].file=px.exr"}), other);
+    EXPECT_EQ(render(files, {"-D", "environment.faces[4]=px.exr"}), other);
+    of_one.replace(of_one.find(R"(, "part": "pz")"), 14, "");
+    write_bytes(folder / "s.json", mirror_scene(of_one));
+    EXPECT_TRUE(complains(quadrel({"render", "s.json"}), 3, "environment.faces[4]: found 6 parts"));
+}
+
 TEST_F(ImageFiles, InfoGivesAnOverviewOfParts) {
     const auto all = nlohmann::json::parse(quadrel({"info", "parts.exr", "--json"}).out);
     ASSERT_EQ(all["parts"].size(), 2u);

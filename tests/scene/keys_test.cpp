@@ -96,6 +96,18 @@ TEST(Suggest, DistanceIsAMetricOnExamples) {
     EXPECT_EQ(edit_distance("abc", "abc"), 0);
     EXPECT_EQ(edit_distance("qaud", "quad"), 1);  // neighbours swapped
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+    // Only what is near for its length is meant.
+    const std::vector<std::string> words = {"up", "sheet", "linear", "relief", "relief.depth", "J"};
+    const auto nearest = [&](const char* word) { return nearest_word(word, words); };
+    EXPECT_EQ(nearest("99"), "");
+    EXPECT_EQ(nearest("help"), "");
+    EXPECT_EQ(nearest("K"), "");
+    EXPECT_EQ(nearest("liner"), "linear");
+    EXPECT_EQ(nearest("linaer"), "linear");
+    EXPECT_EQ(nearest("lniera"), "linear");
+    EXPECT_EQ(nearest("lxnyzr"), "");
+    EXPECT_EQ(nearest("relief.depth.thickness"), "relief.depth") << "the longest beginning";
+    EXPECT_EQ(nearest("uproar"), "") << "two letters are no beginning";
     const std::vector<std::string> known = {"near", "far", "fov_y"};
     EXPECT_EQ(nearest_word("fov", known), "fov_y");
     EXPECT_EQ(nearest_word("something else", known), "");

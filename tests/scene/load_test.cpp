@@ -305,6 +305,17 @@ TEST_F(LoadScene, FilesAndTextures) {
     EXPECT_TRUE(
         refuses(R"("environment": {"faces": ["h.exr","h.exr","h.exr","h.exr","h.exr","n.exr"]})",
                 {"environment.faces[5]", "n.exr", "file"}));
+    const auto face = [&](const std::string& members, const Complaint& complaint) {
+        return refuses(R"("environment": {"faces": [{)" + members +
+                           R"(},"h.exr","h.exr","h.exr","h.exr","h.exr"]})",
+                       complaint);
+    };
+    EXPECT_TRUE(face(R"("part": 0)", {"environment.faces[0]", "no \"file\"", ""}));
+    EXPECT_TRUE(face(R"("file": "n.exr")", {"environment.faces[0].file", "n.exr", "file"}));
+    EXPECT_TRUE(face(R"("file": "h.exr", "part": -1)",
+                     {"environment.faces[0].part", "-1", "number from 0"}));
+    EXPECT_TRUE(
+        face(R"("file": "h.exr", "prat": 1)", {"environment.faces[0].prat", "", "\"part\""}));
 }
 
 TEST_F(LoadScene, TexturesNeedCoordinates) {

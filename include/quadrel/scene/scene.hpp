@@ -51,6 +51,7 @@ struct NoiseHeights {
 /// The six faces of an environment map, +X -X +Y -Y +Z -Z.
 struct Environment {
     std::array<std::filesystem::path, 6> faces;
+    std::array<ImageSelection, 6> selections;  ///< which image of each face's file
     bool srgb = false;
     std::optional<TexelFormat> format;
     MipRule mip_rule = MipRule::box;

@@ -19,7 +19,8 @@ class TextureCache {
                                         NotFinite not_finite = NotFinite::refuse,
                                         const ImageSelection& selection = {});
     std::shared_ptr<const Texture> load_cube(const std::array<std::filesystem::path, 6>& faces,
-                                             const TextureOptions& options = {});
+                                             const TextureOptions& options = {},
+                                             const std::array<ImageSelection, 6>& selections = {});
 
   private:
     template <class Make>
