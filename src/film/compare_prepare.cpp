@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "io/image_readers.hpp"
 #include "io/suggest.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/comparable.hpp"
@@ -39,28 +40,51 @@ ComparableImage from_exr(const std::filesystem::path& file, const ImageSelection
     return result;
 }
 
-std::vector<std::string> channel_names(const Image& image) {
-    if (!image.luminance) {
-        const std::vector<std::string> names = {"R", "G", "B", "A"};
-        return {names.begin(), names.begin() + image.channels};
-    }
-    return image.channels == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"Y", "A"};
+std::vector<std::string> channel_names(bool luminance, int channels) {
+    const std::vector<std::string> gray = {"Y", "A"}, colours = {"R", "G", "B", "A"};
+    const std::vector<std::string>& names = luminance ? gray : colours;
+    return {names.begin(), names.begin() + channels};
 }
 
-ComparableImage from_image(const Image& image) {
-    const Window window{0, 0, image.width, image.height};
-    ComparableImage result{image.file, {window, window, {}}, {}, {}};
-    const auto channels = static_cast<std::size_t>(image.channels);
-    std::size_t channel = 0;
-    for (const std::string& name : channel_names(image)) {
-        Plane& plane = result.film.add(name, ChannelType::float32);
-        for (std::size_t i = 0; i < plane.bits.size(); ++i)
-            plane.bits[i] = std::bit_cast<std::uint32_t>(image.values[i * channels + channel]);
-        result.stored[name] = storage_of(image.format);
-        ++channel;
+/// A frame of channels, each filled by fill(channel, its bits).
+template <class Fill>
+ComparableImage from_channels(const std::filesystem::path& file, const Window& window,
+                              const std::vector<std::string>& names, TexelFormat format,
+                              const Fill& fill) {
+    ComparableImage result{file, {window, window, {}}, {}, {}};
+    for (std::size_t channel = 0; channel < names.size(); ++channel) {
+        fill(channel, result.film.add(names[channel], ChannelType::float32).bits);
+        result.stored[names[channel]] = storage_of(format);
     }
     canonicalize(result.film);
     return result;
+}
+
+ComparableImage from_image(const Image& image) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    return from_channels(
+        image.file, {0, 0, image.width, image.height},
+        channel_names(image.luminance, image.channels), image.format,
+        [&](std::size_t channel, std::vector<std::uint32_t>& bits) {
+            for (std::size_t i = 0; i < bits.size(); ++i)
+                bits[i] = std::bit_cast<std::uint32_t>(image.values[i * channels + channel]);
+        });
+}
+
+/// Without the floats of all channels beside those of the film.
+ComparableImage from_stored(const std::filesystem::path& file, const StoredImage& image) {
+    const auto channels = static_cast<std::size_t>(image.channels());
+    std::vector<float> row(static_cast<std::size_t>(image.width()));
+    return from_channels(file, {0, 0, image.width(), image.height()},
+                         channel_names(image.is_luminance(), image.channels()), image.format(),
+                         [&](std::size_t channel, std::vector<std::uint32_t>& bits) {
+                             for (std::size_t i = 0; i < bits.size(); i += row.size()) {
+                                 image.decode(i * channels + channel, channels, row.size(),
+                                              row.data());
+                                 for (std::size_t x = 0; x < row.size(); ++x)
+                                     bits[i + x] = std::bit_cast<std::uint32_t>(row[x]);
+                             }
+                         });
 }
 
 /// One channel of the test image under the name it takes.
@@ -159,6 +183,7 @@ const char* storage_name(Storage storage) {
 ComparableImage read_comparable(const std::filesystem::path& file,
                                 const ImageSelection& selection) {
     if (begins_as_exr(file)) return from_exr(file, selection);
+    if (const auto stored = open_stored_image(file, selection)) return from_stored(file, *stored);
     return from_image(load_image(file, NotFinite::count, "", selection));
 }
 

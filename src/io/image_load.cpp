@@ -64,7 +64,8 @@ namespace {
 /// KTX 2 begins with these bytes. OpenImageIO does not know it and would name no reason.
 constexpr std::string_view ktx2_start = "\xabKTX 20\xbb";
 
-Image read_other_than_exr(const std::string& file, std::string_view start,
+/// Refuses what no reader is asked for.
+void check_other_than_exr(const std::string& file, std::string_view start,
                           const ImageSelection& selection, const std::string& key) {
     if (!selection.empty())
         throw InputError(
@@ -74,16 +75,22 @@ Image read_other_than_exr(const std::string& file, std::string_view start,
     if (start == ktx2_start)
         throw InputError(file, key, "a KTX2 file, which Quadrel does not read",
                          "DDS, or another image file");
+}
+
+Image read_other_than_exr(const std::string& file, std::string_view start,
+                          const ImageSelection& selection, const std::string& key) {
+    check_other_than_exr(file, start, selection, key);
     if (start.starts_with("BM"))
         if (auto image = read_packed_bitmap(file, key)) return *std::move(image);
-    return read_other_image(file, key);
+    return read_other_image(file, key).decoded();
 }
+
+constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
 
 }  // namespace
 
 Image load_image(const fs::path& file, NotFinite not_finite, const std::string& key,
                  const ImageSelection& selection) {
-    constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
     const std::string start = read_start(file, key);
     Image image = start.starts_with(exr_magic)
                       ? read_exr_image(file.string(), selection, key)
@@ -91,6 +98,14 @@ Image load_image(const fs::path& file, NotFinite not_finite, const std::string& 
     image.file = file;
     check_finite(image, not_finite, key);
     return image;
+}
+
+std::optional<StoredImage> open_stored_image(const fs::path& file,
+                                             const ImageSelection& selection) {
+    const std::string start = read_start(file, "");
+    if (start.starts_with(exr_magic) || start.starts_with("BM")) return std::nullopt;
+    check_other_than_exr(file.string(), start, selection, "");
+    return read_other_image(file.string(), "");
 }
 
 }  // namespace quadrel

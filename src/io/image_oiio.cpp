@@ -1,12 +1,10 @@
-// Reads images through the OpenImageIO module, and converts what the file stores by ourselves.
-#include <Imath/half.h>
+// Reads images through the OpenImageIO module, as the files store them.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <mutex>
 
@@ -41,11 +39,6 @@ Module open_module() {
 const Module& image_module() {
     static const Module module = open_module();
     return module;
-}
-
-std::size_t value_size(QuadrelOiioType type) {
-    static constexpr std::size_t sizes[] = {1, 2, 4, 2, 4, 8};
-    return sizes[type];
 }
 
 /// Standard error goes nowhere as long as this lives: libpng writes about damaged files there,
@@ -106,45 +99,9 @@ void* allocate(void* user, const QuadrelOiioInfo* info) {
     }
 }
 
-template <class Stored, class Decode>
-void decode(const std::vector<unsigned char>& pixels, std::vector<float>& values,
-            const Decode& decode_one) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        Stored stored;
-        std::memcpy(&stored, &pixels[i * sizeof stored], sizeof stored);
-        values[i] = decode_one(stored);
-    }
-}
-
-/// Divisions, not products with a reciprocal: these give the nearest float.
-void decode_values(const Read& read, Image& image) {
-    switch (read.info.type) {
-        case quadrel_oiio_uint8:
-            image.format = TexelFormat::unorm8;
-            return decode<std::uint8_t>(read.pixels, image.values,
-                                        [](std::uint8_t c) { return float(c) / 255.0f; });
-        case quadrel_oiio_uint16:
-            image.format = TexelFormat::unorm16;
-            return decode<std::uint16_t>(read.pixels, image.values,
-                                         [](std::uint16_t c) { return float(c) / 65535.0f; });
-        case quadrel_oiio_uint32:
-            return decode<std::uint32_t>(read.pixels, image.values, [](std::uint32_t c) {
-                return static_cast<float>(c / 4294967295.0);
-            });
-        case quadrel_oiio_half:
-            image.format = TexelFormat::half;
-            return decode<half>(read.pixels, image.values, [](half h) { return float(h); });
-        case quadrel_oiio_float:
-            return decode<float>(read.pixels, image.values, [](float x) { return x; });
-        case quadrel_oiio_double:
-            return decode<double>(read.pixels, image.values,
-                                  [](double x) { return static_cast<float>(x); });
-    }
-}
-
 }  // namespace
 
-Image read_other_image(const std::string& file, const std::string& key) {
+StoredImage read_other_image(const std::string& file, const std::string& key) {
     const Module& module = image_module();
     if (module.read == nullptr) {
         if (says_out_of_memory(module.problem)) throw std::bad_alloc();
@@ -161,16 +118,10 @@ Image read_other_image(const std::string& file, const std::string& key) {
         throw InputError(file, key, "no image format that is known",
                          "PNG, JPEG, TIFF, EXR, HDR, BMP, TGA, DDS or another of OpenImageIO's");
     if (result != 0) throw InputError(file, key, request.error, "a complete image file");
-    Image image;
-    image.width = read.info.width;
-    image.height = read.info.height;
-    image.channels = read.info.channels;
-    image.luminance = read.info.luminance != 0;
-    image.values.resize(static_cast<std::size_t>(image.width) * image.height * image.channels);
-    decode_values(read, image);
     // OpenImageIO (2.4) exchanges two of the orientations of Radiance files.
-    orient(image, radiance_orientation(file).value_or(read.info.orientation));
-    return image;
+    const int orientation = radiance_orientation(file).value_or(read.info.orientation);
+    orient(read.pixels, read.info, orientation);
+    return {read.info, std::move(read.pixels)};
 }
 
 }  // namespace quadrel

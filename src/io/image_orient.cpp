@@ -23,24 +23,24 @@ constexpr Turn turns[] = {{false, false, false}, {false, false, true}, {false, t
 
 }  // namespace
 
-void orient(Image& image, int orientation) {
+void orient(std::vector<unsigned char>& pixels, QuadrelOiioInfo& info, int orientation) {
     QUADREL_CHECK(orientation >= 1 && orientation <= 8, orientation);
     if (orientation == 1) return;
     const Turn turn = turns[orientation - 1];
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const int rows = image.height, row_length = image.width;
-    const Image stored = image;
-    if (turn.columns) std::swap(image.width, image.height);
-    const float* from = stored.values.data();
+    const std::size_t size = static_cast<std::size_t>(info.channels) * value_size(info.type);
+    const int rows = info.height, row_length = info.width;
+    const std::vector<unsigned char> stored = pixels;
+    if (turn.columns) std::swap(info.width, info.height);
+    const unsigned char* from = stored.data();
     for (int r = 0; r < rows; ++r)
-        for (int i = 0; i < row_length; ++i, from += channels) {
+        for (int i = 0; i < row_length; ++i, from += size) {
             const int major = turn.row_backward ? rows - 1 - r : r;
             const int minor = turn.backward ? row_length - 1 - i : i;
             const int x = turn.columns ? major : minor, y = turn.columns ? minor : major;
             const std::size_t pixel =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(info.width) +
                 static_cast<std::size_t>(x);
-            std::copy_n(from, channels, image.values.data() + pixel * channels);
+            std::copy_n(from, size, pixels.data() + pixel * size);
         }
 }
 

@@ -208,6 +208,7 @@ TEST(Comparable, FilesThatAreNoImages) {
     EXPECT_THROW(read_comparable(folder / "missing.png"), InputError);
     EXPECT_THROW(read_comparable(folder.path()), InputError);
     write_png(folder / "a.png", Picture(2, 2, 7));
+    EXPECT_EQ(read_comparable(folder / "a.png").film.planes.size(), 3u) << "after one that failed";
     EXPECT_THROW(read_comparable(folder / "a.png", {"layer", ""}), InputError);
 }
 

@@ -1,5 +1,6 @@
 // Pictures that files store turned or mirrored come out upright: Radiance by its resolution line,
 // TIFF and Exif by their orientation.
+#include <cstring>
 #include <functional>
 
 #include "io/image_orient.hpp"
@@ -77,6 +78,17 @@ class Orientations : public ImageFolder {
         return AssertionSuccess();
     }
 };
+
+/// An image's values as orient() takes them.
+void orient(Image& image, int orientation) {
+    QuadrelOiioInfo info{image.width, image.height, image.channels, quadrel_oiio_float, 0, 1};
+    std::vector<unsigned char> bytes(image.values.size() * sizeof(float));
+    std::memcpy(bytes.data(), image.values.data(), bytes.size());
+    quadrel::orient(bytes, info, orientation);
+    std::memcpy(image.values.data(), bytes.data(), bytes.size());
+    image.width = info.width;
+    image.height = info.height;
+}
 
 /// What a defective reader makes of a picture that was read rightly.
 Image reorient(Image image, const std::filesystem::path& file, Planted planted) {

@@ -66,6 +66,7 @@ int read(const char* path, QuadrelOiioRequest& request) {
     if (!input) {
         fail(request, pending_error(nullptr));
         const bool known = OIIO::ImageInput::create(path) != nullptr;
+        pending_error(nullptr);  // or the next read would have it
         return known ? 1 : quadrel_oiio_unknown_format;
     }
     const OIIO::ImageSpec& spec = input->spec();

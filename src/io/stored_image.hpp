@@ -1,0 +1,40 @@
+// An image as its file stores it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "modules/oiio/oiio_module.hpp"
+#include "quadrel/texture/image.hpp"
+
+namespace quadrel {
+
+/// Interleaved values in their native type, row 0 at the top; so they take less memory than floats,
+/// and who wants channels by themselves gets them without a copy of all.
+class StoredImage {
+  public:
+    /// `pixels` are width * height * channels values of the type, in the machine's byte order.
+    StoredImage(const QuadrelOiioInfo& info, std::vector<unsigned char> pixels)
+        : info_(info), pixels_(std::move(pixels)) {}
+
+    int width() const { return info_.width; }
+    int height() const { return info_.height; }
+    int channels() const { return info_.channels; }
+    bool is_luminance() const { return info_.luminance != 0; }
+    TexelFormat format() const;  ///< as Image::format
+
+    /// Decodes exactly `count` values, every `step`th from the `first`.
+    void decode(std::size_t first, std::size_t step, std::size_t count, float* out) const;
+
+    /// All of it.
+    Image decoded() const;
+
+  private:
+    QuadrelOiioInfo info_;
+    std::vector<unsigned char> pixels_;
+};
+
+/// The bytes of a value.
+std::size_t value_size(QuadrelOiioType type);
+
+}  // namespace quadrel
