@@ -7,6 +7,15 @@ namespace {
 
 void check_section(const Value& value, std::string_view section);
 
+/// Where stages have their parameters, a name that is near no key is one of these.
+[[noreturn]] void refuse_key(const Value& value, const std::string& key, std::string_view section) {
+    const std::vector<std::string_view> known = keys_of_section(section);
+    if (takes_parameters(section) && nearest_word(key, known).empty())
+        value.reject("a number, as parameters of stages are, or another key: " +
+                     one_of(key, known));
+    value.fail("an unknown key", one_of(key, known));
+}
+
 void check_below(const Value& value, const SceneKey& row) {
     const Json& json = value.json();
     if (row.below == Below::object) check_section(value, row.below_section);
@@ -26,7 +35,7 @@ void check_section(const Value& value, std::string_view section) {
         if (const SceneKey* row = find_scene_key(section, key))
             check_below(here, *row);
         else if (!(takes_parameters(section) && member.is_number()))
-            here.fail("an unknown key", one_of(key, keys_of_section(section)));
+            refuse_key(here, key, section);
     }
 }
 

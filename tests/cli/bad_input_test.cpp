@@ -122,6 +122,11 @@ TEST_F(BadInputs, NumbersThatAreNone) {
     EXPECT_TRUE(set("camera.fov_y=-inf", "camera.fov_y: found -inf ("));
     EXPECT_TRUE(set("camera.fov_y=1e999", "camera.fov_y: found the number 1e999 ("));
     EXPECT_TRUE(set("samples=NaN", "samples: found NaN ("));
+    EXPECT_TRUE(set("material.relief.steps=NaN", "material.relief.steps: found NaN ("));
+    EXPECT_TRUE(set("material.relief.trace={\"id\": \"linear\", \"steps\": NaN}",
+                    "material.relief.trace.steps: found NaN ("));
+    EXPECT_TRUE(set("material.relief.steps=many", "expected a number, as parameters"));
+    EXPECT_TRUE(set("material.relief.trce=steep", "found an unknown key ("));
     EXPECT_TRUE(set("camera.eye=[NaN,0,1]", "camera.eye[0]: found NaN ("));
     EXPECT_TRUE(
         set("camera={\"eye\": [0, 0, -1e999]}", "camera.eye[2]: found the number -1e999 ("));

@@ -44,7 +44,7 @@ TEST(RefusedPlugin, WithTheIdOfAnotherStage) {
 
 TEST(RefusedPlugin, IsMissing) { EXPECT_TRUE(refused(plugin("nothing"), "no such file")); }
 
-TEST(RefusedPlugin, IsAFolder) { EXPECT_TRUE(refused(QUADREL_PLUGINS, "no such file")); }
+TEST(RefusedPlugin, IsAFolder) { EXPECT_TRUE(refused(QUADREL_PLUGINS, "a directory")); }
 
 TEST(RefusedPlugin, IsNoSharedObject) {
     const testing_films::TemporaryFolder folder;
