@@ -40,12 +40,7 @@ int run(const Action& action, const SpelledVerb& verb) {
     }
 }
 
-int parse_and_run(int argc, char** argv) {
-    CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
-    app.set_version_flag("-V,--version", "quadrel " QUADREL_VERSION);
-    app.require_subcommand(1);
-    app.footer(exit_code_help());
-    Action action;
+void add_verbs(CLI::App& app, Action& action) {
     add_render(app, action);
     add_compare(app, action);
     add_list(app, action);
@@ -56,33 +51,36 @@ int parse_and_run(int argc, char** argv) {
     add_bake(app, action);
     add_explain(app, action);
     add_examples(app);
+}
+
+/// Parses, and returns what to do then: the verb, or to print help.
+Action parse(CLI::App& app, const Action& action, const SpelledVerb& verb,
+             const std::vector<std::string>& arguments) {
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        return [] { return ExitCode::ok; };
+    } catch (const CLI::ParseError& error) {
+        refuse_empty_arguments(*verb.app);
+        throw UsageError(usage_message(error, verb, arguments));
+    }
+    refuse_empty_arguments(*verb.app);
+    return action;
+}
+
+int parse_and_run(int argc, char** argv) {
+    CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
+    app.set_version_flag("-V,--version", "quadrel " QUADREL_VERSION);
+    app.require_subcommand(1);
+    app.footer(exit_code_help());
+    Action action;
+    add_verbs(app, action);
     const std::vector<std::string> arguments =
         with_help_words({argv + std::min(argc, 1), argv + argc});
     const SpelledVerb verb = spelled_verb(app, arguments);
     if (!verb.unknown.empty()) return complain(unknown_verb_message(verb), ExitCode::usage);
-    try {
-        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::Success& help) {
-        return run(
-            [&] {
-                app.exit(help);
-                return ExitCode::ok;
-            },
-            verb);
-    } catch (const CLI::ParseError& error) {
-        return run(
-            [&]() -> ExitCode {
-                refuse_empty_arguments(*verb.app);
-                throw UsageError(usage_message(error, verb, arguments));
-            },
-            verb);
-    }
-    return run(
-        [&] {
-            refuse_empty_arguments(*verb.app);
-            return action();
-        },
-        verb);
+    return run([&] { return parse(app, action, verb, arguments)(); }, verb);
 }
 
 }  // namespace

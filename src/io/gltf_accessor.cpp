@@ -176,9 +176,11 @@ const tinygltf::Accessor& checked_accessor(const GltfFile& file, int index) {
     return accessor;
 }
 
-/// The value of a bound as elements are read: as float32, normalised.
+/// The value of a bound as elements are read: as float32, normalised. Infinity beyond float32.
 float as_element(double bound, const tinygltf::Accessor& accessor) {
-    const auto value = static_cast<float>(bound);
+    using Limits = std::numeric_limits<float>;
+    const bool fits = std::abs(bound) <= static_cast<double>(Limits::max());
+    const float value = fits ? static_cast<float>(bound) : Limits::infinity();
     if (!accessor.normalized) return value;
     switch (accessor.componentType) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:

@@ -193,6 +193,7 @@ TEST_F(GltfRules, BoundsThatContradictTheElementsAreSaid) {
     EXPECT_TRUE(says(0, {0, -1, 0}, {1, 1, 0}));
     EXPECT_TRUE(says(0, {0, 0, 0.5}, {1, 1, 0})) << "an element is out of them";
     EXPECT_TRUE(says(0, {0, 0}, {1, 1, 0}));
+    EXPECT_TRUE(says(0, {0, 0, -1e300}, {1, 1, 0}));
     EXPECT_FALSE(says(4, json::array({0}), json::array({3})));
     EXPECT_TRUE(says(4, json::array({0}), json::array({4})));
     EXPECT_TRUE(refused([](json& j) { j["accessors"][0]["min"] = "none"; },
