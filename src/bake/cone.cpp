@@ -1,44 +1,40 @@
-// Conservative cone maps by brute force. Source: Dummer, "Cone Step Mapping: An Iterative
+// Conservative cone maps. Source: Dummer, "Cone Step Mapping: An Iterative
 // Ray-Heightfield Intersection Algorithm", 2006. Differs in measuring distances in the units of the
-// tile on both axes, so that maps that are not square are right, and in rounding down. The robust
+// tile on both axes, so that maps that are not square are right, in rounding down, and in leaving
+// out texels that cannot narrow a cone further. The robust
 // map adds the 3x3 minimum and the rounding of Ban, Valasek, Balint, Vad, "Robust Cone Step
 // Mapping", EGSR 2024.
 #include "bake/cone.hpp"
 
 #include "bake/generators.hpp"
+#include "bake/sector_search.hpp"
 
 namespace quadrel {
 
 namespace {
 
-/// The least ratio that any higher texel imposes on the cone of `apex`.
-double least_ratio(const HeightPlane& plane, const TileMetric& metric, const Apex& apex, double top,
-                   double limit) {
-    double best = limit;
-    if (top <= apex.height) return best;
-    search_rings(
-        apex.u, apex.v,
-        [&](int r) { return cone_ratio(metric.ring(r), top - apex.height) >= best; },
-        [&](int di, int dj) {
-            const double rise = plane.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
-            if (rise > 0) best = std::min(best, cone_ratio(metric(di, dj), rise));
-        });
-    return best;
-}
-
-std::shared_ptr<Texture> brute_force_cones(const BakeJob& job, double share) {
+std::shared_ptr<Texture> all_cones(const BakeJob& job, double share) {
     const HeightPlane& plane = job.plane;
+    const double limit = job.parameter("c_max");
+    const PlaneTree tree(job, share * 0.01, 1, cone_reach(plane, limit),
+                         [&](int x, int y, int) { return plane.at(x, y); });
+    const WholeCircle directions;
     const TileMetric metric(plane.width, plane.height);
-    const double top = highest(plane), limit = job.parameter("c_max");
-    return make_cone_map(job, share, Images::nearest, [&](const Apex& apex) {
-        return safe_ratio(least_ratio(plane, metric, apex, top, limit), limit);
-    });
+    return make_cone_map(
+        job, share * 0.99,
+        [limit, search = SectorSearch(tree, directions, metric, limit)](const Apex& apex) mutable {
+            return safe_ratio(search(apex)[0], limit);
+        });
 }
 
 }  // namespace
 
-float highest(const HeightPlane& plane) {
-    return *std::max_element(plane.heights.begin(), plane.heights.end());
+int cone_reach(const HeightPlane& plane, double limit) {
+    const auto [low, high] = std::minmax_element(plane.heights.begin(), plane.heights.end());
+    const double rise = double(*high) - *low;
+    // A texel more for what is rounded here.
+    const double texels = limit * rise * std::max(plane.width, plane.height) + 1;
+    return static_cast<int>(std::min(texels, 0x1p27)) + 1;
 }
 
 void filter_ratios(const BakeJob& job, double share, Texture& map) {
@@ -70,10 +66,10 @@ void quantise_ratios(const BakeJob& job, Texture& map) {
         texels[2 * k + 1] = floor_to_code(std::min(texels[2 * k + 1], 1.0f), bits);
 }
 
-std::shared_ptr<Texture> bake_cone(const BakeJob& job) { return brute_force_cones(job, 1); }
+std::shared_ptr<Texture> bake_cone(const BakeJob& job) { return all_cones(job, 1); }
 
 std::shared_ptr<Texture> bake_cone_robust(const BakeJob& job) {
-    const auto map = brute_force_cones(job, 0.99);
+    const auto map = all_cones(job, 0.99);
     filter_ratios(job, 0.01, *map);
     quantise_ratios(job, *map);
     return map;

@@ -88,7 +88,7 @@ class QuickSearch {
 std::shared_ptr<Texture> bake_cone_quick(const BakeJob& job) {
     const auto pyramid = texel_max_pyramid(job, 0.05);
     const QuickSearch search(job, *pyramid);
-    return make_cone_map(job, 0.95, Images::nearest, search);
+    return make_cone_map(job, 0.95, search);
 }
 
 }  // namespace quadrel

@@ -2,8 +2,8 @@
 // Mapping", EGSR 2024: a ray that has gone below the field inside of a cone can only come out where
 // the field falls going away from the apex, so only texels at the start of such an edge bound the
 // cone; then the 3x3 minimum. Differs in distances in tile units and in rounding down.
-#include "bake/cone.hpp"
 #include "bake/generators.hpp"
+#include "bake/sector_search.hpp"
 
 namespace quadrel {
 
@@ -18,40 +18,42 @@ bool falls(const HeightPlane& plane, int x, int y, int sx, int sy) {
     return near > along_u || near > along_v || along_u > far || along_v > far;
 }
 
-/// Whether the field falls behind texel (x, y), seen from an apex (di, dj) away from it. On an axis
-/// the cells on both sides are behind it.
-bool is_limiting(const HeightPlane& plane, int x, int y, int di, int dj) {
-    for (const int sx : {-1, 1}) {
-        for (const int sy : {-1, 1}) {
-            if (di * sx < 0 || dj * sy < 0) continue;
-            if (falls(plane, x, y, sx, sy)) return true;
-        }
+/// The quadrants of directions, (-u, -v) first, then (+u, -v): a channel each, which holds the
+/// texels that the field falls behind, seen along it. On an axis the cells on both sides are
+/// behind.
+struct FallingEdges {
+    static constexpr int sectors = 1, channels = 4;
+    static constexpr float none = -std::numeric_limits<float>::infinity();
+
+    static float value(const HeightPlane& plane, int x, int y, int quadrant) {
+        const int sx = quadrant % 2 ? 1 : -1, sy = quadrant / 2 ? 1 : -1;
+        return falls(plane, x, y, sx, sy) ? plane.at(x, y) : none;
     }
-    return false;
-}
+    unsigned sectors_of(const Offsets&) const { return 1; }
+    float greatest(const Offsets& at, const float* channel) const {
+        float most = none;
+        for (int k = 0; k < channels; ++k) {
+            const bool along_u = k % 2 ? at.u_high >= 0 : at.u_low <= 0;
+            const bool along_v = k / 2 ? at.v_high >= 0 : at.v_low <= 0;
+            if (along_u && along_v) most = std::max(most, channel[k]);
+        }
+        return most;
+    }
+};
 
 }  // namespace
 
 std::shared_ptr<Texture> bake_relaxed_cone_exact(const BakeJob& job) {
     const HeightPlane& plane = job.plane;
+    const double limit = job.parameter("c_max");
+    const PlaneTree tree(job, 0.01, FallingEdges::channels, cone_reach(plane, limit),
+                         [&](int x, int y, int c) { return FallingEdges::value(plane, x, y, c); });
+    const FallingEdges directions;
     const TileMetric metric(plane.width, plane.height);
-    const double top = highest(plane), limit = job.parameter("c_max");
-    const auto ratio = [&](const Apex& apex) {
-        double best = limit;
-        if (top <= apex.height) return safe_ratio(best, limit);
-        search_rings(
-            apex.u, apex.v,
-            [&](int r) { return cone_ratio(metric.ring(r), top - apex.height) >= best; },
-            [&](int di, int dj) {
-                const int x = apex.u.at(di), y = apex.v.at(dj);
-                const double rise = plane.at(x, y) - apex.height;
-                if (!(rise > 0)) return;
-                const double reached = cone_ratio(metric(di, dj), rise);
-                if (reached < best && is_limiting(plane, x, y, di, dj)) best = reached;
-            });
-        return safe_ratio(best, limit);
-    };
-    const auto map = make_cone_map(job, 0.99, Images::all, ratio);
+    const auto map =
+        make_cone_map(job, 0.98,
+                      [limit, search = SectorSearch(tree, directions, metric, limit)](
+                          const Apex& apex) mutable { return safe_ratio(search(apex)[0], limit); });
     filter_ratios(job, 0.01, *map);
     quantise_ratios(job, *map);
     return map;

@@ -7,99 +7,61 @@
 // +u towards +v in tile units. A texel counts for every sector that its square touches, so that no
 // ray of a sector passes over a texel that did not count. Inspired by Chen, Chuang, "Anisotropic
 // Relaxed Cone Stepping", APSIPA 2009.
-#include "bake/cone.hpp"
 #include "bake/generators.hpp"
+#include "bake/octants.hpp"
+#include "bake/sector_search.hpp"
 
 namespace quadrel {
 
 namespace {
 
-struct Interval {
-    double low, high;
-    Interval operator-() const { return {-high, -low}; }
+struct Quadrants {
+    static constexpr int sectors = 4, channels = 1;
+
+    explicit Quadrants(const HeightPlane& plane) : width(plane.width), height(plane.height) {}
+
+    /// Along v where the offsets along u are no greater, in tile units: exact, in whole numbers.
+    unsigned sectors_of(const Offsets& at) const {
+        const std::int64_t least_u = at.gap_u() * height, least_v = at.gap_v() * width;
+        const std::int64_t most_u = std::max(-at.u_low, at.u_high) * height;
+        const std::int64_t most_v = std::max(-at.v_low, at.v_high) * width;
+        unsigned hit = 0;
+        if (most_u > least_v) hit |= (at.u_low < 0 ? 1u : 0u) | (at.u_high > 0 ? 2u : 0u);
+        if (least_u <= most_v) hit |= (at.v_low < 0 ? 4u : 0u) | (at.v_high > 0 ? 8u : 0u);
+        return hit;
+    }
+    float greatest(const Offsets&, const float* channel) const { return *channel; }
+
+    std::int64_t width, height;
 };
 
-/// Whether the rectangle x, y touches the wedge 0 <= y <= x.
-bool touches_first_octant(const Interval& x, const Interval& y) {
-    return y.high >= 0 && x.high >= std::max(y.low, 0.0);
-}
+struct Octants {
+    static constexpr int sectors = 8, channels = 1;
 
-/// Whether it touches octant k: the first octant of mirrored axes.
-bool touches_octant(int k, const Interval& x, const Interval& y) {
-    switch (k) {
-        case 0:
-            return touches_first_octant(x, y);
-        case 1:
-            return touches_first_octant(y, x);
-        case 2:
-            return touches_first_octant(y, -x);
-        case 3:
-            return touches_first_octant(-x, y);
-        case 4:
-            return touches_first_octant(-x, -y);
-        case 5:
-            return touches_first_octant(-y, -x);
-        case 6:
-            return touches_first_octant(-y, x);
-        default:
-            return touches_first_octant(x, -y);
-    }
-}
+    explicit Octants(const HeightPlane& plane) : width(plane.width), height(plane.height) {}
 
-/// Bit k: the texel at an offset counts for sector k.
-unsigned octants_of(const HeightPlane& plane, int di, int dj) {
-    const Interval x{(di - 0.5) / plane.width, (di + 0.5) / plane.width};
-    const Interval y{(dj - 0.5) / plane.height, (dj + 0.5) / plane.height};
-    unsigned sectors = 0;
-    for (int k = 0; k < 8; ++k) sectors |= touches_octant(k, x, y) ? 1u << k : 0u;
-    return sectors;
-}
+    unsigned sectors_of(const Offsets& at) const { return octants_of(at, 0.5, width, height); }
+    float greatest(const Offsets&, const float* channel) const { return *channel; }
 
-unsigned quadrant_of(const HeightPlane& plane, int di, int dj) {
-    const bool along_u = std::abs(di) * static_cast<std::int64_t>(plane.height) >
-                         std::abs(dj) * static_cast<std::int64_t>(plane.width);
-    if (along_u) return di < 0 ? 1u : 2u;
-    return dj < 0 ? 4u : 8u;
-}
-
-/// The least ratio of each sector. `sectors_of(plane, di, dj)` as bits.
-template <int sectors, class SectorsOf>
-std::array<double, sectors> sector_ratios(const HeightPlane& plane, const Apex& apex, double top,
-                                          double limit, const SectorsOf& sectors_of) {
-    const TileMetric metric(plane.width, plane.height);
-    std::array<double, sectors> best;
-    best.fill(limit);
-    double widest = limit;
-    search_rings(
-        apex.u, apex.v,
-        [&](int r) {
-            return top <= apex.height || cone_ratio(metric.ring(r), top - apex.height) >= widest;
-        },
-        [&](int di, int dj) {
-            const double rise = plane.at(apex.u.at(di), apex.v.at(dj)) - apex.height;
-            if (!(rise > 0)) return;
-            const double ratio = cone_ratio(metric(di, dj), rise);
-            if (ratio >= widest) return;
-            const unsigned hit = sectors_of(plane, di, dj);
-            for (int k = 0; k < sectors; ++k)
-                if (hit >> k & 1u) best[k] = std::min(best[k], ratio);
-            widest = *std::max_element(best.begin(), best.end());
-        });
-    return best;
-}
+    int width, height;
+};
 
 /// Layers of four ratios.
-template <int sectors, class SectorsOf>
-std::shared_ptr<Texture> make_sector_map(const BakeJob& job, const SectorsOf& sectors_of) {
+template <class Directions>
+std::shared_ptr<Texture> make_sector_map(const BakeJob& job) {
     const HeightPlane& plane = job.plane;
-    const auto map = job.make(4, sectors / 4, {{plane.width, plane.height}});
-    const double top = highest(plane), limit = job.parameter("c_max");
+    const auto map = job.make(4, Directions::sectors / 4, {{plane.width, plane.height}});
+    const double limit = job.parameter("c_max");
     const std::size_t layer = static_cast<std::size_t>(plane.width) * plane.height * 4;
-    for_each_apex(job, 1, Images::all, *map, [&](const Apex& apex, float* texel) {
-        const auto ratios = sector_ratios<sectors>(plane, apex, top, limit, sectors_of);
-        for (int k = 0; k < sectors; ++k) {
-            texel[static_cast<std::size_t>(k / 4) * layer + k % 4] = safe_ratio(ratios[k], limit);
-        }
+    const PlaneTree tree(job, 0.01, 1, cone_reach(plane, limit),
+                         [&](int x, int y, int) { return plane.at(x, y); });
+    const Directions directions(plane);
+    const TileMetric metric(plane.width, plane.height);
+    SectorSearch shared(tree, directions, metric, limit);
+    for_each_apex(job, 0.99, *map, [shared, layer, limit](const Apex& apex, float* texel) mutable {
+        const auto ratios = shared(apex);
+        for (std::size_t k = 0; k < ratios.size(); ++k)
+            texel[k / 4 * layer + k % 4] = safe_ratio(ratios[k], limit);
     });
     return map;
 }
@@ -107,11 +69,11 @@ std::shared_ptr<Texture> make_sector_map(const BakeJob& job, const SectorsOf& se
 }  // namespace
 
 std::shared_ptr<Texture> bake_quad_cone(const BakeJob& job) {
-    return make_sector_map<4>(job, quadrant_of);
+    return make_sector_map<Quadrants>(job);
 }
 
 std::shared_ptr<Texture> bake_aniso_cone(const BakeJob& job) {
-    return make_sector_map<8>(job, octants_of);
+    return make_sector_map<Octants>(job);
 }
 
 }  // namespace quadrel
