@@ -32,7 +32,8 @@ struct Decider {
 /// One search around texel (i, j). A Visitor has
 ///     bool look(Candidate&, const float* greatest)   sets bound and sectors; false: cannot decide
 ///     bool matters(const Candidate&)                 asked again once others have been visited
-///     void take(const Candidate&)                    a texel: its bound is its own ratio
+///     bool is_fine(const Candidate&)                 true: its bound will do for all of its texels
+///     void take(const Candidate&)                    a texel, or what is fine
 template <class Visitor>
 class BlockSearch {
   public:
@@ -78,7 +79,8 @@ class BlockSearch {
     }
 
     void descend(const Candidate& candidate) {
-        if (candidate.block.level == 0) return visitor_.take(candidate);
+        if (candidate.block.level == 0 || visitor_.is_fine(candidate))
+            return visitor_.take(candidate);
         visit([&](int k, Block& block) { return tree_.quarter(candidate.block, k, block); });
     }
 

@@ -2,7 +2,7 @@
 // in tile units.
 #pragma once
 
-#include "bake/block_search.hpp"
+#include <algorithm>
 
 namespace quadrel {
 
@@ -11,41 +11,17 @@ struct Interval {
     Interval operator-() const { return {-high, -low}; }
 };
 
-/// Whether the rectangle x, y touches the wedge 0 <= y <= x.
-inline bool touches_first_octant(const Interval& x, const Interval& y) {
-    return y.high >= 0 && x.high >= std::max(y.low, 0.0);
+/// Bit `bit` if the rectangle x, y touches the wedge 0 <= y <= x: octant 0, or, with other axes in
+/// the place of x and y, any.
+[[gnu::always_inline]] inline unsigned octant_bit(int bit, const Interval& x, const Interval& y) {
+    return static_cast<unsigned>((y.high >= 0) & (x.high >= std::max(y.low, 0.0))) << bit;
 }
 
-/// Whether it touches octant k: the first octant of mirrored axes.
-inline bool touches_octant(int k, const Interval& x, const Interval& y) {
-    switch (k) {
-        case 0:
-            return touches_first_octant(x, y);
-        case 1:
-            return touches_first_octant(y, x);
-        case 2:
-            return touches_first_octant(y, -x);
-        case 3:
-            return touches_first_octant(-x, y);
-        case 4:
-            return touches_first_octant(-x, -y);
-        case 5:
-            return touches_first_octant(-y, -x);
-        case 6:
-            return touches_first_octant(-y, x);
-        default:
-            return touches_first_octant(x, -y);
-    }
-}
-
-/// Bit k: a texel of the block touches sector k, if texels are squares that reach `half` texels
-/// from their centres.
-inline unsigned octants_of(const Offsets& at, double half, int width, int height) {
-    const Interval x{(at.u_low - half) / width, (at.u_high + half) / width};
-    const Interval y{(at.v_low - half) / height, (at.v_high + half) / height};
-    unsigned sectors = 0;
-    for (int k = 0; k < 8; ++k) sectors |= touches_octant(k, x, y) ? 1u << k : 0u;
-    return sectors;
+/// Bit k: the rectangle x, y touches octant k.
+inline unsigned octants_of(const Interval& x, const Interval& y) {
+    return octant_bit(0, x, y) | octant_bit(1, y, x) | octant_bit(2, y, -x) | octant_bit(3, -x, y) |
+           octant_bit(4, -x, -y) | octant_bit(5, -y, -x) | octant_bit(6, -y, x) |
+           octant_bit(7, x, -y);
 }
 
 }  // namespace quadrel

@@ -24,16 +24,16 @@ class RelaxedRays {
     }
 
     /// The ratio that the texel at an offset gives the cone of stored texel (i, j), or any that is
-    /// not below `best`.
-    float ratio(int i, int j, int di, int dj, float best) const {
+    /// not below `best`. `samples`: after so many the ray is known not to come out any more.
+    float ratio(int i, int j, int di, int dj, float best, int samples) const {
         const auto [width, height] = std::pair(float(plane_.width), float(plane_.height));
         const float u = (float(i + plane_.grid.u.first) + 0.5f) / width;
         const float v = (float(j + plane_.grid.v.first) + 0.5f) / height;
         const float to_u = u + float(di) / width, to_v = v + float(dj) / height;
         const float z = depth_at(to_u, to_v), apex_depth = depth(i, j);
-        const Point exit =
-            z == 0 ? Point{to_u, to_v, z}
-                   : leave({to_u, to_v, z}, {to_u - u, to_v - v, z}, {u, v, apex_depth}, best);
+        const Point exit = z == 0 ? Point{to_u, to_v, z}
+                                  : leave({to_u, to_v, z}, {to_u - u, to_v - v, z},
+                                          {u, v, apex_depth}, best, samples);
         if (exit.z >= apex_depth) return 1;
         const float x = exit.u - u, y = exit.v - v;
         return std::sqrt(x * x + y * y) / (apex_depth - exit.z);
@@ -46,11 +46,11 @@ class RelaxedRays {
 
     static float depth_of(float height) { return 1.0f - std::clamp(height, 0.0f, 1.0f); }
 
-    /// Index along one axis of the stored plane. Most of a bake is spent here: whole numbers by
-    /// truncation and remainder, which floor() and stored_index() agree with.
+    /// Index along one axis of the stored plane, |x| < 4 or so, as is_wider() sees to. Most of a
+    /// bake is spent here: whole numbers by truncation and remainder, which floor() and
+    /// stored_index() agree with.
     static int stored(float x, int texels, const GridAxis& axis) {
-        // Rays that are nearly level run far; beyond this a float has no texels left.
-        const double at = std::clamp(static_cast<double>(x) * texels, -1e9, 1e9);
+        const double at = static_cast<double>(x) * texels;
         int i = static_cast<int>(at);
         if (i > at) --i;
         i -= axis.first;
@@ -75,13 +75,14 @@ class RelaxedRays {
 
     /// Where the ray that comes along `to` is outside again below texel q, by samples; or where it
     /// cannot matter any more.
-    Point leave(const Point& q, const Point& to, const Point& apex, float best) const {
+    Point leave(const Point& q, const Point& to, const Point& apex, float best, int samples) const {
         const float rest = 1.0f - q.z, count = static_cast<float>(steps_);
         const auto step_of = [&](float component) { return component / to.z * rest / count; };
         const Point step{step_of(to.u), step_of(to.v), step_of(to.z)};
         Point at{q.u + step.u, q.v + step.v, q.z + step.z};
         for (int i = 1; i < steps_; ++i) {
             if (is_wider(at, apex, best)) break;
+            if (i > samples) return {at.u, at.v, 1};
             if (!(depth_at(at.u, at.v) <= at.z)) break;  // and stays there for the other turns
             at = {at.u + step.u, at.v + step.v, at.z + step.z};
         }

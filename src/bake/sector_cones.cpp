@@ -40,7 +40,10 @@ struct Octants {
 
     explicit Octants(const HeightPlane& plane) : width(plane.width), height(plane.height) {}
 
-    unsigned sectors_of(const Offsets& at) const { return octants_of(at, 0.5, width, height); }
+    unsigned sectors_of(const Offsets& at) const {
+        return octants_of({(at.u_low - 0.5) / width, (at.u_high + 0.5) / width},
+                          {(at.v_low - 0.5) / height, (at.v_high + 0.5) / height});
+    }
     float greatest(const Offsets&, const float* channel) const { return *channel; }
 
     int width, height;

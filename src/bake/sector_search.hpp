@@ -49,6 +49,8 @@ class SectorRatios {
         return any;
     }
 
+    bool is_fine(const Candidate&) const { return false; }
+
     void take(const Candidate& candidate) {
         for (int k = 0; k < sectors; ++k) {
             if ((candidate.sectors >> k & 1u) == 0 || candidate.bound >= best_[k]) continue;
