@@ -29,6 +29,11 @@ enum class Planted {
     early_exit,         ///< one sample fewer below each texel than listed
     ratio_not_root,     ///< a ratio where a map has its root
     exact_distances,    ///< distances to texels where a source has those of rings
+    // Searches by blocks.
+    block_too_low,           ///< blocks a little lower than their greatest texel
+    beyond_forgotten,        ///< nothing beyond the stored grid
+    distance_of_the_middle,  ///< a block's middle instead of its nearest texel
+    sectors_of_the_middle,   ///< the sectors that a block's middle is in
     // Volumes, horizons, normals, tables.
     raised,          ///< every value a little too high
     lowered,         ///< every value a little too low

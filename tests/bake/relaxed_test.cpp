@@ -81,9 +81,15 @@ testing::AssertionResult follows_the_listing(const Baker& baked, int steps) {
     const Texels noise = random_field(9, 7, 21);
     const Texels hills = make_field(
         12, 10, [](int i, int j) { return 0.05 + ((i - 5) * (i - 5) + j * j) % 37 / 41.0; });
-    for (const Texels& field : {noise, hills}) {
+    // Ridges that rays come out of far behind where they went in.
+    const Texels ridges = make_field(15, 4, [](int i, int j) {
+        const double far = std::abs(i - 6 - j / 3.0) / 5, near = std::abs(i - 12.0) / 2;
+        return std::max({0.05, 0.97 - far * far, 0.6 - near}) - (i + j) % 3 / 500.0;
+    });
+    int turn = 0;
+    for (const Texels& field : {noise, hills, ridges}) {
         for (const Wrap wrap : all_wraps) {
-            const SamplerState sampler = sampler_with(wrap, Wrap::repeat);
+            const SamplerState sampler = sampler_with(wrap, all_wraps[turn++ % 4]);
             const auto result = is_the_listing(steps)(*baked(*field, sampler), *field, sampler);
             if (!result) return result;
         }
