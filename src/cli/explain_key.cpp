@@ -89,7 +89,7 @@ std::string section_text(std::string_view section) {
     std::string text = fmt::format("{}: section of scene files\n", section);
     add_line(text, "keys", keys_text(section));
     if (takes_parameters(section))
-        add_line(text, "", "and the parameters of the stage, all numbers");
+        add_line(text, "", "and the parameters of the stage: numbers, or names of them");
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/markdown.hpp"
 #include "cli/parameter_text.hpp"
 #include "io/scene_keys.hpp"
+#include "io/stage_parameters.hpp"
 #include "quadrel/bake.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
@@ -79,7 +80,8 @@ void explain_preset(const std::string& word, Texts& texts) {
     std::string text = fmt::format("{}: preset\n  {}\n  map      {}\n  source   {}\n", word,
                                    preset->summary, preset->map, preset->source);
     text += fmt::format("  frame    {}\n  trace    {}", preset->frame, preset->trace);
-    for (const auto& [name, value] : preset->parameters) text += fmt::format(" {}={}", name, value);
+    for (const auto& [name, value] : preset->parameters)
+        text += fmt::format(" {}={}", name, text_of(value));
     texts.push_back(text + "\n");
 }
 

@@ -11,6 +11,7 @@
 #include "cli/quiet.hpp"
 #include "cli/verbs.hpp"
 #include "io/printable.hpp"
+#include "io/stage_parameters.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
@@ -36,13 +37,16 @@ Json value_names(std::span<const Value> values) {
 }
 
 Json parameter_json(const ParameterText& parameter) {
+    Json names = Json::object();
+    for (const ValueName& row : value_names(parameter)) names[row.name] = row.value;
     return {{"name", parameter.name},
             {"unit", parameter.unit},
             {"meaning", parameter.meaning},
             {"integer", parameter.integer},
             {"minimum", parameter.minimum},
             {"maximum", parameter.maximum},
-            {"default", parameter.default_value}};
+            {"default", parameter.default_value},
+            {"names", names}};
 }
 
 Json stage_json(const StageInfo& stage) {
@@ -117,7 +121,12 @@ Rows scene_rows() {
 
 Json preset_json(const Preset& preset) {
     Json parameters = Json::object();
-    for (const auto& [name, value] : preset.parameters) parameters[name] = value;
+    for (const auto& [name, value] : preset.parameters) {
+        if (value.name())
+            parameters[name] = *value.name();
+        else
+            parameters[name] = *value.number();
+    }
     return {{"name", preset.name},     {"summary", preset.summary}, {"map", preset.map},
             {"source", preset.source}, {"frame", preset.frame},     {"trace", preset.trace},
             {"parameters", parameters}};
@@ -125,7 +134,8 @@ Json preset_json(const Preset& preset) {
 
 std::string preset_text(const Preset& preset) {
     std::string trace = preset.trace;
-    for (const auto& [name, value] : preset.parameters) trace += fmt::format(" {}={}", name, value);
+    for (const auto& [name, value] : preset.parameters)
+        trace += fmt::format(" {}={}", name, text_of(value));
     return fmt::format("{:<22} {}\n{:<24}{}; {}\n{:<24}{}; {}\n", preset.name, preset.summary, "",
                        preset.frame, trace, "", preset.map, preset.source);
 }

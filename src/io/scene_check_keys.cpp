@@ -1,6 +1,7 @@
 #include "io/scene_keys.hpp"
 #include "io/scene_override.hpp"
 #include "io/scene_value.hpp"
+#include "io/stage_parameters.hpp"
 
 namespace quadrel {
 namespace {
@@ -11,7 +12,7 @@ void check_section(const Value& value, std::string_view section);
 [[noreturn]] void refuse_key(const Value& value, const std::string& key, std::string_view section) {
     const std::vector<std::string_view> known = keys_of_section(section);
     if (takes_parameters(section) && nearest_word(key, known).empty())
-        value.reject("a number, as parameters of stages are, or another key: " +
+        value.reject("a number or a name, as parameters of stages are, or another key: " +
                      one_of(key, known));
     value.fail("an unknown key", one_of(key, known));
 }
@@ -34,7 +35,7 @@ void check_section(const Value& value, std::string_view section) {
         const Value here = value.member(key);
         if (const SceneKey* row = find_scene_key(section, key))
             check_below(here, *row);
-        else if (!(takes_parameters(section) && member.is_number()))
+        else if (!(takes_parameters(section) && (member.is_number() || is_parameter(key))))
             refuse_key(here, key, section);
     }
 }

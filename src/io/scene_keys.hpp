@@ -36,7 +36,7 @@ const SceneKey* find_scene_key(std::string_view section, std::string_view key);
 /// The keys of a section.
 std::vector<std::string_view> keys_of_section(std::string_view section);
 
-/// Whether objects of the section take further keys: the parameters of stages, all numbers.
+/// Whether objects of the section take further keys: the parameters of stages.
 bool takes_parameters(std::string_view section);
 
 }  // namespace quadrel

@@ -6,6 +6,7 @@
 #include "io/glib_scene.hpp"
 #include "io/hash.hpp"
 #include "io/read_file.hpp"
+#include "io/scene_choices.hpp"
 #include "io/scene_objects.hpp"
 #include "io/scene_override.hpp"
 #include "io/scene_read.hpp"
@@ -28,6 +29,7 @@ SceneDocument open_document(const std::filesystem::path& file,
     for (const std::string& assignment : overrides) apply_override(document, assignment);
     notes = drop_replaced_parameters(before, document);
     check_scene_keys(document);
+    name_choices(document);
     return document;
 }
 

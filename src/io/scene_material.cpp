@@ -10,8 +10,13 @@ constexpr Word<Cull> cull_words[] = {
 constexpr const char* texture_slots[] = {"color", "height", "gloss", "emissive", "normal"};
 
 void read_parameters(Fields& fields, StageChoice& stage) {
-    for (const std::string& name : fields.rest())
-        stage.parameters[name] = fields.value().member(name).number();
+    for (const std::string& name : fields.rest()) {
+        const Value value = fields.value().member(name);
+        if (value.json().is_string())
+            stage.parameters[name] = value.string();
+        else
+            stage.parameters[name] = value.number();
+    }
 }
 
 // A stage's id, or an object of its id and parameters; where there is none, `stage` stays.

@@ -11,6 +11,11 @@
 namespace quadrel {
 namespace {
 
+nlohmann::ordered_json json_of(const ParameterValue& value) {
+    if (value.name()) return *value.name();
+    return *value.number();
+}
+
 /// Stage ids and the parameters that the scene gives, material by material.
 std::string algorithm_text(const Scene& scene) {
     nlohmann::ordered_json all = nlohmann::ordered_json::object();
@@ -25,7 +30,7 @@ std::string algorithm_text(const Scene& scene) {
              {&material.frame, &material.trace, &material.clip, &material.frag_depth,
               &material.surface, &material.shadow, &material.occlusion, &material.shade})
             for (const auto& [name, value] : choice->parameters)
-                entry["parameters"][choice->key + "." + name] = value;
+                entry["parameters"][choice->key + "." + name] = json_of(value);
         entry["depth"] = material.depth;
         if (material.depth_in_tiles) entry["depth_in_tiles"] = true;
         if (material.fade_from < material.fade_to)

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
+#include "io/stage_parameters.hpp"
 #include "io/suggest.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/scene/default_stage.hpp"
 #include "render/added_stages.hpp"
 
 namespace quadrel {
@@ -25,8 +26,9 @@ std::vector<std::string> ids_of_room(std::string_view room) {
 
 /// The stage that a scene names for a room; `none` is the room's own do-nothing stage.
 const StageInfo& chosen_stage(const Scene& scene, const StageChoice& choice, std::string_view room,
-                              const std::string& fallback) {
-    std::string id = choice.id.empty() ? fallback : choice.id;
+                              HeightSource heights) {
+    std::string id = choice.id;
+    if (id.empty()) id = default_stage(room, heights);
     if (id == "none") id = fmt::format("{}-none", room);
     const StageInfo* stage = find_stage(id);
     if (stage && room == stage->text.room) return *stage;
@@ -40,11 +42,10 @@ const StageInfo& chosen_stage(const Scene& scene, const StageChoice& choice, std
 }
 
 void set_parameter(const Scene& scene, const StageChoice& choice, const StageInfo& stage,
-                   const std::string& name, double value, void* params) {
+                   const std::string& name, const ParameterValue& value, void* params) {
     const std::string key = choice.key + "." + name;
-    const auto parameter = std::find_if(stage.parameters.begin(), stage.parameters.end(),
-                                        [&](const ParameterText& p) { return name == p.name; });
-    if (parameter == stage.parameters.end()) {
+    const ParameterText* parameter = find_parameter(stage.text.id, name);
+    if (parameter == nullptr) {
         std::vector<std::string> names;
         for (const ParameterText& p : stage.parameters) names.emplace_back(p.name);
         throw InputError(scene.file.string(), key, "an unknown parameter",
@@ -52,13 +53,10 @@ void set_parameter(const Scene& scene, const StageChoice& choice, const StageInf
                                        : fmt::format("a parameter of {}: {}", stage.text.id,
                                                      fmt::join(names, ", ")));
     }
-    const bool whole = !parameter->integer || value == std::floor(value);
-    if (!(value >= parameter->minimum && value <= parameter->maximum) || !whole)
-        throw InputError(
-            scene.file.string(), key, fmt::format("{}", value),
-            fmt::format("{} in [{}, {}]", parameter->integer ? "an integer" : "a number",
-                        parameter->minimum, parameter->maximum));
-    parameter->set(params, value);
+    const std::optional<double> number = number_of(*parameter, value);
+    if (!number)
+        throw InputError(scene.file.string(), key, text_of(value), expected_of(*parameter, value));
+    parameter->set(params, *number);
 }
 
 PlannedStage make_stage(const StageInfo& info, int light = -1) {
@@ -71,8 +69,8 @@ PlannedStage make_stage(const StageInfo& info, int light = -1) {
 }
 
 PlannedStage make_chosen(const Scene& scene, const StageChoice& choice, std::string_view room,
-                         const std::string& fallback, int light = -1) {
-    const StageInfo& info = chosen_stage(scene, choice, room, fallback);
+                         HeightSource heights, int light = -1) {
+    const StageInfo& info = chosen_stage(scene, choice, room, heights);
     PlannedStage planned = make_stage(info, light);
     for (const auto& [name, value] : choice.parameters)
         set_parameter(scene, choice, info, name, value, planned.params.data());
@@ -109,27 +107,28 @@ bool grades_depth(const Material& material) {
 }
 
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
-    const bool relief = material.textures.count("height") > 0 || material.noise;
-    const auto fallback = [&](const char* id) { return std::string(relief ? id : "none"); };
+    const HeightSource heights = material.noise                      ? HeightSource::noise
+                                 : material.textures.count("height") ? HeightSource::map
+                                                                     : HeightSource::none;
+    const auto chosen = [&](const StageChoice& choice, const char* room, int light = -1) {
+        return make_chosen(scene, choice, room, heights, light);
+    };
     std::vector<PlannedStage> stages;
     for (const char* id : {"interpolate", "differentiate", "lod"})
         stages.push_back(make_stage(*find_stage(id)));
     stages.push_back(
         make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
-    stages.push_back(make_chosen(scene, material.frame, "frame", fallback("frame-gram")));
-    stages.push_back(make_chosen(scene, material.trace, "trace", fallback("linear")));
-    if (clips(material)) stages.push_back(make_chosen(scene, material.clip, "clip", "none"));
+    stages.push_back(chosen(material.frame, "frame"));
+    stages.push_back(chosen(material.trace, "trace"));
+    if (clips(material)) stages.push_back(chosen(material.clip, "clip"));
     stages.push_back(make_stage(*find_stage("displace")));
-    stages.push_back(writes_depth(material)
-                         ? make_chosen(scene, material.frag_depth, "frag-depth", "none")
-                         : make_stage(*find_stage("frag-depth")));
-    const char* const normals = material.noise ? "h2n-patch" : "h2n-thesis";
-    stages.push_back(make_chosen(scene, material.surface, "surface", fallback(normals)));
+    stages.push_back(writes_depth(material) ? chosen(material.frag_depth, "frag-depth")
+                                            : make_stage(*find_stage("frag-depth")));
+    stages.push_back(chosen(material.surface, "surface"));
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
-        stages.push_back(
-            make_chosen(scene, material.shadow, "shadow", fallback("shadow-march-thesis"), light));
-    stages.push_back(make_chosen(scene, material.occlusion, "occlusion", "none"));
-    stages.push_back(make_chosen(scene, material.shade, "shade", "shade-thesis"));
+        stages.push_back(chosen(material.shadow, "shadow", light));
+    stages.push_back(chosen(material.occlusion, "occlusion"));
+    stages.push_back(chosen(material.shade, "shade"));
     return stages;
 }
 

@@ -119,6 +119,27 @@ Fault output_fault(const StageRow& row, std::span<const StageInfo> others) {
     return std::nullopt;
 }
 
+/// Words that -D does not take for another kind of value.
+bool is_value_name(const char* text) {
+    const std::string_view name = is_word(text) ? text : "";
+    const bool begins = !name.empty() && name.find_first_of("0123456789-_@.") != 0;
+    return begins && name != "true" && name != "false" && name != "null";
+}
+
+bool names_are_sound(const ParameterText& p) {
+    const int count = p.value_name_count;
+    if (count == 0) return true;
+    if (count < 0 || p.value_names == nullptr || !p.integer) return false;
+    std::set<std::string> names;
+    for (int i = 0; i < count; ++i) {
+        const auto [value, name] = p.value_names[i];
+        if (!is_value_name(name) || !names.insert(name).second) return false;
+        if (value < p.minimum || value > p.maximum) return false;
+        if (i > 0 && value <= p.value_names[i - 1].value) return false;
+    }
+    return true;
+}
+
 Fault parameter_fault(const StageRow& row) {
     std::set<std::string> names;
     for (int i = 0; i < row.parameter_count; ++i) {
@@ -129,6 +150,9 @@ Fault parameter_fault(const StageRow& row) {
         if (!sound)
             return StageFault{row.text.id, fmt::format("parameter {}", p.name ? p.name : ""),
                               "a name of its own, a meaning, minimum <= default <= maximum"};
+        if (!names_are_sound(p))
+            return StageFault{row.text.id, fmt::format("parameter {}", p.name),
+                              "names of their own for values that the integer takes, ascending"};
     }
     return std::nullopt;
 }

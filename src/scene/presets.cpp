@@ -17,28 +17,29 @@ std::vector<Preset> make_presets() {
         const char *source, *map, *frame, *trace;
     };
     const auto add = [&](const Engine& engine, const char* name, const char* summary,
-                         std::map<std::string, double> parameters = {}) {
+                         std::map<std::string, ParameterValue> parameters = {}) {
         presets.push_back({name, summary, engine.map, engine.source, engine.frame, engine.trace,
                            std::move(parameters)});
     };
     const Engine godot{"godot, scene/resources/material.cpp at 0059d788 (4.x)", red_height,
                        "frame-vertex", "godot"};
-    add(godot, "godot-simple", "Godot, StandardMaterial3D: heightmap_enabled", {{"deep", 0}});
-    add(godot, "godot-deep", "Godot, StandardMaterial3D: heightmap_deep_parallax", {{"deep", 1}});
+    add(godot, "godot-simple", "Godot, StandardMaterial3D: heightmap_enabled", {{"deep", "off"}});
+    add(godot, "godot-deep", "Godot, StandardMaterial3D: heightmap_deep_parallax",
+        {{"deep", "on"}});
 
     const Engine bevy{"bevy_pbr, parallax_mapping.wesl at 4805ca79 (0.20.0-dev)", red_depth,
                       "frame-vertex", "bevy"};
     add(bevy, "bevy-occlusion", "Bevy, StandardMaterial: ParallaxMappingMethod::Occlusion",
-        {{"relief", 0}});
+        {{"relief", "occlusion"}});
     add(bevy, "bevy-relief", "Bevy, StandardMaterial: ParallaxMappingMethod::Relief",
-        {{"relief", 1}});
+        {{"relief", "relief"}});
 
     const Engine three{"three.js, examples/jsm/shaders/ParallaxShader.js at 05578ec7 (to r131)",
                        red_depth, "frame-cot", "three-parallax"};
-    add(three, "three-basic", "three.js, ParallaxShader: basic", {{"mode", 0}});
-    add(three, "three-steep", "three.js, ParallaxShader: steep", {{"mode", 1}});
-    add(three, "three-occlusion", "three.js, ParallaxShader: occlusion", {{"mode", 2}});
-    add(three, "three-relief", "three.js, ParallaxShader: relief", {{"mode", 3}});
+    add(three, "three-basic", "three.js, ParallaxShader: basic", {{"mode", "basic"}});
+    add(three, "three-steep", "three.js, ParallaxShader: steep", {{"mode", "steep"}});
+    add(three, "three-occlusion", "three.js, ParallaxShader: occlusion", {{"mode", "occlusion"}});
+    add(three, "three-relief", "three.js, ParallaxShader: relief", {{"mode", "relief"}});
     const Engine three_nodes{"three.js, src/nodes/accessors/AccessorsUtils.js at 085048b0",
                              red_depth, "frame-vertex", "three-parallax-uv"};
     add(three_nodes, "three-parallax-uv", "three.js, shading language: parallaxUV");
@@ -46,27 +47,24 @@ std::vector<Preset> make_presets() {
     const Engine babylon{"Babylon.js, ShadersInclude/bumpFragmentFunctions.fx at 769119fa",
                          alpha_height, "frame-cot@published", "babylon"};
     add(babylon, "babylon-parallax", "Babylon.js, StandardMaterial, PBRMaterial: useParallax",
-        {{"parallax_occlusion", 0}});
+        {{"parallax_occlusion", "off"}});
     add(babylon, "babylon-occlusion", "Babylon.js, the same: useParallaxOcclusion",
-        {{"parallax_occlusion", 1}});
+        {{"parallax_occlusion", "on"}});
 
     const Engine o3de{"o3de, ShaderLib/Atom/Features/ParallaxMapping.azsli at 354a2acc", red_height,
                       "frame-vertex", "o3de"};
-    const std::pair<const char*, const char*> algorithms[] = {{"o3de-basic", "O3DE: Basic"},
-                                                              {"o3de-steep", "O3DE: Steep"},
-                                                              {"o3de-occlusion", "O3DE: POM"},
-                                                              {"o3de-relief", "O3DE: Relief"},
-                                                              {"o3de-contact", "O3DE: Contact"}};
-    for (int i = 0; i < 5; ++i)
-        add(o3de, algorithms[i].first, algorithms[i].second,
-            {{"algorithm", static_cast<double>(i)}});
+    add(o3de, "o3de-basic", "O3DE: Basic", {{"algorithm", "basic"}});
+    add(o3de, "o3de-steep", "O3DE: Steep", {{"algorithm", "steep"}});
+    add(o3de, "o3de-occlusion", "O3DE: POM", {{"algorithm", "occlusion"}});
+    add(o3de, "o3de-relief", "O3DE: Relief", {{"algorithm", "relief"}});
+    add(o3de, "o3de-contact", "O3DE: Contact", {{"algorithm", "contact"}});
 
     const Engine playcanvas{"playcanvas/engine, chunks/standard/frag/parallax.js (2.22)",
                             red_height, "frame-vertex", "playcanvas"};
     add(playcanvas, "playcanvas-offset", "PlayCanvas, StandardMaterial: parallaxMode offset",
-        {{"mode", 0}});
+        {{"mode", "offset"}});
     add(playcanvas, "playcanvas-occlusion", "PlayCanvas, the same: parallaxMode occlusion",
-        {{"mode", 1}});
+        {{"mode", "occlusion"}});
 
     const Engine unity_offset{"Unity, UnityCG.cginc and ParallaxMapping.hlsl at 467b5fea",
                               green_height, "frame-vertex", "offset-limit-042@published"};
@@ -74,9 +72,9 @@ std::vector<Preset> make_presets() {
     const Engine unity_pom{"Unity, PerPixelDisplacement.hlsl at c8df1d81", red_height,
                            "frame-vertex", "unity-pom"};
     add(unity_pom, "unity-shader-graph", "Unity, Shader Graph: Parallax Occlusion Mapping node",
-        {{"mode", 0}});
+        {{"mode", "shader-graph"}});
     add(unity_pom, "unity-hdrp", "Unity, HDRP Lit: pixel displacement",
-        {{"mode", 1}, {"scale", 0.02}, {"lod_threshold", 5}});
+        {{"mode", "hdrp"}, {"scale", 0.02}, {"lod_threshold", 5}});
 
     const Engine unreal{"Unreal Engine, UMaterialExpressionBumpOffset (API reference, 5.4)",
                         "height as the graph supplies it", "frame-vertex", "unreal-bump-offset"};
@@ -105,7 +103,7 @@ void apply_preset(const Preset& preset, const std::string& key, Material& materi
     material.trace = {preset.trace, preset.parameters, key};
     material.shadow = {"none", {}, key};
     if (material.textures.contains("normal"))
-        material.surface = {"normal-map", {{"green", -1}}, key};
+        material.surface = {"normal-map", {{"green", "down"}}, key};
 }
 
 }  // namespace quadrel

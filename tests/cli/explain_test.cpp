@@ -107,6 +107,22 @@ TEST(List, Filters) {
     EXPECT_EQ(nlohmann::json::parse(run({"list", "presets", "Quake", "--json"}).out).size(), 0u);
 }
 
+TEST(List, NamesOfValues) {
+    const char* const names = "mode = relief (0 basic, 1 steep, 2 occlusion, 3 relief)";
+    const std::string text = run({"list", "algorithms", "three-parallax"}).out;
+    EXPECT_NE(text.find(names), std::string::npos) << text;
+    EXPECT_NE(text.find("max_layers = 25 (1 to "), std::string::npos) << text;
+    EXPECT_TRUE(explains({{"material.relief.mode", names}, {"three-steep", "mode=steep"}}));
+    const auto stages =
+        nlohmann::json::parse(run({"list", "algorithms", "ParallaxShader", "basic", "--json"}).out);
+    ASSERT_EQ(stages.size(), 1u);
+    EXPECT_EQ(stages[0]["parameters"][0]["names"]["occlusion"], 2);
+    EXPECT_EQ(stages[0]["parameters"][1]["names"].size(), 0u);
+    const auto presets =
+        nlohmann::json::parse(run({"list", "presets", "three-steep", "--json"}).out);
+    EXPECT_EQ(presets[0]["parameters"]["mode"], "steep");
+}
+
 TEST(List, ScenesSayWhatTheyShow) {
     const auto json = nlohmann::json::parse(run({"list", "scenes", "--json"}).out);
     EXPECT_EQ(json.size(), installed_scenes().size());

@@ -148,6 +148,23 @@ TEST(RefusedRow, Parameters) {
     EXPECT_TRUE(refused_row(with([](auto& p) { p.default_value = 65; }), "parameter steps"));
     EXPECT_TRUE(refused_row(with([](auto& p) { p.name = "s teps"; }), "parameter s teps"));
     EXPECT_FALSE(refused_row(with([](auto&) {}), ""));
+    static ValueName names[] = {{1, "one"}, {12, "twelve"}};
+    const auto named = [&](ValueName first) {
+        return with([first](auto& p) {
+            names[0] = first;
+            p.value_names = names;
+            p.value_name_count = 2;
+        });
+    };
+    for (const ValueName& wrong : {ValueName{0, "zero"},
+                                   {12, "dozen"},
+                                   {1, "twelve"},
+                                   {1, "1"},
+                                   {1, "true"},
+                                   {1, ""},
+                                   {1, nullptr}})
+        EXPECT_TRUE(refused_row(named(wrong), "names of their own"));
+    EXPECT_FALSE(refused_row(named({1, "one"}), ""));
 }
 
 TEST(RefusedRow, TwiceTheSameId) {

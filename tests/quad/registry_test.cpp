@@ -60,6 +60,22 @@ class ParamsBytes {
     std::vector<std::max_align_t> memory_;
 };
 
+/// What means one of a few things, not so many of something, has names for them.
+std::string complaint_of_names(const ParameterText& p) {
+    const bool counts = p.unit != std::string_view("1");
+    if (p.integer && !counts && p.maximum - p.minimum < 6 && value_names(p).empty())
+        return "no names for a few values";
+    std::set<std::string> names;
+    for (const auto& [value, name] : value_names(p)) {
+        if (value < p.minimum || value > p.maximum) return "a name for a value out of range";
+        if (!names.insert(name).second) return "one name for two values";
+        if (name_of_value(p, value) != name) return "two names for one value";
+    }
+    if (!names.empty() && name_of_value(p, p.default_value).empty())
+        return "a default without name";
+    return "";
+}
+
 std::string complaint(const StageInfo& stage, const ParameterText& p) {
     if (!(p.minimum <= p.default_value && p.default_value <= p.maximum))
         return "default not in range";
@@ -73,7 +89,8 @@ std::string complaint(const StageInfo& stage, const ParameterText& p) {
     p.set(set.data(), p.default_value == p.minimum ? p.maximum : p.minimum);
     if (set == defaults) return "set does nothing";
     p.set(set.data(), p.default_value);
-    return set == defaults ? "" : "set writes elsewhere";
+    if (!(set == defaults)) return "set writes elsewhere";
+    return complaint_of_names(p);
 }
 
 testing::AssertionResult parameters_are_consistent(const Stages& stages) {
@@ -178,6 +195,23 @@ TEST(Registry, ErrorsInParametersAreNoticed) {
     bad = good;  // set_does_nothing
     bad.set = [](void*, double) {};
     EXPECT_FALSE(parameter_passes(bad));
+}
+
+TEST(Registry, ErrorsInNamesAreNoticed) {
+    static constexpr ValueName few[] = {{1, "one"}, {4, "four"}}, twice[] = {{1, "a"}, {4, "a"}},
+                               same[] = {{4, "a"}, {4, "b"}}, outside[] = {{3, "a"}, {5, "b"}};
+    constexpr auto of = [](const ValueName(&names)[2]) {
+        ParameterText text = choice<&TwoParams::count>("count", "how many", names, 4);
+        text.maximum = 4;
+        text.minimum = 1;
+        return text;
+    };
+    EXPECT_TRUE(parameter_passes(of(few)));
+    EXPECT_FALSE(parameter_passes(of(twice)));
+    EXPECT_FALSE(parameter_passes(of(same)));
+    EXPECT_FALSE(parameter_passes(of(outside)));
+    EXPECT_FALSE(parameter_passes(parameter<&TwoParams::count>("count", "1", "which", 1, 5, 4)));
+    EXPECT_TRUE(parameter_passes(parameter<&TwoParams::count>("count", "steps", "many", 1, 5, 4)));
 }
 
 StageInfo& stage_in(Stages& stages, const std::string& id) {

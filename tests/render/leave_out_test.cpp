@@ -98,7 +98,7 @@ testing::AssertionResult flat_maps_leave_no_trace(const Renderer& renderer) {
     for (int i = 0; i < 36; ++i) {
         Scene scene = relief_scene("unused.exr", [](int, int) { return 0; });
         choose_settings(scene, random);
-        const int steps = static_cast<int>(scene.materials[0].trace.parameters["steps"]);
+        const int steps = static_cast<int>(*scene.materials[0].trace.parameters["steps"].number());
         const float height = flat_height(i, steps, random);
         TextureReference& map = scene.materials[0].textures["height"];
         map.file = write_texture("flat" + std::to_string(i) + ".exr", 8,

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "io/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
@@ -24,13 +25,10 @@ testing::AssertionResult can_be_planned(const Preset& preset) {
     if (!frame) return frame;
     if (!trace) return trace;
     for (const auto& [name, value] : preset.parameters) {
-        const auto parameters = find_stage(preset.trace)->parameters;
-        const auto found = std::ranges::find_if(
-            parameters, [&](const ParameterText& p) { return name == p.name; });
-        if (found == parameters.end()) return testing::AssertionFailure() << name;
-        if (value < found->minimum || value > found->maximum ||
-            (found->integer && value != std::trunc(value)))
-            return testing::AssertionFailure() << name << " = " << value;
+        const ParameterText* parameter = find_parameter(preset.trace, name);
+        if (parameter == nullptr) return testing::AssertionFailure() << name;
+        if (!number_of(*parameter, value))
+            return testing::AssertionFailure() << name << " = " << text_of(value);
     }
     return testing::AssertionSuccess();
 }
@@ -48,6 +46,9 @@ TEST(Presets, NameWhatExists) {
     flawed.parameters = {{"scael", 1}};
     EXPECT_FALSE(can_be_planned(flawed));
     flawed.parameters = {{"scale", 1e9}};
+    EXPECT_FALSE(can_be_planned(flawed));
+    flawed = *find_preset("three-steep");
+    flawed.parameters = {{"mode", "stepe"}};
     EXPECT_FALSE(can_be_planned(flawed));
     flawed = {"", "", "", "", "offset-limit", "offset-limit"};
     EXPECT_FALSE(can_be_planned(flawed));

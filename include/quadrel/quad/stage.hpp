@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include "quadrel/num/functions.hpp"
+#include "quadrel/quad/parameter.hpp"
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/quad/value.hpp"
 #include "quadrel/raster/planes.hpp"
@@ -76,46 +77,6 @@ struct StageText {
     const char* source;
 };
 
-/// A parameter of a stage, type-erased: `set` writes a value into a Params.
-struct ParameterText {
-    const char* name;
-    const char* unit;
-    const char* meaning;
-    double minimum, maximum, default_value;
-    bool integer;
-    void (*set)(void* params, double value);
-};
-
-namespace detail {
-template <class T>
-struct MemberOf;
-template <class P, class M>
-struct MemberOf<M P::*> {
-    using Struct = P;
-    using Type = M;
-};
-}  // namespace detail
-
-/// Describes Params member `member`.
-template <auto member>
-constexpr ParameterText parameter(const char* name, const char* unit, const char* meaning,
-                                  double minimum, double maximum, double default_value) {
-    using Of = detail::MemberOf<decltype(member)>;
-    return {name,
-            unit,
-            meaning,
-            minimum,
-            maximum,
-            default_value,
-            std::is_integral_v<typename Of::Type>,
-            [](void* params, double value) {
-                static_cast<typename Of::Struct*>(params)->*member =
-                    static_cast<typename Of::Type>(value);
-            }};
-}
-
-struct NoParams {};
-inline constexpr std::array<ParameterText, 0> no_parameters{};
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
 /// What a stage has that declares nothing else: no textures, no parameters, no leaving out, no

@@ -103,7 +103,7 @@ class Fingerprint {
 /// values, their order and the sizes of all that a stage is handed; `revision` is raised by hand
 /// when a meaning changes and no size does.
 inline constexpr std::uint32_t stage_abi_version = [] {
-    constexpr std::uint64_t revision = 2;
+    constexpr std::uint64_t revision = 3;
     detail::Fingerprint print;
     print.add(revision);
     for (const ValueInfo& value : value_table) {
@@ -113,10 +113,10 @@ inline constexpr std::uint32_t stage_abi_version = [] {
     }
     for (const std::size_t size :
          {std::size_t(texture_slot_count), std::size_t(max_lights), sizeof(StageRow),
-          sizeof(StageCall), sizeof(ParameterText), sizeof(FrameUniforms), sizeof(LightUniforms),
-          sizeof(MaterialUniforms), sizeof(PrimitiveData), sizeof(PrimitiveFrame),
-          sizeof(PrimitiveVertices), sizeof(PlaneSetup), sizeof(SampledTexture),
-          sizeof(FetchCounters), sizeof(FetchEvent), sizeof(MarchStep)})
+          sizeof(StageCall), sizeof(ParameterText), sizeof(ValueName), sizeof(FrameUniforms),
+          sizeof(LightUniforms), sizeof(MaterialUniforms), sizeof(PrimitiveData),
+          sizeof(PrimitiveFrame), sizeof(PrimitiveVertices), sizeof(PlaneSetup),
+          sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent), sizeof(MarchStep)})
         print.add(size);
     return print.value();
 }();

@@ -14,17 +14,17 @@
 
 namespace quadrel {
 
-/// Parameters of a stage that has no others: `gradients` 0 those of the undisplaced UV, 1 those of
-/// the displaced one.
+/// Parameters of a stage that has no others.
 struct MapParams {
     std::int32_t gradients = 0;
 };
 
+inline constexpr ValueName gradients_names[] = {{0, "undisplaced"}, {1, "displaced"}};
+
 template <auto member>
 constexpr ParameterText gradients_parameter() {
-    return parameter<member>("gradients", "1",
-                             "footprint of maps, 0: of the undisplaced UV; 1: of the displaced one",
-                             0, 1, 0);
+    return choice<member>("gradients", "the UV whose footprint maps are filtered with",
+                          gradients_names, 0);
 }
 
 inline constexpr std::array map_parameters{gradients_parameter<&MapParams::gradients>()};

@@ -17,7 +17,7 @@ struct Preset {
     std::string map;      ///< what the engine's map holds and in which channel
     std::string source;   ///< file and version
     std::string frame, trace;
-    std::map<std::string, double> parameters{};  ///< of the trace
+    std::map<std::string, ParameterValue> parameters{};  ///< of the trace
 };
 
 /// In the order of engines, each from its simplest search to its most elaborate.

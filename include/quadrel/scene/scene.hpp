@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "quadrel/scene/mesh.hpp"
+#include "quadrel/scene/parameter_value.hpp"
 #include "quadrel/scene/settings.hpp"
 #include "quadrel/texture/selection.hpp"
 
@@ -62,7 +63,7 @@ struct Environment {
 /// A stage and the values of its parameters, by name; checked against the stage when planned.
 struct StageChoice {
     std::string id;  ///< empty: the default
-    std::map<std::string, double> parameters;
+    std::map<std::string, ParameterValue> parameters;
     std::string key;  ///< where the scene file names it, for messages
 };
 

@@ -1,15 +1,16 @@
 // shade-debug: what the stages before handed on, as colours.
 //
-//   view 0  s: grey, 0 at the top plane, 1 at the bottom
-//        1  uv of the hit: red and green, its fractional part
-//        2  K: direction about middle grey, 0.5 + 0.5 K / (|K| + `gain` / 1000); blue: |K| / gain
-//        3  N: 0.5 + 0.5 N in eye space
-//        4  status: black NONE, green HIT, blue FLOOR, yellow CAP, cyan CLIP, red NOFRAME,
-//           magenta NAN, white OUTSIDE
-//        5  depth of the hit below the polygon, over the relief's depth, in red: "Derivative-Based
-//           Relief Mapping" (2012), the note at the end of Parallax.frag,
+// `view` is one of
+//   s       grey, 0 at the top plane, 1 at the bottom
+//   uv      of the hit: red and green, its fractional part
+//   K       direction about middle grey, 0.5 + 0.5 K / (|K| + `gain` / 1000); blue: |K| / gain
+//   N       0.5 + 0.5 N in eye space
+//   status  black NONE, green HIT, blue FLOOR, yellow CAP, cyan CLIP, red NOFRAME, magenta NAN,
+//           white OUTSIDE
+//   depth   of the hit below the polygon, over the relief's depth, in red: "Derivative-Based Relief
+//           Mapping" (2012), the note at the end of Parallax.frag,
 //               dot( SP - P, EC_SurfaceNormal ) / MaxParallaxOffset
-// SP, the hit straight above in the surface, is P + N times the hit's depth, so that view 5 is
+// SP, the hit straight above in the surface, is P + N times the hit's depth, so that depth is
 // dot(N, vertex normal) depth / D: the vertex normal is not normalised, as listed; 0 without depth.
 #pragma once
 
@@ -28,9 +29,11 @@ struct ShadeDebug : StageDefaults {
         std::int32_t view = 0;
         float gain = 1;
     };
+    static constexpr ValueName view_names[] = {{0, "s"}, {1, "uv"},     {2, "K"},
+                                               {3, "N"}, {4, "status"}, {5, "depth"}};
     static constexpr std::array parameters{
-        parameter<&Params::view>("view", "1", "0 s, 1 uv, 2 K, 3 N, 4 status, 5 depth", 0, 5, 0),
-        parameter<&Params::gain>("gain", "tile", "view 2: |K| that is shown as 1", 1e-6, 1e6, 1)};
+        choice<&Params::view>("view", "what is shown", view_names, 0),
+        parameter<&Params::gain>("gain", "tile", "view K: |K| that is shown as 1", 1e-6, 1e6, 1)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

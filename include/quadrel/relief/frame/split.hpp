@@ -18,9 +18,11 @@ struct SplitParams {
     std::int32_t split = 0;
 };
 
+inline constexpr ValueName split_names[] = {{0, "orthogonal"}, {1, "oblique"}};
+
 /// The parameter `split` of a stage whose Params are SplitParams.
-inline constexpr std::array split_parameters{parameter<&SplitParams::split>(
-    "split", "1", "0: depth along N, J along the face; 1: oblique, J along N", 0, 1, 0)};
+inline constexpr std::array split_parameters{choice<&SplitParams::split>(
+    "split", "orthogonal: depth along N, J along the face; oblique: J along N", split_names, 0)};
 
 /// (V.Nf) / (N.Nf); 0, which is no frame, where N lies in the face or behind it.
 template <Number F>

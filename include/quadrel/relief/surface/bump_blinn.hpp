@@ -6,9 +6,9 @@
 //     n = normalize(|det| N - sign(det) (Hx R1 + Hy R2)),
 // px, py the differences of the surface point, Hx, Hy those of the height D h. That is the normal
 // of N - D grad h with gradients that N is orthogonal to.
-// `differences` 0: those of the quad, one fetch a fragment: constant over it in each axis, seen as
-// 2x2 blocks when magnified, and wrong where a search displaced neighbours differently.
-// `differences` 1: heights one pixel's step of the undisplaced UV away, three fetches.
+// `differences` quad: those of the quad, one fetch a fragment: constant over it in each axis, seen
+// as 2x2 blocks when magnified, and wrong where a search displaced neighbours differently.
+// `differences` fetches: heights one pixel's step of the undisplaced UV away, three fetches.
 #pragma once
 
 #include "quadrel/num/derivative.hpp"
@@ -28,8 +28,9 @@ struct BumpBlinn : StageDefaults {
     struct Params {
         std::int32_t differences = 1;
     };
-    static constexpr std::array parameters{parameter<&Params::differences>(
-        "differences", "1", "0: of the quad; 1: of three fetches", 0, 1, 1)};
+    static constexpr ValueName differences_names[] = {{0, "quad"}, {1, "fetches"}};
+    static constexpr std::array parameters{choice<&Params::differences>(
+        "differences", "of the quad's lanes, or of three fetches", differences_names, 1)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

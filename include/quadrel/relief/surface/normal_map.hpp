@@ -3,12 +3,13 @@
 // Sources: R. Cook, "Shade Trees", 1984; J. Cohen et al., "Appearance-Preserving Simplification",
 // SIGGRAPH 1998; GPU Gems 3, chapter 18 (two channels); M. Mikkelsen, "Derivative Maps", 2011.
 // Texels c are read as 2 c - 1:
-//   0  three channels: x, y, z
-//   1  two channels: z = sqrt(max(0, 1 - x^2 - y^2)), a unit normal
-//   2  two channels: z = 1 - x^2 - y^2, before normalisation: finer near the flat, less steep
-//   3  two channels: slopes, (-dh/du, -dh/dv) = `range` (x, y), heights as in a height map; the
-//      relief's depth scales them
-//   4  three channels: a normal in the object's own axes
+//   xyz           three channels: x, y, z
+//   xy-unit       two channels: z = sqrt(max(0, 1 - x^2 - y^2)), a unit normal
+//   xy-quadratic  two channels: z = 1 - x^2 - y^2, before normalisation: finer near the flat, less
+//                 steep
+//   slopes        two channels: slopes, (-dh/du, -dh/dv) = `range` (x, y), heights as in a height
+//                 map; the relief's depth scales them
+//   object-xyz    three channels: a normal in the object's own axes
 // Conventions of green and density: tangent_normal.hpp; of `gradients`: map_gradients.hpp. Without
 // a map: the frame's normal.
 #pragma once
@@ -31,14 +32,13 @@ struct NormalMap : StageDefaults {
         float range = 1;
         std::int32_t gradients = 0;
     };
+    static constexpr ValueName encoding_names[] = {
+        {0, "xyz"}, {1, "xy-unit"}, {2, "xy-quadratic"}, {3, "slopes"}, {4, "object-xyz"}};
     static constexpr std::array parameters{
-        parameter<&Params::encoding>(
-            "encoding", "1", "0 xyz, 1 xy unit, 2 xy quadratic, 3 slopes, 4 xyz of the object", 0,
-            4, 0),
-        parameter<&Params::green>("green", "1", "1: y leans towards growing v; -1: decreasing", -1,
-                                  1, 1),
-        parameter<&Params::range>("range", "1/tile", "encoding 3: slope of a texel of 1", 0, 1e6,
-                                  1),
+        choice<&Params::encoding>("encoding", "what texels hold", encoding_names, 0),
+        green_parameter<&Params::green>(),
+        parameter<&Params::range>("range", "1/tile", "encoding slopes: slope of a texel of 1", 0,
+                                  1e6, 1),
         gradients_parameter<&Params::gradients>()};
 
     template <class Io>

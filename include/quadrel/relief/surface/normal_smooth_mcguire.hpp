@@ -4,7 +4,7 @@
 // normals locally along gradient to avoid making slices visible": the normal at the hit plus the
 // one a step downhill from it, normalised. The page leaves the step open ("a function of the
 // resolution and of the bump scale"): here `distance` texels of the normal map for a normal that
-// lies in the surface, less as it stands up. Texels are x, y, z; green -1 is the page's own
+// lies in the surface, less as it stands up. Texels are x, y, z; green "down" is the page's own
 // direction of v. Conventions: tangent_normal.hpp. Without a map: the frame's normal.
 #pragma once
 
@@ -25,9 +25,7 @@ struct NormalSmoothMcGuire : StageDefaults {
     };
     static constexpr std::array parameters{
         parameter<&Params::distance>("distance", "texel", "step to the second look-up", 0, 64, 1),
-        parameter<&Params::green>("green", "1", "1: y leans towards growing v; -1: decreasing", -1,
-                                  1, 1),
-        gradients_parameter<&Params::gradients>()};
+        green_parameter<&Params::green>(), gradients_parameter<&Params::gradients>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -1,7 +1,7 @@
 // Normal maps: what their texels say, and how a normal in tangent space becomes one in eye space.
 //
-// Green. v grows with the row of the texture. green = +1: a normal with y > 0 leans towards growing
-// v (n ~ (-dh/du, -dh/dv, 1)); -1: towards decreasing v.
+// Green. v grows with the row of the texture. green = +1, "up": a normal with y > 0 leans towards
+// growing v (n ~ (-dh/du, -dh/dv, 1)); -1, "down": towards decreasing v.
 //
 // Density. A tangent-space normal (x, y, z) means the slopes -x/z along u and -y/z along v, rises
 // over lengths on the surface, whatever the length of a tile. Along u a tile is |dP/du| long, so
@@ -20,6 +20,15 @@ namespace quadrel {
 /// What normals from a map load.
 inline constexpr auto tangent_normal_inputs = values(
     Value::frame_normal, Value::J, Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
+
+inline constexpr ValueName green_names[] = {{-1, "down"}, {1, "up"}};
+
+/// The parameter `green`.
+template <auto member>
+constexpr ParameterText green_parameter() {
+    return choice<member>("green", "up: y leans towards growing v; down: decreasing", green_names,
+                          1);
+}
 
 /// 2 c - 1 of a texel.
 template <Number F>

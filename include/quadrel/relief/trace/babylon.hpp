@@ -1,4 +1,4 @@
-// babylon: Babylon.js' parallax mapping (parallax_occlusion = 0) and parallax occlusion (1).
+// babylon: Babylon.js' parallax mapping and, with `parallax_occlusion` on, parallax occlusion.
 //
 // Source: Babylon.js, bumpFragmentFunctions.fx (769119f), parallaxOffset and parallaxOcclusion,
 // called from bumpFragment.fx. The height is the alpha of the normal map ("swizzle": "a"), `scale`
@@ -54,12 +54,12 @@ struct Babylon : StageDefaults {
     static constexpr bool needs_height_map = true;
     using Params = BabylonParams;
     static constexpr std::array parameters{
-        parameter<&Params::parallax_occlusion>("parallax_occlusion", "1", "1: useParallaxOcclusion",
-                                               0, 1, 0),
+        choice<&Params::parallax_occlusion>("parallax_occlusion", "useParallaxOcclusion", off_on,
+                                            0),
         parameter<&Params::scale>("scale", "UV", "UV length of the height range", -16, 16, 0.05),
-        parameter<&Params::right_handed>("right_handed", "1", "1: useRightHandedSystem", 0, 1, 0),
-        parameter<&Params::own_tangents>(
-            "own_tangents", "1", "1: tangents of the mesh, inverted if left-handed", 0, 1, 0)};
+        choice<&Params::right_handed>("right_handed", "useRightHandedSystem", off_on, 0),
+        choice<&Params::own_tangents>("own_tangents",
+                                      "tangents of the mesh, inverted if left-handed", off_on, 0)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -1,9 +1,9 @@
 // bevy: the depth map of Bevy's standard material, as its shader has it.
 //
 // Source: Bevy, crates/bevy_pbr/src/render/parallax_mapping.wesl, parallaxed_uv, at 4805ca79
-// (0.20.0-dev; parallax_mapping.wgsl of earlier versions computes the same). `relief` 0: its
-// Occlusion, steep parallax mapping and one secant; `relief` 1: its Relief, half steps back and
-// forth from the middle of the last step. Its map holds depths, here 1 - height. Kept:
+// (0.20.0-dev; parallax_mapping.wgsl of earlier versions computes the same). `relief` is its
+// method: occlusion, steep parallax mapping and one secant, or relief, half steps back and forth
+// from the middle of the last step. Its map holds depths, here 1 - height. Kept:
 //   * the number of layers is real, mix(max, 1, |z|): one, seen from above; depth and coordinate
 //     are accumulated. Fewer than one layer: no parallax, no look-up;
 //   * at most trunc(n) + 1 steps: a surface that is deeper still is FLOOR;
@@ -39,8 +39,10 @@ struct Bevy : StageDefaults {
         std::int32_t relief = 0, relief_steps = 5;
         float max_layers = 16, scale = 0.1f;
     };
+    static constexpr ValueName relief_names[] = {{0, "occlusion"}, {1, "relief"}};
     static constexpr std::array parameters{
-        parameter<&Params::relief>("relief", "0 or 1", "0: one secant, 1: half steps", 0, 1, 0),
+        choice<&Params::relief>("relief", "occlusion: one secant; relief: half steps", relief_names,
+                                0),
         parameter<&Params::relief_steps>("relief_steps", "1", "half steps, if relief", 0, 1024, 5),
         parameter<&Params::max_layers>(
             "max_layers", "1", "layers along the surface; below 1: no parallax", 0, most_steps, 16),

@@ -4,9 +4,9 @@
 // O3DE, ParallaxMapping.azsli. Differs: both marches are indexed, so that the fine samples lie
 // inside of the coarse step (the source adds up, keeps the depth of the coarse hit, and its slope
 // depends on the number of layers); the end of the coarse step is known and not fetched again. With
-// `interpolate` 1 the chord of the last two heights is the result, as in the source, else the first
-// fine sample at or below the surface: at most 1 / (steps fine_steps) late, never early. Sees the
-// first crossing inside of the step better than a bisection; misses what `linear` misses. No
+// `interpolate` on the chord of the last two heights is the result, as in the source, else the
+// first fine sample at or below the surface: at most 1 / (steps fine_steps) late, never early. Sees
+// the first crossing inside of the step better than a bisection; misses what `linear` misses. No
 // crossing: the bottom plane, FLOOR.
 #pragma once
 
@@ -28,8 +28,7 @@ struct Contact : StageDefaults {
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, most_steps, 16),
         parameter<&Params::fine_steps>("fine_steps", "1", "steps within the last of those", 1,
                                        most_steps, 16),
-        parameter<&Params::interpolate>("interpolate", "0 or 1", "1: the chord of the last heights",
-                                        0, 1, 0)};
+        choice<&Params::interpolate>("interpolate", "the chord of the last heights", off_on, 0)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

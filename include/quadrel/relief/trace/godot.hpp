@@ -1,7 +1,7 @@
 // godot: the height map of Godot Engine's standard material, as its shader has it.
 //
 // Source: Godot Engine, BaseMaterial3D, scene/resources/material.cpp, _update_shader, at 0059d788
-// (4.x). `deep` 0: an offset by the depth, 1 - height. `deep` 1, "deep parallax": the march of
+// (4.x). `deep` off: an offset by the depth, 1 - height. `deep` on, "deep parallax": the march of
 // LearnOpenGL's parallax occlusion mapping (layer_march.hpp says what is kept of it). The scale is
 // the material's: 1 is 0.01 in UV. Kept: neither mode divides by the view vector's z. The ray's
 // slope is the sine of the angle of view, not its tangent, and depths look too small along the
@@ -36,7 +36,7 @@ struct Godot : StageDefaults {
         float scale = 5;
     };
     static constexpr std::array parameters{
-        parameter<&Params::deep>("deep", "0 or 1", "1: deep parallax, a search", 0, 1, 0),
+        choice<&Params::deep>("deep", "deep parallax, a search", off_on, 0),
         parameter<&Params::min_layers>("min_layers", "1", "layers seen from above, if deep", 1, 64,
                                        8),
         parameter<&Params::max_layers>("max_layers", "1", "layers along the surface, if deep", 1,

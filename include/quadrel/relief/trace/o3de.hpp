@@ -27,6 +27,7 @@
 
 #include "quadrel/relief/trace/o3de_search.hpp"
 #include "quadrel/relief/trace/offset.hpp"
+#include "quadrel/relief/trace/quality.hpp"
 #include "quadrel/relief/trace/tangent_eye.hpp"
 
 namespace quadrel {
@@ -42,11 +43,12 @@ struct O3de : StageDefaults {
         "transform; clip highlights, pixel depth offset, shadows";
     static constexpr auto textures = slots(TextureSlot::height);
     using Params = O3deParams;
+    static constexpr ValueName algorithm_names[] = {
+        {0, "basic"}, {1, "steep"}, {2, "occlusion"}, {3, "relief"}, {4, "contact"}};
     static constexpr std::array parameters{
-        parameter<&Params::algorithm>(
-            "algorithm", "1",
-            "0 basic, 1 steep, 2 parallax occlusion, 3 relief, 4 contact refinement", 0, 4, 2),
-        parameter<&Params::quality>("quality", "1", "16, 32, 64 or 128 steps", 0, 3, 0),
+        choice<&Params::algorithm>("algorithm", "the engine's ParallaxAlgorithm", algorithm_names,
+                                   2),
+        quality_parameter<&Params::quality>(),
         parameter<&Params::scale>("scale", "UV", "factor: UV length of the height range", 0, 16,
                                   0.05),
         parameter<&Params::offset>("offset", "UV", "by how much the range is raised", -16, 16, 0)};

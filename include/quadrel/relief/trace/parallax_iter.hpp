@@ -5,7 +5,7 @@
 // normal at p describe:
 //     p += (h - p.z) n.z V,   so that in heights of the relief p.z rises by (h - p.z) n.z r
 // (r = V.N). The plane is met by the same step over n.V; Premecz leaves the division out, so that
-// a step stays bounded. `exact` 1 divides, except where the plane faces away from the eye, which
+// a step stays bounded. `exact` on divides, except where the plane faces away from the eye, which
 // no ray meets from above: there the step is Premecz' own.
 // Differs: the shift is along the frame's K, so that it is right for any UV map; s stays in [0, 1].
 // map_normal.hpp says which normal. No occlusion, and nothing says that the iteration converges.
@@ -28,7 +28,7 @@ struct ParallaxIter : StageDefaults {
     };
     static constexpr std::array parameters{
         parameter<&Params::iterations>("iterations", "1", "shifts in a row", 1, 1024, 4),
-        parameter<&Params::exact>("exact", "0 or 1", "1: steps onto the plane itself", 0, 1, 0)};
+        choice<&Params::exact>("exact", "steps onto the plane itself", off_on, 0)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -1,8 +1,8 @@
 // playcanvas: the height map of PlayCanvas' standard material, as its shader has it.
 //
 // Source: PlayCanvas, engine repository, src/scene/shader-lib/glsl/chunks/standard/frag/parallax.js
-// in the form of engine 2.22 that has parallaxMode and heightMapBase. `mode` 0: an offset by
-// the height, not divided by the view vector's z. `mode` 1, occlusion: a march and 5 half steps.
+// in the form of engine 2.22 that has parallaxMode and heightMapBase. `mode` offset: an offset by
+// the height, not divided by the view vector's z. `mode` occlusion: a march and 5 half steps.
 // (Forms before it: 2.22 betas have the base fixed at 0.5; 1.57 to 1.63 divide by z + 0.42 and have
 // v the wrong way round.) The range is 0.1 times the factor, a UV length. Kept:
 //   * the ray enters the top of the volume behind the fragment, which lies at height `base`; its
@@ -46,8 +46,9 @@ struct PlayCanvas : StageDefaults {
         std::int32_t mode = 0, samples = 16;
         float height_map_factor = 1, base = 0.5f;
     };
+    static constexpr ValueName mode_names[] = {{0, "offset"}, {1, "occlusion"}};
     static constexpr std::array parameters{
-        parameter<&Params::mode>("mode", "1", "0: offset, 1: occlusion, a search", 0, 1, 0),
+        choice<&Params::mode>("mode", "parallaxMode; occlusion is a search", mode_names, 0),
         parameter<&Params::samples>("samples", "1", "most steps of occlusion", 1, most_steps, 16),
         parameter<&Params::height_map_factor>(
             "height_map_factor", "0.1 UV", "UV length of the height range, times 10", -160, 160, 1),

@@ -24,7 +24,7 @@ struct Qdm : StageDefaults {
         std::int32_t ascent = 1;
     };
     static constexpr std::array parameters{
-        parameter<&Params::ascent>("ascent", "1", "levels up after a border", 0, 2, 1)};
+        parameter<&Params::ascent>("ascent", "levels", "levels up after a border", 0, 2, 1)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

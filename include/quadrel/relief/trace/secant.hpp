@@ -23,8 +23,7 @@ struct Secant : StageDefaults {
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, most_steps, 15),
         parameter<&Params::iterations>("iterations", "1", "chords that are tested", 0, 1024, 3),
-        parameter<&Params::illinois>("illinois", "0 or 1", "1: an end that stays counts half", 0, 1,
-                                     1)};
+        choice<&Params::illinois>("illinois", "an end that stays counts half", off_on, 1)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/bracket.hpp"
+#include "quadrel/relief/trace/quality.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 
 namespace quadrel {
@@ -36,12 +37,13 @@ struct SteepAdaptive : StageDefaults {
     struct Params {
         std::int32_t steps_grazing = 60, steps_normal = 10, rounding = 0;
     };
+    static constexpr ValueName rounding_names[] = {{0, "down"}, {1, "up"}, {2, "none"}};
     static constexpr std::array parameters{
         parameter<&Params::steps_grazing>("steps_grazing", "1", "steps along the surface", 1,
                                           most_steps, 60),
         parameter<&Params::steps_normal>("steps_normal", "1", "steps seen from above", 1,
                                          most_steps, 10),
-        parameter<&Params::rounding>("rounding", "0 to 2", "0 down, 1 up, 2 none", 0, 2, 0)};
+        choice<&Params::rounding>("rounding", "of the number of steps", rounding_names, 0)};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -86,8 +88,7 @@ struct SteepQuality : StageDefaults {
     struct Params {
         std::int32_t quality = 0;
     };
-    static constexpr std::array parameters{parameter<&Params::quality>(
-        "quality", "0 to 3", "low 16, medium 32, high 64, ultra 128 steps", 0, 3, 0)};
+    static constexpr std::array parameters{quality_parameter<&Params::quality>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -1,8 +1,8 @@
 // three-parallax: the ParallaxShader of three.js' examples, as its shader has it.
 //
 // Source: three.js, examples/jsm/shaders/ParallaxShader.js at 05578ec7 (removed after r131), with
-// the settings of examples/webgl_materials_parallaxmap.html. `mode` 0: basic, an offset by the
-// depth, not divided by z; 1: steep; 2: occlusion, steep and one secant; 3: relief, steep and 5
+// the settings of examples/webgl_materials_parallaxmap.html. `mode` basic: an offset by the
+// depth, not divided by z; occlusion: steep and one secant; relief: steep and 5
 // half steps from the middle of the last step. Kept:
 //   * the view vector is J V in the plane, its density kept, and N.V along the normal: the scale is
 //     a world length, and nothing is normalised (here J is the frame's: frame-cot has the
@@ -44,9 +44,10 @@ struct ThreeParallax : StageDefaults {
         std::int32_t mode = relief, min_layers = 20, max_layers = 25;
         float scale = 0.005f;
     };
+    static constexpr ValueName mode_names[] = {
+        {basic, "basic"}, {steep, "steep"}, {occlusion, "occlusion"}, {relief, "relief"}};
     static constexpr std::array parameters{
-        parameter<&Params::mode>("mode", "1", "0: basic, 1: steep, 2: occlusion, 3: relief", 0, 3,
-                                 3),
+        choice<&Params::mode>("mode", "the shader's parallax mode", mode_names, relief),
         parameter<&Params::min_layers>("min_layers", "1", "layers seen from above, unless basic", 1,
                                        most_steps, 20),
         parameter<&Params::max_layers>("max_layers", "1", "layers along the surface, unless basic",

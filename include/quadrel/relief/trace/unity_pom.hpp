@@ -1,12 +1,12 @@
 // unity-pom: the parallax occlusion mapping of Unity's shader graphs and of HDRP, as it is there.
 //
 // Source: Unity Technologies, Graphics repository, ParallaxOcclusionMapping in
-// com.unity.render-pipelines.core/ShaderLibrary/PerPixelDisplacement.hlsl at c8df1d81. `mode` 0: as
-// ParallaxOcclusionMappingNode.cs at 23843fc3 calls it, `scale` its amplitude times 0.01, tiling
-// and object scale 1. `mode` 1: as HDRP's Lit shader does, LitDataDisplacement.hlsl at d679af29,
-// `scale` its amplitude over the primitive's size: `steps` to `max_steps` by an approximate arc
-// cosine, and the level of detail that it computes from the undisplaced UV. (Its lod_threshold
-// is 5.) Kept:
+// com.unity.render-pipelines.core/ShaderLibrary/PerPixelDisplacement.hlsl at c8df1d81. `mode`
+// shader-graph: as ParallaxOcclusionMappingNode.cs at 23843fc3 calls it, `scale` its amplitude
+// times 0.01, tiling and object scale 1. `mode` hdrp: as HDRP's Lit shader does,
+// LitDataDisplacement.hlsl at d679af29, `scale` its amplitude over the primitive's size: `steps` to
+// `max_steps` by an approximate arc cosine, and the level of detail that it computes from the
+// undisplaced UV. (Its lod_threshold is 5.) Kept:
 //   * the ray's height and the offset are accumulated, and the first point that is tested lies one
 //     step in; a strict comparison; without a hit the last look-up is one step below the bottom;
 //   * at most 3 times regula falsi, until ray and height are within 0.01 of the range; the interval
@@ -42,8 +42,9 @@ struct UnityPom : StageDefaults {
         std::int32_t mode = 0, steps = 5, max_steps = 15;
         float scale = 0.01f, lod = 0, lod_threshold = 0;
     };
+    static constexpr ValueName mode_names[] = {{0, "shader-graph"}, {1, "hdrp"}};
     static constexpr std::array parameters{
-        parameter<&Params::mode>("mode", "1", "0: Shader Graph, 1: HDRP", 0, 1, 0),
+        choice<&Params::mode>("mode", "whose: Shader Graph's node or HDRP", mode_names, 0),
         parameter<&Params::steps>("steps", "1", "steps; of HDRP those seen from above", 1, 256, 5),
         parameter<&Params::max_steps>("max_steps", "1", "steps along the surface, HDRP", 1, 256,
                                       15),
