@@ -58,16 +58,33 @@ std::string bake_arguments(const TextureReference& reference) {
     return arguments;
 }
 
-/// Binds what is derived from a material's height map, under the wrap modes that this is sampled
-/// with; nothing where it has none. Throws InputError for a map that takes too long.
-void load_baked(const Scene& scene, const Material& material, TextureSlot slot, TextureCache& cache,
+/// A material's height map, read once for all that is derived from it.
+class HeightMap {
+  public:
+    /// `loaded`: that of the render, or null where it does without.
+    HeightMap(const TextureReference& named, TextureCache& cache,
+              std::shared_ptr<const Texture> loaded)
+        : reference(named), cache_(&cache), texture_(std::move(loaded)) {}
+
+    /// Level 0 is the same under every mip rule, and all that bakes read.
+    const Texture& level_0() {
+        TextureReference alone = reference;
+        alone.mip_rule = MipRule::none;
+        if (!texture_) texture_ = load(*cache_, alone, TextureSlot::height);
+        return *texture_;
+    }
+    const TextureReference& reference;
+
+  private:
+    TextureCache* cache_;
+    std::shared_ptr<const Texture> texture_;
+};
+
+/// Binds what is derived from heights, under the wrap modes that they are sampled with. Throws
+/// InputError for a map that takes too long.
+void load_baked(const Scene& scene, HeightMap& heights, TextureSlot slot,
                 const BakingListener& baking, MaterialTextures& out) {
-    const auto found = material.textures.find(std::string(slot_name(TextureSlot::height)));
-    if (found == material.textures.end()) return;
-    // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
-    TextureReference reference = found->second;
-    reference.mip_rule = MipRule::none;
-    const auto height = load(cache, reference, TextureSlot::height);
+    const TextureReference& reference = heights.reference;
     BakedTextureOptions options;
     options.input = bake_arguments(reference);
     options.key = reference.key;
@@ -78,7 +95,7 @@ void load_baked(const Scene& scene, const Material& material, TextureSlot slot, 
         };
     const auto i = static_cast<std::size_t>(slot);
     try {
-        out.owned[i] = baked_texture(*height, bake_kind_from_name(slot_name(slot)),
+        out.owned[i] = baked_texture(heights.level_0(), bake_kind_from_name(slot_name(slot)),
                                      reference.sampler, options);
     } catch (const InputError& error) {
         throw InputError(scene.file.string(), error.key, error.found, error.expected);
@@ -97,13 +114,9 @@ MaterialTextures load_textures(const Scene& scene, const Material& material, con
     MaterialTextures out;
     for (int i = 0; i < texture_slot_count; ++i) {
         const auto slot = static_cast<TextureSlot>(i);
-        if (!slots[i]) continue;
+        if (!slots[i] || slot >= first_baked_slot) continue;
         if (slot == TextureSlot::environment) {
             load_environment(scene, cache, out);
-            continue;
-        }
-        if (slot >= first_baked_slot) {
-            load_baked(scene, material, slot, cache, baking, out);
             continue;
         }
         const auto found = material.textures.find(std::string(slot_name(slot)));
@@ -112,6 +125,12 @@ MaterialTextures load_textures(const Scene& scene, const Material& material, con
         out.owned[i] = load(cache, reference, slot);
         out.sampled[i] = {out.owned[i]->view(), reference.sampler};
     }
+    const auto height = material.textures.find(std::string(slot_name(TextureSlot::height)));
+    if (height == material.textures.end()) return out;
+    HeightMap heights(height->second, cache,
+                      out.owned[static_cast<std::size_t>(TextureSlot::height)]);
+    for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i)
+        if (slots[i]) load_baked(scene, heights, static_cast<TextureSlot>(i), baking, out);
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "quadrel/film/exr.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/films.hpp"
+#include "render/textures.hpp"
 #include "scene/support.hpp"
 
 namespace quadrel::render_tests {
@@ -85,6 +86,52 @@ TEST(BakedMaps, TellHowFarTheyAre) {
     render(scene, options);
     EXPECT_EQ(made, "cone-cell map");
     EXPECT_EQ(last, 1);
+}
+
+using Slots = std::vector<TextureSlot>;
+using Load = std::function<MaterialTextures(const Scene&, const Slots&, TextureCache&,
+                                            const BakingProgress&)>;
+
+MaterialTextures load_at_once(const Scene& scene, const Slots& slots, TextureCache& cache,
+                              const BakingProgress& baking) {
+    SlotSet set;
+    for (const TextureSlot slot : slots) set.set(static_cast<std::size_t>(slot));
+    return load_textures(scene, scene.materials.at(0), set, cache, baking);
+}
+
+/// Each map for itself.
+MaterialTextures load_apart(const Scene& scene, const Slots& slots, TextureCache& cache,
+                            const BakingProgress& baking) {
+    MaterialTextures all;
+    for (const TextureSlot slot : slots) all = load_at_once(scene, {slot}, cache, baking);
+    return all;
+}
+
+/// The file is gone as soon as the first map is being made.
+testing::AssertionResult reads_heights_once(const Slots& slots, const Load& load) {
+    const testing_films::TemporaryFolder folder;
+    Scene scene = row_scene("cone-cell", Wrap::repeat);
+    TextureReference& height = scene.materials.at(0).textures.at("height");
+    std::filesystem::copy_file(height.file, folder / "h.exr");
+    height.file = folder / "h.exr";
+    TextureCache cache;
+    try {
+        load(scene, slots, cache,
+             [&](const std::string&, double) { std::filesystem::remove(folder / "h.exr"); });
+    } catch (const InputError& error) {
+        return testing::AssertionFailure() << error.what();
+    }
+    if (!std::filesystem::exists(folder / "h.exr")) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "nothing was made";
+}
+
+TEST(BakedMaps, AreMadeOfHeightsThatAreReadOnce) {
+    const Slots derived = {TextureSlot::max_mip, TextureSlot::rmq};
+    EXPECT_TRUE(reads_heights_once(derived, load_at_once));
+    EXPECT_TRUE(reads_heights_once({TextureSlot::height, TextureSlot::max_mip, TextureSlot::rmq},
+                                   load_at_once));
+    EXPECT_FALSE(reads_heights_once(derived, load_apart));
+    EXPECT_FALSE(reads_heights_once({TextureSlot::height}, load_at_once));
 }
 
 }  // namespace
