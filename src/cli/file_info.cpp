@@ -14,6 +14,7 @@
 #include "quadrel/scene/load.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/texture/image.hpp"
+#include "render/names.hpp"
 #include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
@@ -107,11 +108,6 @@ Json image_info(const std::string& file, const ImageSelection& selection) {
             {"not_finite", image.not_finite}};
 }
 
-const char* conventions_text(Conventions conventions) {
-    if (conventions == Conventions::gl) return "gl";
-    return conventions == Conventions::vulkan ? "vulkan" : "d3d";
-}
-
 Json object_info(const Scene& scene, const Object& object) {
     const Mesh& mesh = scene.meshes.at(object.mesh);
     return {{"name", object.name},
@@ -139,7 +135,7 @@ Json scene_info(const std::string& file) {
             {"file", scene.file.string()},
             {"size", fmt::format("{}x{}", scene.width, scene.height)},
             {"samples", scene.samples},
-            {"conventions", conventions_text(scene.conventions)},
+            {"conventions", name_of(scene.conventions)},
             {"lights", scene.lights.size()},
             {"objects", objects},
             {"textures", texture_rows(scene)},

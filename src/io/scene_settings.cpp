@@ -1,15 +1,9 @@
 #include "io/scene_read.hpp"
+#include "io/setting_words.hpp"
 
 namespace quadrel {
 namespace {
 
-constexpr Word<Conventions> conventions_words[] = {
-    {"gl", Conventions::gl}, {"vulkan", Conventions::vulkan}, {"d3d", Conventions::d3d}};
-constexpr Word<Hardware> hardware_words[] = {{"exact", Hardware::exact},
-                                             {"d3d", Hardware::d3d},
-                                             {"vulkan-min", Hardware::vulkan_min},
-                                             {"llvmpipe", Hardware::llvmpipe},
-                                             {"swiftshader", Hardware::swiftshader}};
 constexpr Word<DerivativeMode> derivative_words[] = {{"fine", DerivativeMode::fine},
                                                      {"coarse", DerivativeMode::coarse}};
 constexpr Word<bool> shade_at_words[] = {{"center", false}, {"centroid", true}};

@@ -2,35 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "io/setting_words.hpp"
+
 namespace quadrel {
 
-const char* name_of(Conventions conventions) {
-    switch (conventions) {
-        case Conventions::gl:
-            return "gl";
-        case Conventions::vulkan:
-            return "vulkan";
-        case Conventions::d3d:
-            return "d3d";
-    }
-    return "";
+namespace {
+
+template <class Words, class T>
+std::string name_in(const Words& words, T value) {
+    const auto found = std::ranges::find(words, value, [](const auto& row) { return row.second; });
+    return found == std::end(words) ? "" : std::string(found->first);
 }
 
-const char* name_of(Hardware hardware) {
-    switch (hardware) {
-        case Hardware::exact:
-            return "exact";
-        case Hardware::d3d:
-            return "d3d";
-        case Hardware::vulkan_min:
-            return "vulkan-min";
-        case Hardware::llvmpipe:
-            return "llvmpipe";
-        case Hardware::swiftshader:
-            return "swiftshader";
-    }
-    return "";
-}
+}  // namespace
+
+std::string name_of(Conventions conventions) { return name_in(conventions_words, conventions); }
+std::string name_of(Hardware hardware) { return name_in(hardware_words, hardware); }
 
 std::string component_name(Value v, int component, int light) {
     std::string name(info(v).name);

@@ -8,8 +8,8 @@
 
 namespace quadrel {
 
-const char* name_of(Conventions conventions);
-const char* name_of(Hardware hardware);
+std::string name_of(Conventions conventions);
+std::string name_of(Hardware hardware);
 
 /// A component of a value by its channel's name, or in the same style where there is no channel:
 /// "P.X", "hit.U", "J.V.Z", "r", "shadow.0.visibility", "uv_rate.U".
