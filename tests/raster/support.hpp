@@ -1,5 +1,5 @@
-// Shared by the tests of this room: random numbers, clip positions from window positions, coverage
-// maps, and an oracle of coverage.
+// Shared by the tests of this room: clip positions from window positions, coverage maps, and an
+// oracle of coverage.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,24 +12,10 @@
 #include "quadrel/raster/assemble.hpp"
 #include "quadrel/raster/coverage.hpp"
 #include "quadrel/raster/quad_points.hpp"
+#include "random.hpp"
 #include "raster/planted.hpp"
 
 namespace quadrel::test {
-
-/// SplitMix64.
-struct Random {
-    std::uint64_t state = 1;
-    std::uint64_t bits() {
-        std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    double uniform(double low, double high) {
-        return low + (high - low) * (double(bits() >> 11) * 0x1p-53);
-    }
-    int below(int n) { return int(bits() % std::uint64_t(n)); }
-};
 
 /// A window position in pixels, with clip w and window depth.
 struct Corner {

@@ -20,30 +20,9 @@
 #include "kernels/table.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "random.hpp"
 
 namespace quadrel::test {
-
-/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t bits() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-    /// In [low, high).
-    double uniform(double low, double high) {
-        return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
-    }
-    /// In [0, n).
-    int below(int n) { return static_cast<int>(bits() % static_cast<std::uint64_t>(n)); }
-    bool chance(double probability) { return uniform(0, 1) < probability; }
-
-  private:
-    std::uint64_t state_;
-};
 
 /// Neutral uniforms: eye at the origin, fine derivatives, one white light at (10, 10, 10) in eye
 /// space, and a white material without depth.
