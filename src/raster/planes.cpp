@@ -23,10 +23,7 @@ PlaneSetup ordered_setup(const ScreenTriangle& triangle, const Order& order) {
 
 /// lp_setup_tri.c: a triangle of the other winding has its first two vertices exchanged.
 Order llvmpipe_order(const ScreenTriangle& triangle) {
-    const auto& v = triangle.vertex;
-    const std::int64_t x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y;
-    const std::int64_t x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
-    return x1 * y2 - x2 * y1 > 0 ? Order{1, 0, 2} : Order{0, 1, 2};
+    return signed_area2(triangle.vertex) > 0 ? Order{1, 0, 2} : Order{0, 1, 2};
 }
 
 PlaneSetup llvmpipe_setup(const ScreenTriangle& triangle, int samples) {

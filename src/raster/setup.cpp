@@ -28,13 +28,6 @@ ScreenVertex screen_vertex(const glm::dvec4& clip, const RasterState& state) {
     return vertex;
 }
 
-/// Twice the signed area; positive if x turns towards y.
-std::int64_t signed_area2(const std::array<ScreenVertex, 3>& v) {
-    const std::int64_t x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y;
-    const std::int64_t x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
-    return x1 * y2 - x2 * y1;
-}
-
 /// The edge from p to q, positive to its left where x turns left to y; `sign` turns it around.
 EdgeFunction edge_function(const ScreenVertex& p, const ScreenVertex& q, std::int64_t sign) {
     EdgeFunction edge;
@@ -69,6 +62,12 @@ bool is_culled(bool front, Cull cull) {
 }
 
 }  // namespace
+
+std::int64_t signed_area2(const std::array<ScreenVertex, 3>& v) {
+    const std::int64_t x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y;
+    const std::int64_t x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
+    return x1 * y2 - x2 * y1;
+}
 
 RasterState raster_state(const Viewport& viewport, const HardwareModel& hardware, Cull cull) {
     return {viewport, hardware.subpixel_bits, hardware.snap_rounding, cull};

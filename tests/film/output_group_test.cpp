@@ -8,22 +8,12 @@
 #include <csignal>
 #include <functional>
 
-#include "film/films.hpp"
+#include "film/atomic_files.hpp"
 #include "io/temporary_registry.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
 namespace {
-
-using testing_films::file_bytes;
-using testing_films::TemporaryFolder;
-using testing_films::write_bytes;
-
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-    AtomicFile output(file);
-    output.write(text.data(), text.size());
-    output.commit();
-}
 
 TEST(OutputGroup, ShowsAllAtItsEnd) {
     const TemporaryFolder folder;

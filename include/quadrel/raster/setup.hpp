@@ -55,6 +55,10 @@ struct ScreenTriangle {
     double depth1 = 0, depth2 = 0;  ///< depth = depth0 + (E1 depth1 + E2 depth2)
 };
 
+/// Twice the signed area of the snapped triangle, in (1/256 pixel)^2; positive if x turns towards
+/// y.
+std::int64_t signed_area2(const std::array<ScreenVertex, 3>& v);
+
 enum class SetupOutcome {
     drawn,
     zero_area,  ///< no area after snapping: covers nothing under any cull mode
