@@ -20,13 +20,39 @@ inline constexpr auto frame_outputs =
     values(Value::T, Value::B, Value::frame_normal, Value::J, Value::r, Value::uv_rate, Value::K,
            Value::frame_status, Value::frame_flags);
 
+/// A frame of the derivatives of P and UV, face and vertex normal.
+struct DerivativeFrame : StageDefaults {
+    static constexpr auto inputs =
+        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
+               Value::dUVdy, Value::relief_depth);
+    static constexpr auto outputs = frame_outputs;
+};
+
 /// trace: the height field and the ray to the hit.
 inline constexpr auto trace_outputs =
     values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,
            Value::hit_flags, Value::hit_steps, Value::hit_fetches);
 
+/// A search over the height map that reads no other.
+struct HeightSearch : StageDefaults {
+    static constexpr auto outputs = trace_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+};
+
 /// surface: the hit to the shading normal.
 inline constexpr auto surface_outputs = values(Value::N);
+
+/// The normal of heights.
+struct NormalFromHeights : StageDefaults {
+    static constexpr auto outputs = surface_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+};
+
+/// The normal of a normal map.
+struct NormalFromMap : StageDefaults {
+    static constexpr auto outputs = surface_outputs;
+    static constexpr auto textures = slots(TextureSlot::normal);
+};
 
 /// shadow: hit and light to visibility, one light at a time.
 inline constexpr auto shadow_outputs = values(Value::shadow_visibility, Value::shadow_steps);

@@ -17,6 +17,13 @@ namespace quadrel {
 inline constexpr auto tangent_light_inputs =
     values(Value::P, Value::T, Value::B, Value::frame_normal, Value::N);
 
+/// A colour made in tangent space.
+struct TangentShade : StageDefaults {
+    static constexpr auto outputs = values(Value::color, Value::opacity);
+    static constexpr auto textures = slots(TextureSlot::color);
+    static constexpr bool reads_vertices = true;
+};
+
 template <class Io>
 class TangentLight {
   public:

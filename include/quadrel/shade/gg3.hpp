@@ -20,7 +20,7 @@
 
 namespace quadrel {
 
-struct ShadeGg3 : StageDefaults {
+struct ShadeGg3 : TangentShade {
     static constexpr StageText text{"shade-gg3", "shade",
                                     "Blinn-Phong, faded by the light's elevation",
                                     "GPU Gems 3, chapter 18, relief_mapping.fx"};
@@ -28,9 +28,6 @@ struct ShadeGg3 : StageDefaults {
         "border clamp and alpha test; depth bias and tile factor, which are the search's";
     static constexpr auto inputs =
         values_and(tangent_light_inputs, Value::hit_uv, Value::occlusion);
-    static constexpr auto outputs = values(Value::color, Value::opacity);
-    static constexpr auto textures = slots(TextureSlot::color);
-    static constexpr bool reads_vertices = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -17,7 +17,7 @@
 
 namespace quadrel {
 
-struct ShadeMcGuirePublished : StageDefaults {
+struct ShadeMcGuirePublished : TangentShade {
     static constexpr StageText text{"shade-mcguire@published", "shade",
                                     "matte light over strong ambient light",
                                     "McGuire and McGuire, Steep Parallax Mapping (2005)"};
@@ -26,9 +26,6 @@ struct ShadeMcGuirePublished : StageDefaults {
         "place";
     static constexpr auto inputs =
         values_and(tangent_light_inputs, Value::hit_uv, Value::shadow_visibility, Value::occlusion);
-    static constexpr auto outputs = values(Value::color, Value::opacity);
-    static constexpr auto textures = slots(TextureSlot::color);
-    static constexpr bool reads_vertices = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

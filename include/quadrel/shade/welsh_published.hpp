@@ -17,15 +17,12 @@
 
 namespace quadrel {
 
-struct ShadeWelshPublished : StageDefaults {
+struct ShadeWelshPublished : TangentShade {
     static constexpr StageText text{"shade-welsh@published", "shade", "two saturating matte lights",
                                     "Welsh, Parallax Mapping with Offset Limiting (2004)"};
     static constexpr const char* not_reproduced = "the colour's fourth component: A is coverage";
     static constexpr auto inputs =
         values_and(tangent_light_inputs, Value::hit_uv, Value::occlusion);
-    static constexpr auto outputs = values(Value::color, Value::opacity);
-    static constexpr auto textures = slots(TextureSlot::color);
-    static constexpr bool reads_vertices = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -46,14 +46,10 @@ SurfaceJacobian<F> cotangent_jacobian(const vec3<F>& px, const vec3<F>& py, cons
     return j;
 }
 
-struct FrameCot : StageDefaults {
+struct FrameCot : DerivativeFrame {
     static constexpr StageText text{"frame-cot", "frame",
                                     "cotangent frame with its length, oblique split",
                                     "Schueler, Normal Mapping Without Precomputed Tangents, 2013"};
-    static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
-               Value::dUVdy, Value::relief_depth);
-    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

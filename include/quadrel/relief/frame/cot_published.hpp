@@ -22,16 +22,12 @@ UvDirections<F> scale_invariant_frame(const CotangentRows<F>& rows) {
     return {rows.T * invmax, rows.B * invmax};
 }
 
-struct FrameCotPublished : StageDefaults {
+struct FrameCotPublished : DerivativeFrame {
     static constexpr StageText text{"frame-cot@published", "frame",
                                     "scale-invariant cotangent frame, as listed",
                                     "Schueler, Normal Mapping Without Precomputed Tangents, 2013"};
     static constexpr const char* not_reproduced =
         "K is no part of the listing, which bends normals alone";
-    static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
-               Value::dUVdy, Value::relief_depth);
-    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

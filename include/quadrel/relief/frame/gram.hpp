@@ -34,14 +34,10 @@ SurfaceJacobian<F> gram_jacobian(const vec3<F>& px, const vec3<F>& py, const vec
     return j;
 }
 
-struct FrameGram : StageDefaults {
+struct FrameGram : DerivativeFrame {
     static constexpr StageText text{
         "frame-gram", "frame", "exact derivative frame, orthogonal split",
         "correction of frame-thesis by the Gram system of the tangents"};
-    static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
-               Value::dUVdy, Value::relief_depth);
-    static constexpr auto outputs = frame_outputs;
     using Params = SplitParams;
     static constexpr auto parameters = split_parameters;
 

@@ -25,14 +25,10 @@ UvDirections<F> surface_tangents(const vec3<F>& px, const vec3<F>& py, const vec
             select(regular, (py * qx.x - px * qy.x) / det, zero)};
 }
 
-struct FrameInverseTbn : StageDefaults {
+struct FrameInverseTbn : DerivativeFrame {
     static constexpr StageText text{
         "frame-inverse-tbn", "frame", "inverse of the matrix of tangents and normal",
         "correction of frame-inverse-tbn@published: tangents, not gradients"};
-    static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
-               Value::dUVdy, Value::relief_depth);
-    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

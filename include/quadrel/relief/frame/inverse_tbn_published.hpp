@@ -18,14 +18,10 @@
 
 namespace quadrel {
 
-struct FrameInverseTbnPublished : StageDefaults {
+struct FrameInverseTbnPublished : DerivativeFrame {
     static constexpr StageText text{"frame-inverse-tbn@published", "frame",
                                     "inverse of the matrix of scaled gradients, as listed",
                                     "Rabbid76, graphics-snippets, Parallax Mapping"};
-    static constexpr auto inputs =
-        values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
-               Value::dUVdy, Value::relief_depth);
-    static constexpr auto outputs = frame_outputs;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

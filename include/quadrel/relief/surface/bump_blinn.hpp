@@ -16,15 +16,13 @@
 
 namespace quadrel {
 
-struct BumpBlinn : StageDefaults {
+struct BumpBlinn : NormalFromHeights {
     static constexpr StageText text{
         "bump-blinn", "surface", "normal from window-space height differences",
         "Blinn 1978; Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010)"};
     static constexpr auto inputs =
         values(Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy, Value::relief_depth,
                Value::frame_normal, Value::frame_status, Value::hit_uv);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t differences = 1;
     };

@@ -10,12 +10,10 @@
 
 namespace quadrel {
 
-struct H2n4Tap : StageDefaults {
+struct H2n4Tap : NormalFromHeights {
     static constexpr StageText text{"h2n-4tap", "surface", "normal from central differences",
                                     "correction of h2n-4tap@published"};
     static constexpr auto inputs = relief_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

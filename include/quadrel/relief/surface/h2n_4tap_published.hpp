@@ -10,12 +10,10 @@
 
 namespace quadrel {
 
-struct H2n4TapPublished : StageDefaults {
+struct H2n4TapPublished : NormalFromHeights {
     static constexpr StageText text{"h2n-4tap@published", "surface", "normal from four taps",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
     static constexpr auto inputs = rabbid_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

@@ -9,12 +9,10 @@
 
 namespace quadrel {
 
-struct H2nGather : StageDefaults {
+struct H2nGather : NormalFromHeights {
     static constexpr StageText text{"h2n-gather", "surface", "normal from the 2x2 texels around",
                                     "correction of h2n-gather@published"};
     static constexpr auto inputs = relief_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

@@ -10,12 +10,10 @@
 
 namespace quadrel {
 
-struct H2nGatherPublished : StageDefaults {
+struct H2nGatherPublished : NormalFromHeights {
     static constexpr StageText text{"h2n-gather@published", "surface", "normal from one gather",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
     static constexpr auto inputs = rabbid_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

@@ -11,12 +11,10 @@
 
 namespace quadrel {
 
-struct H2nPatch : StageDefaults {
+struct H2nPatch : NormalFromHeights {
     static constexpr StageText text{"h2n-patch", "surface", "exact normal of the height field",
                                     "gradient of the bilinear interpolant"};
     static constexpr auto inputs = relief_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

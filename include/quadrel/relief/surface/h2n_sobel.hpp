@@ -9,12 +9,10 @@
 
 namespace quadrel {
 
-struct H2nSobel : StageDefaults {
+struct H2nSobel : NormalFromHeights {
     static constexpr StageText text{"h2n-sobel", "surface", "normal from Sobel's 3x3 operator",
                                     "correction of h2n-sobel@published"};
     static constexpr auto inputs = relief_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

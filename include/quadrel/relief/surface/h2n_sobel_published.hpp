@@ -10,12 +10,10 @@
 
 namespace quadrel {
 
-struct H2nSobelPublished : StageDefaults {
+struct H2nSobelPublished : NormalFromHeights {
     static constexpr StageText text{"h2n-sobel@published", "surface", "normal from nine taps",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
     static constexpr auto inputs = rabbid_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

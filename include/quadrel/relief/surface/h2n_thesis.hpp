@@ -12,15 +12,13 @@
 
 namespace quadrel {
 
-struct H2nThesis : StageDefaults {
+struct H2nThesis : NormalFromHeights {
     static constexpr StageText text{"h2n-thesis", "surface",
                                     "normal from central differences of the height, smooth shaded",
                                     "correction of h2n-thesis@published"};
     static constexpr auto inputs =
         values(Value::P, Value::Ng, Value::relief_depth, Value::frame_normal, Value::J,
                Value::frame_status, Value::dUVdx, Value::dUVdy, Value::hit_uv);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

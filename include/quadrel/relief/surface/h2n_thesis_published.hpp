@@ -11,15 +11,13 @@
 
 namespace quadrel {
 
-struct H2nThesisPublished : StageDefaults {
+struct H2nThesisPublished : NormalFromHeights {
     static constexpr StageText text{
         "h2n-thesis@published", "surface", "normal from four heights 1/128 world units apart",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy,
                Value::relief_depth, Value::hit_uv, Value::hit_depth);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;

@@ -18,15 +18,13 @@
 
 namespace quadrel {
 
-struct NormalMap : StageDefaults {
+struct NormalMap : NormalFromMap {
     static constexpr StageText text{"normal-map", "surface", "normal from a texture",
                                     "Cook 1984; Cohen et al. 1998; GPU Gems 3, chapter 18"};
     static constexpr auto inputs =
         values(Value::frame_normal, Value::J, Value::frame_status, Value::dUVdx, Value::dUVdy,
                Value::hit_uv, Value::relief_depth, Value::object_x, Value::object_y,
                Value::object_z, Value::P, Value::Ng);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::normal);
     struct Params {
         std::int32_t encoding = 0, green = 1;
         float range = 1;

@@ -20,13 +20,11 @@
 
 namespace quadrel {
 
-struct NormalMapFlightGear : StageDefaults {
+struct NormalMapFlightGear : NormalFromMap {
     static constexpr StageText text{"normal-map-flightgear@published", "surface",
                                     "normal map over interpolated unit axes of the vertices",
                                     "Renk, FlightGear wiki, normal mapping, 2016"};
     static constexpr auto inputs = values(Value::hit_uv);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::normal);
     static constexpr bool reads_vertices = true;
 
     template <class Io>

@@ -17,7 +17,7 @@
 
 namespace quadrel {
 
-struct NormalMcGuirePublished : StageDefaults {
+struct NormalMcGuirePublished : NormalFromMap {
     static constexpr StageText text{"normal-mcguire@published", "surface",
                                     "normal of the map as the march met it, not normalised; green "
                                     "is against v",
@@ -25,8 +25,6 @@ struct NormalMcGuirePublished : StageDefaults {
     static constexpr const char* not_reproduced =
         "the footprint in the page's loop after other searches than its march in equal steps";
     static constexpr auto inputs = values_and(listed_normal_inputs, Value::uv, Value::hit_steps);
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::normal);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

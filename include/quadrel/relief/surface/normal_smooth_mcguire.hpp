@@ -12,13 +12,11 @@
 
 namespace quadrel {
 
-struct NormalSmoothMcGuire : StageDefaults {
+struct NormalSmoothMcGuire : NormalFromMap {
     static constexpr StageText text{"normal-smooth-mcguire", "surface",
                                     "normal map, smoothed along the gradient",
                                     "McGuire and McGuire, Steep Parallax Mapping (2005)"};
     static constexpr auto inputs = tangent_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::normal);
     struct Params {
         float distance = 1;
         std::int32_t green = 1, gradients = 0;

@@ -23,13 +23,11 @@ void store_along_frame(const Io& io, const vec3<F>& n) {
                                 io.template load<Value::frame_normal>() * n.z);
 }
 
-struct NormalWelshPublished : StageDefaults {
+struct NormalWelshPublished : NormalFromMap {
     static constexpr StageText text{"normal-welsh@published", "surface",
                                     "normal of the map in tangent space, normalised",
                                     "Welsh, Parallax Mapping with Offset Limiting (2004)"};
     static constexpr auto inputs = listed_normal_inputs;
-    static constexpr auto outputs = surface_outputs;
-    static constexpr auto textures = slots(TextureSlot::normal);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -40,17 +40,15 @@ struct BabylonParams {
     std::int32_t right_handed = 0, own_tangents = 0;
 };
 
-struct Babylon : StageDefaults {
+struct Babylon : HeightSearch {
     static constexpr StageText text{"babylon", "trace", "Babylon.js' parallax, plain and occlusion",
                                     "Babylon.js, bumpFragmentFunctions.fx"};
     static constexpr auto inputs =
         search_inputs_and(Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
     static constexpr const char* not_reproduced =
         "levels of the normal map other than 1, which lengthen the frame's normal; the "
         "texture's matrix; back faces, whose UV the frame takes negated; parallel "
         "projections, where its view vector still comes from the camera's place";
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     using Params = BabylonParams;
     static constexpr std::array parameters{

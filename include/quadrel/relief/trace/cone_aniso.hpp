@@ -21,14 +21,10 @@ Int<F> azimuth_sector(const vec2<F>& d) {
     return select(upper, above, below);
 }
 
-struct ConeAniso : StageDefaults {
+struct ConeAniso : ConeSearch {
     static constexpr StageText text{"cone-aniso", "trace", "cone steps by ratios of eight sectors",
                                     "after Chen and Chuang 2009; sectors of azimuth"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone, TextureSlot::aniso_cone);
-    using Params = ConeParams;
-    static constexpr auto parameters = cone_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

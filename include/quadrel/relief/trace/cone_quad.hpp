@@ -11,14 +11,10 @@
 
 namespace quadrel {
 
-struct ConeQuad : StageDefaults {
+struct ConeQuad : ConeSearch {
     static constexpr StageText text{"cone-quad", "trace", "cone steps by ratios of four sides",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, disc"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone, TextureSlot::quad_cone);
-    using Params = ConeParams;
-    static constexpr auto parameters = cone_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

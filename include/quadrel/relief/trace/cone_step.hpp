@@ -23,6 +23,14 @@ inline constexpr std::array cone_parameters{
     parameter<&ConeParams::tolerance>("tolerance", "depth",
                                       "gap to the surface that counts as a hit", 0, 1, 1.0 / 1024)};
 
+/// A search that takes those parameters.
+struct ConeSearch : StageDefaults {
+    static constexpr auto inputs = level_0_search_inputs;
+    static constexpr auto outputs = trace_outputs;
+    using Params = ConeParams;
+    static constexpr auto parameters = cone_parameters;
+};
+
 /// Walks along the cones of `look`, which takes `look_ups` a point, and stores the outcome.
 template <class Io, class Look, class F = typename Io::Number>
 void store_cone_steps(const Io& io, const SearchRay<F>& ray, const Look& look,
@@ -32,14 +40,10 @@ void store_cone_steps(const Io& io, const SearchRay<F>& ray, const Look& look,
     store_search(io, ray, walk.result);
 }
 
-struct ConeStep : StageDefaults {
+struct ConeStep : ConeSearch {
     static constexpr StageText text{"cone-step", "trace", "steps as long as cones allow",
                                     "Dummer 2006, Cone Step Mapping"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::cone);
-    using Params = ConeParams;
-    static constexpr auto parameters = cone_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -15,12 +15,10 @@
 
 namespace quadrel {
 
-struct Contact : StageDefaults {
+struct Contact : HeightSearch {
     static constexpr StageText text{"contact", "trace", "linear search, then a finer one",
                                     "Riccardi 2018"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 16, fine_steps = 16, interpolate = 0;
     };

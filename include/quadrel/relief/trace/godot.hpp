@@ -18,18 +18,15 @@
 
 namespace quadrel {
 
-struct Godot : StageDefaults {
+struct Godot : HeightSearch {
     static constexpr StageText text{"godot", "trace", "Godot's height map, simple or deep",
                                     "Godot Engine, BaseMaterial3D, scene/resources/material.cpp"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's frame (tangents interpolated and not normalised, EYE_OFFSET of stereo, "
         "flipped axes); parallel projections, where its view vector still comes from the "
         "camera's place; the shift of a second UV set";
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         std::int32_t deep = 0, min_layers = 8, max_layers = 32;

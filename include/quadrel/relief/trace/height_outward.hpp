@@ -12,13 +12,11 @@
 
 namespace quadrel {
 
-struct HeightOutward : StageDefaults {
+struct HeightOutward : HeightSearch {
     static constexpr StageText text{"height-outward", "trace",
                                     "linear search that leaves out the bottom plane",
                                     "correction of height-outward@published; Renk 2016"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t points = 50;
     };

@@ -23,7 +23,7 @@
 
 namespace quadrel {
 
-struct HeightOutwardPublished : StageDefaults {
+struct HeightOutwardPublished : HeightSearch {
     static constexpr StageText text{"height-outward@published", "trace",
                                     "outside-in sampling above the polygon as listed",
                                     "Renk, FlightGear wiki, relief maps, 2016"};
@@ -31,9 +31,7 @@ struct HeightOutwardPublished : StageDefaults {
         "the channel (.a): the height map's swizzle chooses it; relPos beyond the model's xy plane "
         "is left open by the page, here: along the vertices' axes";
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr bool reads_vertices = true;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         float vscale = 0.1f, hresolution = 1;

@@ -11,12 +11,10 @@
 
 namespace quadrel {
 
-struct Interval : StageDefaults {
+struct Interval : HeightSearch {
     static constexpr StageText text{"interval", "trace", "linear search, then regula falsi",
                                     "Risser, Shah, Pattanaik 2005"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 15, iterations = 3;
     };

@@ -17,16 +17,14 @@
 
 namespace quadrel {
 
-struct LearnOpenGl : StageDefaults {
+struct LearnOpenGl : HeightSearch {
     static constexpr StageText text{"learnopengl", "trace",
                                     "Learn OpenGL's parallax occlusion mapping",
                                     "de Vries, Learn OpenGL, Parallax Mapping"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr const char* not_reproduced =
         "the fragments that it discards outside of [0, 1]: scenes ask for that (clip-uv)";
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     static constexpr bool reads_vertices = true;
     struct Params {

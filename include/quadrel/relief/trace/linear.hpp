@@ -46,12 +46,10 @@ SearchResult<F> flat_march(const SearchRay<F>& ray, int n, Scalar<F> h) {
     return result;
 }
 
-struct Linear : StageDefaults {
+struct Linear : HeightSearch {
     static constexpr StageText text{"linear", "trace", "linear search in equal steps of depth",
                                     "correction of linear-thesis; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool uses_height_bounds = true;
     struct Params {
         std::int32_t steps = 128;

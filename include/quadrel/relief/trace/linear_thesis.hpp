@@ -16,7 +16,7 @@
 
 namespace quadrel {
 
-struct LinearThesis : StageDefaults {
+struct LinearThesis : HeightSearch {
     static constexpr StageText text{
         "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};
@@ -24,8 +24,6 @@ struct LinearThesis : StageDefaults {
         "the channel (.r of a bitmap whose first is alpha): the height map's swizzle chooses it";
     static constexpr auto inputs = values(Value::uv, Value::uv_rate, Value::relief_depth,
                                           Value::frame_status, Value::frame_flags);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     static constexpr int max_samples = 128;

@@ -32,16 +32,13 @@
 
 namespace quadrel {
 
-struct O3de : StageDefaults {
+struct O3de : HeightSearch {
     static constexpr StageText text{"o3de", "trace", "Open 3D Engine's parallax, all algorithms",
                                     "O3DE, ParallaxMapping.azsli"};
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's frame (normalised a fragment, before it is turned to world space); the UV "
         "transform; clip highlights, pixel depth offset, shadows";
-    static constexpr auto textures = slots(TextureSlot::height);
     using Params = O3deParams;
     static constexpr ValueName algorithm_names[] = {
         {0, "basic"}, {1, "steep"}, {2, "occlusion"}, {3, "relief"}, {4, "contact"}};

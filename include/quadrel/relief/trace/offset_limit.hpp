@@ -9,13 +9,11 @@
 
 namespace quadrel {
 
-struct OffsetLimit : StageDefaults {
+struct OffsetLimit : HeightSearch {
     static constexpr StageText text{"offset-limit", "trace",
                                     "shift by the height at the start, not divided by N.V",
                                     "correction of offset-limit@published; Welsh 2004, 4.3"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

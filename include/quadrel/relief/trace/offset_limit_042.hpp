@@ -10,13 +10,11 @@
 
 namespace quadrel {
 
-struct OffsetLimit042 : StageDefaults {
+struct OffsetLimit042 : HeightSearch {
     static constexpr StageText text{"offset-limit-042", "trace",
                                     "shift by the height at the start, divided by N.V + 0.42",
                                     "Unity, UnityCG.cginc, ParallaxOffset"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float added = 0.42f;
     };

@@ -14,7 +14,7 @@
 
 namespace quadrel {
 
-struct OffsetLimit042Published : StageDefaults {
+struct OffsetLimit042Published : HeightSearch {
     static constexpr StageText text{"offset-limit-042@published", "trace",
                                     "Unity's parallax offset, height centred, z raised by 0.42",
                                     "Unity, UnityCG.cginc, ParallaxOffset"};
@@ -23,10 +23,7 @@ struct OffsetLimit042Published : StageDefaults {
         "fragments, of the frame; the channel (.g): the height map's swizzle chooses it; half "
         "precision on mobile";
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
+    static constexpr auto inputs = tangent_search_inputs;
     struct Params {
         float scale = 0.02f;
     };

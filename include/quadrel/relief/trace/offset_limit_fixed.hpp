@@ -9,13 +9,11 @@
 
 namespace quadrel {
 
-struct OffsetLimitFixed : StageDefaults {
+struct OffsetLimitFixed : HeightSearch {
     static constexpr StageText text{"offset-limit-fixed", "trace",
                                     "shift by the height at the start, its divisor bounded",
                                     "parallax (Kaneko et al. 2001) with N.V kept from 0"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float r_min = 0.25f;
     };

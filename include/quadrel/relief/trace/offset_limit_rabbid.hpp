@@ -22,14 +22,12 @@
 
 namespace quadrel {
 
-struct OffsetLimitRabbidPublished : StageDefaults {
+struct OffsetLimitRabbidPublished : HeightSearch {
     static constexpr StageText text{"offset-limit-rabbid@published", "trace",
                                     "Rabbid76's limited offset, along a vector with scaled z",
                                     "Rabbid76, graphics-snippets, Parallax Mapping"};
     static constexpr auto inputs =
         search_inputs_and(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         float parallax_scale = 0.1f;

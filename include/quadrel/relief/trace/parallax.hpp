@@ -10,12 +10,10 @@
 
 namespace quadrel {
 
-struct Parallax : StageDefaults {
+struct Parallax : HeightSearch {
     static constexpr StageText text{"parallax", "trace", "shift by the height at the start",
                                     "Kaneko et al. 2001"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -10,13 +10,11 @@
 
 namespace quadrel {
 
-struct ParallaxBias : StageDefaults {
+struct ParallaxBias : HeightSearch {
     static constexpr StageText text{"parallax-bias", "trace",
                                     "shift by the height at the start, scaled and biased",
                                     "correction of parallax-bias@published; Welsh 2004, 4.1"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float bias = -0.5f;
     };

@@ -24,7 +24,7 @@ struct WelshParams {
 };
 
 template <bool limited>
-struct WelshOffset : StageDefaults {
+struct WelshOffset : HeightSearch {
     static constexpr StageText text =
         limited ? StageText{"offset-limit@published", "trace",
                             "Welsh's limited offset, not divided by the view vector's z",
@@ -32,9 +32,7 @@ struct WelshOffset : StageDefaults {
                 : StageText{"parallax-bias@published", "trace",
                             "Welsh's parallax mapping with scale and bias", "Welsh 2004, 4.2"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr bool reads_vertices = true;
-    static constexpr auto textures = slots(TextureSlot::height);
     using Params = WelshParams;
     static constexpr std::array parameters{
         parameter<&Params::scale>("scale", "UV", "UV length of the height range", 0, 16, 0.04),

@@ -29,18 +29,15 @@
 
 namespace quadrel {
 
-struct PlayCanvas : StageDefaults {
+struct PlayCanvas : HeightSearch {
     static constexpr StageText text{"playcanvas", "trace",
                                     "PlayCanvas' height map, offset or occlusion",
                                     "PlayCanvas 2.22, shader chunk parallax.js"};
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's frame (normalised a fragment, or from derivatives); parallel "
         "projections, where its view vector still comes from the camera's place; the global "
         "textureBias of the offset's look-up; self-shadows";
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         std::int32_t mode = 0, samples = 16;

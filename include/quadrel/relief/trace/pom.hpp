@@ -13,12 +13,10 @@
 
 namespace quadrel {
 
-struct Pom : StageDefaults {
+struct Pom : HeightSearch {
     static constexpr StageText text{"pom", "trace", "linear search and one chord",
                                     "correction of pom-dxsdk; Tatarchuk 2006"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps_grazing = 50, steps_normal = 8;
     };

@@ -16,12 +16,10 @@
 
 namespace quadrel {
 
-struct PomDxsdk : StageDefaults {
+struct PomDxsdk : HeightSearch {
     static constexpr StageText text{"pom-dxsdk", "trace", "parallax occlusion mapping as listed",
                                     "Tatarchuk, DirectX SDK, ParallaxOcclusionMapping.fx"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         std::int32_t max_samples = 50, min_samples = 8, lod_threshold = 3;

@@ -96,4 +96,14 @@ inline constexpr std::array rabbid_parameters{
     parameter<&RabbidParams::quality_grazing>("quality_grazing", "1", "quality along the surface",
                                               0, 2, 1)};
 
+/// What both rows have in common.
+struct RabbidSearch : HeightSearch {
+    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
+    static constexpr auto inputs = values_and(level_0_search_inputs, Value::P, Value::Ng);
+    static constexpr const char* not_reproduced =
+        "the listing's main, which leaves texture coordinates alone at scales below 0.001";
+    using Params = RabbidParams;
+    static constexpr auto parameters = rabbid_parameters;
+};
+
 }  // namespace quadrel

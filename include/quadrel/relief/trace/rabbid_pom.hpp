@@ -10,18 +10,10 @@
 
 namespace quadrel {
 
-struct RabbidPom : StageDefaults {
+struct RabbidPom : RabbidSearch {
     static constexpr StageText text{"rabbid-pom", "trace",
                                     "linear search whose correction is always 0",
                                     "Rabbid76, Parallax Mapping, Parallax Occlusion Mapping"};
-    // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
-    static constexpr auto inputs = values_and(level_0_search_inputs, Value::P, Value::Ng);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr const char* not_reproduced =
-        "the listing's main, which leaves texture coordinates alone at scales below 0.001";
-    static constexpr auto textures = slots(TextureSlot::height);
-    using Params = RabbidParams;
-    static constexpr auto parameters = rabbid_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

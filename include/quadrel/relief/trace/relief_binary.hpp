@@ -14,12 +14,10 @@
 
 namespace quadrel {
 
-struct ReliefBinary : StageDefaults {
+struct ReliefBinary : HeightSearch {
     static constexpr StageText text{"relief-binary", "trace", "linear search, then bisection",
                                     "Policarpo, Oliveira, Comba 2005"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 15, binary_steps = 6;
     };

@@ -16,15 +16,13 @@
 
 namespace quadrel {
 
-struct ReliefGg3 : StageDefaults {
+struct ReliefGg3 : HeightSearch {
     static constexpr StageText text{"relief-gg3", "trace",
                                     "linear search and signed half steps as listed",
                                     "Policarpo, Oliveira, GPU Gems 3, chapter 18"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr const char* not_reproduced =
         "the 8 bits of its map; depth bias and border clamp, off by default";
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t linear_steps = 15, binary_steps = 6;
     };

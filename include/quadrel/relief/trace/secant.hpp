@@ -11,12 +11,10 @@
 
 namespace quadrel {
 
-struct Secant : StageDefaults {
+struct Secant : HeightSearch {
     static constexpr StageText text{"secant", "trace", "linear search, then regula falsi, Illinois",
                                     "Risser, Shah, Pattanaik 2007; Dowell, Jarratt 1971"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 15, iterations = 3, illinois = 1;
     };

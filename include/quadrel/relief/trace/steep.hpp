@@ -12,12 +12,10 @@
 
 namespace quadrel {
 
-struct Steep : StageDefaults {
+struct Steep : HeightSearch {
     static constexpr StageText text{"steep", "trace", "linear search, twice the steps when grazing",
                                     "correction of steep@published; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 5;
     };

@@ -27,13 +27,11 @@ void march_and_store(Io& io, const SearchRay<F>& ray, F n, int most) {
     store_search(io, ray, result_of(first_bracket(tested_heights(io, heights), ray, n, most)));
 }
 
-struct SteepAdaptive : StageDefaults {
+struct SteepAdaptive : HeightSearch {
     static constexpr StageText text{"steep-adaptive", "trace",
                                     "linear search, steps by the angle of view",
                                     "McGuire and McGuire 2005; Tatarchuk 2006"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps_grazing = 60, steps_normal = 10, rounding = 0;
     };
@@ -54,13 +52,11 @@ struct SteepAdaptive : StageDefaults {
     }
 };
 
-struct SteepAdaptiveRabbid : StageDefaults {
+struct SteepAdaptiveRabbid : HeightSearch {
     static constexpr StageText text{"steep-adaptive-rabbid", "trace",
                                     "linear search, steps by slope and quality",
                                     "Rabbid76, Parallax Mapping"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float quality_normal = 0.5f, quality_grazing = 1;
     };
@@ -79,12 +75,10 @@ struct SteepAdaptiveRabbid : StageDefaults {
     }
 };
 
-struct SteepQuality : StageDefaults {
+struct SteepQuality : HeightSearch {
     static constexpr StageText text{"steep-quality", "trace", "linear search, steps by quality",
                                     "O3DE, ParallaxMapping.azsli"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t quality = 0;
     };

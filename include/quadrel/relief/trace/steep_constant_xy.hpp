@@ -13,13 +13,11 @@
 
 namespace quadrel {
 
-struct SteepConstantXy : StageDefaults {
+struct SteepConstantXy : HeightSearch {
     static constexpr StageText text{
         "steep-constant-xy", "trace", "linear search in steps of constant UV length",
         "correction of steep-constant-xy@published; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float uv_step = 1.0f / 128;
         std::int32_t min_steps = 5, max_steps = 1024;

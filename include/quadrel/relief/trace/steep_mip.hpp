@@ -22,7 +22,7 @@ F nyquist_level(const SampledTexture& map, const vec2<F>& K, int n) {
 }
 
 template <bool whole>
-struct SteepMip : StageDefaults {
+struct SteepMip : HeightSearch {
     static constexpr StageText text =
         whole ? StageText{"steep-mip-i", "trace", "linear search in the mip level of its steps",
                           "McGuire and McGuire 2005, text"}
@@ -30,8 +30,6 @@ struct SteepMip : StageDefaults {
                           "linear search in the mip level of its steps, blended",
                           "McGuire and McGuire 2005, text"};
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     struct Params {
         std::int32_t steps = 32;

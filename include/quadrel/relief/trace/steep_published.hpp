@@ -26,7 +26,7 @@ struct SteepListingParams {
 };
 
 template <bool constant_xy>
-struct SteepListing : StageDefaults {
+struct SteepListing : HeightSearch {
     static constexpr StageText text =
         constant_xy ? StageText{"steep-constant-xy@published", "trace",
                                 "steep parallax mapping as listed, steps of constant UV length",
@@ -37,9 +37,7 @@ struct SteepListing : StageDefaults {
         "the loop has a bound, 65536 steps; the vertex shader is the author's in G3D, the page "
         "shows none";
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr bool reads_vertices = true;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     using Params = SteepListingParams;
     static constexpr std::array parameters{

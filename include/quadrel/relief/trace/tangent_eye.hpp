@@ -1,9 +1,14 @@
 // The eye as listings in tangent space have it.
 #pragma once
 
+#include "quadrel/relief/trace/search.hpp"
 #include "quadrel/relief/view.hpp"
 
 namespace quadrel {
+
+/// What a search at level 0 loads that takes the viewer along the frame's axes.
+inline constexpr auto tangent_search_inputs =
+    values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
 
 /// A vector along the frame's tangent, bitangent and normal as they are. The stage loads T, B and
 /// frame_normal.

@@ -11,13 +11,11 @@
 
 namespace quadrel {
 
-struct TexelExact : StageDefaults {
+struct TexelExact : HeightSearch {
     static constexpr StageText text{"texel-exact", "trace",
                                     "every cell on the way, its bilinear patch met exactly",
                                     "after Amanatides and Woo 1987; Ramsey et al. 2004"};
     static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
 
     template <class Io>

@@ -32,16 +32,18 @@ F steps_by_texel(const SampledTexture& map, const vec2<F>& K,
                  F(static_cast<Scalar<F>>(params.max_steps)));
 }
 
-struct ThesisLinearBinary : StageDefaults {
-    static constexpr StageText text{"thesis-linear-binary", "trace",
-                                    "linear search by texels, then bisection",
-                                    "correction of thesis-linear-binary@published"};
+/// What both rows have in common.
+struct ThesisLinearBinarySearch : HeightSearch {
     static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     using Params = ThesisLinearBinaryParams;
     static constexpr auto parameters = thesis_linear_binary_parameters;
+};
+
+struct ThesisLinearBinary : ThesisLinearBinarySearch {
+    static constexpr StageText text{"thesis-linear-binary", "trace",
+                                    "linear search by texels, then bisection",
+                                    "correction of thesis-linear-binary@published"};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

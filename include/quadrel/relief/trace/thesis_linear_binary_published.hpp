@@ -14,18 +14,12 @@
 
 namespace quadrel {
 
-struct ThesisLinearBinaryPublished : StageDefaults {
+struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
     static constexpr StageText text{
         "thesis-linear-binary@published", "trace",
         "linear search over nearest texels, then bisection over interpolated ones",
         "Derivative-Based Relief Mapping (2012)"};
     static constexpr const char* not_reproduced = "there is no listing: the text, taken literally";
-    static constexpr auto inputs = search_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
-    static constexpr bool needs_height_map = true;
-    using Params = ThesisLinearBinaryParams;
-    static constexpr auto parameters = thesis_linear_binary_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

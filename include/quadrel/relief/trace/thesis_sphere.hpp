@@ -15,13 +15,11 @@
 
 namespace quadrel {
 
-struct ThesisSphere : StageDefaults {
+struct ThesisSphere : HeightSearch {
     static constexpr StageText text{"thesis-sphere", "trace",
                                     "steps by the vertical distance to the surface",
                                     "Derivative-Based Relief Mapping (2012)"};
     static constexpr auto inputs = search_inputs_and(Value::r);
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 64;
         float tolerance = 1.0f / 1024;

@@ -26,18 +26,16 @@
 
 namespace quadrel {
 
-struct ThreeParallax : StageDefaults {
+struct ThreeParallax : HeightSearch {
     static constexpr StageText text{"three-parallax", "trace",
                                     "three.js' ParallaxShader: basic, steep, occlusion, relief",
                                     "three.js, examples/jsm/shaders/ParallaxShader.js"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs =
         values_and(level_0_search_inputs, Value::P, Value::J, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
     static constexpr const char* not_reproduced =
         "the order of the sums that give J V (J is the frame's); parallel projections, where "
         "its view vector still comes from the camera's place";
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
     enum Mode : std::int32_t { basic, steep, occlusion, relief };
     struct Params {

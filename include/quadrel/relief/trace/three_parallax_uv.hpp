@@ -13,17 +13,14 @@
 
 namespace quadrel {
 
-struct ThreeParallaxUv : StageDefaults {
+struct ThreeParallaxUv : HeightSearch {
     static constexpr StageText text{"three-parallax-uv", "trace", "parallaxUV of three.js' TSL",
                                     "three.js, src/nodes/accessors/AccessorsUtils.js"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the example's map, whose red moves u and whose green moves v: here both are channel "
         "0";
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float scale = 0.3f;
     };

@@ -27,17 +27,14 @@
 
 namespace quadrel {
 
-struct UnityPom : StageDefaults {
+struct UnityPom : HeightSearch {
     static constexpr StageText text{"unity-pom", "trace",
                                     "Unity's parallax occlusion mapping, Shader Graph and HDRP",
                                     "Unity Technologies, PerPixelDisplacement.hlsl"};
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's frame (not normalised in HDRP); half precision on mobile; object scale, "
         "tiling and triplanar maps";
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t mode = 0, steps = 5, max_steps = 15;
         float scale = 0.01f, lod = 0, lod_threshold = 0;

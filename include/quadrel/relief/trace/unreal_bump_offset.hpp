@@ -14,16 +14,13 @@
 
 namespace quadrel {
 
-struct UnrealBumpOffset : StageDefaults {
+struct UnrealBumpOffset : HeightSearch {
     static constexpr StageText text{"unreal-bump-offset", "trace", "Unreal Engine's BumpOffset",
                                     "Epic Games, UMaterialExpressionBumpOffset"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's own code, which is not public: the formula is that of its documentation";
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         float height_ratio = 0.05f, reference_plane = 0.5f;
     };
