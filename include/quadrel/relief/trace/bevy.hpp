@@ -19,22 +19,19 @@
 // interpolated and not normalised; the UV transform and the second UV set.
 #pragma once
 
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/counted_heights.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 #include "quadrel/relief/trace/tangent_viewer.hpp"
 
 namespace quadrel {
 
-struct Bevy : StageDefaults {
+struct Bevy : HeightSearch {
     static constexpr StageText text{"bevy", "trace", "Bevy's depth map, occlusion or relief",
                                     "Bevy, bevy_pbr/src/render/parallax_mapping.wesl"};
-    static constexpr auto inputs =
-        values_and(level_0_search_inputs, Value::P, Value::T, Value::B, Value::frame_normal);
-    static constexpr auto outputs = trace_outputs;
+    static constexpr auto inputs = tangent_search_inputs;
     static constexpr const char* not_reproduced =
         "the engine's frame (normal and tangents interpolated and not normalised); the UV "
         "transform and a second UV set";
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t relief = 0, relief_steps = 5;
         float max_layers = 16, scale = 0.1f;
@@ -52,29 +49,22 @@ struct Bevy : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
+        const auto map = march_heights_of_level(io, F(0));
+        CountedHeights heights(io, map);
         March<F> march(ray, -tangent_viewer(io), params);
-        SearchResult<F> result;
-        Mask<F> found(true);
-        if (params.max_layers >= 1) {
-            const auto heights = march_heights_of_level(io, F(0));
-            march.descend(io, heights);
-            found = !(march.texture_depth > march.current_layer_depth);
-            if (params.relief) {
-                march.half_steps(io, heights, params.relief_steps);
-            } else {
-                march.secant(io, heights);
-            }
-            result.s = march.current_layer_depth;
-        } else {
-            result.s = F(ray.s_polygon);
+        if (params.max_layers < 1) {
+            const F s(ray.s_polygon);
+            return store_search(io, ray, heights.result(s, march.uv, Mask<F>(true)), march.uv);
         }
-        result.h = march.h;
-        const vec2<F> uv = march.uv;
-        result.status =
-            search_status<F>(found, march.met_nan | !is_finite(uv.x + uv.y), Status::floor);
-        result.steps = march.fetches;
-        result.fetches = march.fetches;
-        store_search(io, ray, result, uv);
+        march.descend(heights);
+        const Mask<F> found = !(march.texture_depth > march.current_layer_depth);
+        if (params.relief) march.half_steps(heights, params.relief_steps);
+        const F h = heights.last();
+        if (!params.relief) march.secant(heights);
+        SearchResult<F> result = heights.result(F(0), march.uv, found);
+        result.s = march.current_layer_depth;
+        result.h = h;
+        store_search(io, ray, result, march.uv);
     }
 
   private:
@@ -83,9 +73,7 @@ struct Bevy : StageDefaults {
     struct March {
         Mask<F> searches;
         vec2<F> uv, delta_uv;
-        F layer_count, layer_depth, current_layer_depth = F(0), texture_depth = F(0), h = F(0);
-        Mask<F> met_nan = Mask<F>(false);
-        Int<F> fetches = Int<F>(0);
+        F layer_count, layer_depth, current_layer_depth = F(0), texture_depth = F(0);
 
         March(const SearchRay<F>& ray, const vec3<F>& Vt, const Params& params)
             : searches(ray.active), uv(ray.uv) {
@@ -95,19 +83,9 @@ struct Bevy : StageDefaults {
             delta_uv = vec2<F>(Vt) * (F(params.scale) * layer_depth) / view_steepness;
         }
 
-        /// One look-up at `at`, a depth of `s`, in the lanes of `active`: their height.
-        template <class Io, class Heights>
-        F look_up(const Io& io, const Heights& heights, Mask<F> active, F s, const vec2<F>& at) {
-            const F height = heights(active, at);
-            io.march_step(active, s, at, F(1) - s, height);
-            met_nan = met_nan | (active & is_nan(height));
-            count_in<F>(fetches, active);
-            return height;
-        }
-        template <class Io, class Heights>
-        void sample(const Io& io, const Heights& heights, Mask<F> active) {
-            const F height = look_up(io, heights, active, current_layer_depth, uv);
-            h = select(active, height, h);
+        template <class Heights>
+        void sample(Heights& heights, Mask<F> active) {
+            const F height = heights(active, current_layer_depth, uv);
             texture_depth = select(active, F(1) - height, texture_depth);
         }
         void move(Mask<F> active, const vec2<F>& by, F deeper) {
@@ -115,24 +93,24 @@ struct Bevy : StageDefaults {
             current_layer_depth = select(active, current_layer_depth + deeper, current_layer_depth);
         }
 
-        template <class Io, class Heights>
-        void descend(const Io& io, const Heights& heights) {
+        template <class Heights>
+        void descend(Heights& heights) {
             Mask<F> active = searches;
             for (int i = 0; i <= most_steps + 1; ++i) {
-                sample(io, heights, active);
+                sample(heights, active);
                 active = active & (texture_depth > current_layer_depth) &
                          (F(static_cast<Scalar<F>>(i)) <= trunc(layer_count));
                 if (!any(active)) break;
                 move(active, delta_uv, layer_depth);
             }
         }
-        template <class Io, class Heights>
-        void half_steps(const Io& io, const Heights& heights, int steps) {
+        template <class Heights>
+        void half_steps(Heights& heights, int steps) {
             vec2<F> delta = delta_uv * F(0.5f);
             F delta_depth = layer_depth * F(0.5f);
             move(searches, -delta, -delta_depth);
             for (int i = 0; i < steps; ++i) {
-                sample(io, heights, searches);
+                sample(heights, searches);
                 delta = delta * F(0.5f);
                 delta_depth = delta_depth * F(0.5f);
                 const Mask<F> above = texture_depth > current_layer_depth;
@@ -140,12 +118,12 @@ struct Bevy : StageDefaults {
                      select(above, delta_depth, -delta_depth));
             }
         }
-        template <class Io, class Heights>
-        void secant(const Io& io, const Heights& heights) {
+        template <class Heights>
+        void secant(Heights& heights) {
             const vec2<F> previous_uv = uv - delta_uv;
             const F next_depth = texture_depth - current_layer_depth;
             const F s = current_layer_depth - layer_depth;
-            const F height = look_up(io, heights, searches, s, previous_uv);
+            const F height = heights(searches, s, previous_uv);
             const F previous_depth = (F(1) - height) - current_layer_depth + layer_depth;
             const F weight = next_depth / (next_depth - previous_depth);
             uv = mix(uv, previous_uv, weight);

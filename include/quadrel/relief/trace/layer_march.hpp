@@ -13,6 +13,7 @@
 // depth.
 #pragma once
 
+#include "quadrel/relief/trace/counted_heights.hpp"
 #include "quadrel/relief/trace/implicit_height.hpp"
 #include "quadrel/relief/trace/step_count.hpp"
 
@@ -30,20 +31,15 @@ struct LayerMarch {
     Mask<F> active;  ///< lanes still in the loop
     vec2<F> uv, uv_step;
     F layer, s = F(0), depth = F(0);  ///< a layer's depth, the ray's, the map's
-    SearchResult<F> result{};
 
     /// `shift`: the UV shift from the top plane to the bottom, against the ray.
     LayerMarch(const SearchRay<F>& ray, const vec2<F>& shift, F layers)
         : active(ray.active), uv(ray.uv), uv_step(shift / layers), layer(F(1) / layers) {}
 
-    template <class Io>
-    void descend(const Io& io) {
+    template <class Heights>
+    void descend(Heights& heights) {
         for (int i = 0; i <= most_steps; ++i) {
-            const F height = implicit_height(io, active, uv);
-            io.march_step(active, s, uv, F(1) - s, height);
-            result.h = select(active, height, result.h);
-            depth = select(active, F(1) - height, depth);
-            count_in<F>(result.fetches, active);
+            depth = select(active, F(1) - heights(active, s, uv), depth);
             active = active & (s < depth);
             if (!any(active) || i == most_steps) break;
             uv = select(active, uv - uv_step, uv);
@@ -52,12 +48,10 @@ struct LayerMarch {
     }
 
     /// Between the last sample and the one before it; the last itself in lanes that were cut off.
-    template <class Io>
-    vec2<F> secant(const Io& io, Mask<F> searched) {
+    template <class Heights>
+    vec2<F> secant(Heights& heights, Mask<F> searched) {
         const vec2<F> previous = select(searched, uv + uv_step, uv);
-        const F height = implicit_height(io, searched, previous);
-        io.march_step(searched, s - layer, previous, F(1) - (s - layer), height);
-        count_in<F>(result.fetches, searched);
+        const F height = heights(searched, s - layer, previous);
         const F after = depth - s;
         const F before = (F(1) - height) - s + layer;
         return select(active, uv, mix(uv, previous, after / (after - before)));
@@ -67,15 +61,19 @@ struct LayerMarch {
 /// Searches and stores.
 template <class Io, class F = typename Io::Number>
 void store_layer_march(const Io& io, const SearchRay<F>& ray, const vec2<F>& shift, F layers) {
+    const auto map = [&](Mask<F> active, const vec2<F>& uv) {
+        return implicit_height(io, active, uv);
+    };
+    CountedHeights heights(io, map);
     LayerMarch<F> march(ray, shift, layers);
-    march.descend(io);
-    const vec2<F> uv = march.secant(io, ray.active);
-    SearchResult<F>& result = march.result;
+    march.descend(heights);
+    const F h = heights.last();
+    const vec2<F> uv = march.secant(heights, ray.active);
     const Mask<F> ended = !march.active;
-    const Mask<F> no_number = is_nan(result.h) | !is_finite(uv.x + uv.y);
-    result.s = march.s;
+    const Mask<F> no_number = is_nan(h) | !is_finite(uv.x + uv.y);
+    SearchResult<F> result = heights.result(march.s, uv, ended);
+    result.h = h;
     result.status = search_status<F>(ended, ended & no_number, Status::cap);
-    result.steps = result.fetches;
     store_search(io, ray, result, uv);
 }
 
