@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "io/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel::bench {
@@ -15,7 +16,11 @@ Row::Row(const std::string& row) : text(row) {
     for (std::string word; words >> word;) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos) throw UsageError("\"" + word + "\" is not name=value");
-        parameters[word.substr(0, equals)] = std::stod(word.substr(equals + 1));
+        const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
+        const ParameterText* parameter = find_parameter(id, name);
+        if (!parameter) throw UsageError(id + " has no parameter \"" + name + "\"");
+        const std::optional<double> named = number_of(*parameter, value);
+        parameters[name] = named ? *named : std::stod(value);
     }
 }
 
@@ -80,15 +85,8 @@ void Fragments::run(const Row& row) {
     bake_for(stage);
     std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
     stage.set_defaults(params.data());
-    for (const auto& [name, value] : row.parameters) {
-        bool known = false;
-        for (const ParameterText& parameter : stage.parameters) {
-            if (name != parameter.name) continue;
-            parameter.set(params.data(), value);
-            known = true;
-        }
-        if (!known) throw UsageError(row.id + " has no parameter \"" + name + "\"");
-    }
+    for (const auto& [name, value] : row.parameters)
+        find_parameter(row.id, name)->set(params.data(), value);
     std::array<void*, slot_count> arrays;
     for (int v = 0; v < static_cast<int>(Value::count); ++v) {
         const auto value = static_cast<Value>(v);

@@ -48,25 +48,18 @@ Frame gram(Planted planted = Planted::none) {
 
 testing::AssertionResult exact_over_triangles(const Frame& frame, int triangles, double lean) {
     int compared = 0, helpers = 0;
-    for (int i = 0; i < triangles; ++i) {
-        Random random(static_cast<std::uint64_t>(i));
-        const Triangle t = random_triangle(random, lean);
-        Batch<float> batch(64);
-        batch.material.depth = static_cast<float>(random.uniform(0.01, 1));
-        fill_quads_of(batch, t, random);
-        batch.run("interpolate");
-        batch.run("differentiate");
-        frame.run(batch);
-        for (int lane = 0; lane < batch.lanes; ++lane) {
-            const FrameTruth truth = exact_frame(interpolated_inputs(batch, lane, t));
-            if (!truth.meaningful || truth.r < 0.01) continue;
+    testing::AssertionResult result = testing::AssertionSuccess();
+    each_lane_of_triangles(
+        frame, {}, triangles, lean,
+        [&](Batch<float>& batch, int lane, const FrameInputs& inputs, const Triangle&) {
+            const FrameTruth truth = exact_frame(inputs);
+            if (!result || !truth.meaningful || truth.r < 0.01) return;
             ++compared;
             const float first = batch.edges[0][lane];
             helpers += first * batch.edges[1][lane] < 0 || first * batch.edges[2][lane] < 0;
-            const auto result = frame_within_bounds(batch, lane, truth);
-            if (!result) return testing::AssertionFailure() << result.message() << ", seed " << i;
-        }
-    }
+            result = frame_within_bounds(batch, lane, truth);
+        });
+    if (!result) return result;
     const bool enough = compared > 40 * triangles && helpers > triangles;
     return enough ? testing::AssertionSuccess()
                   : testing::AssertionFailure() << compared << " lanes, " << helpers << " helpers";
