@@ -101,6 +101,22 @@ TEST(Presets, KeysOfTheSceneReplaceThem) {
     EXPECT_EQ(mapped.surface.id, "normal-map");
 }
 
+/// What a film records of the search, in the names that scenes have.
+std::string recorded_search(const Scene& scene) {
+    for (const auto& [name, text] : render_attributes(scene, {}))
+        if (name == "quadrel:algorithm") return text;
+    return "";
+}
+
+TEST(Presets, FilmsHaveTheNamesOfValues) {
+    const char* const named = R"(.mode":"occlusion")";
+    EXPECT_NE(recorded_search(preset_scene("three-occlusion")).find(named), std::string::npos);
+    const Scene numbered = preset_scene("three-steep", {"material.relief.mode=2"});
+    EXPECT_NE(recorded_search(numbered).find(named), std::string::npos)
+        << recorded_search(numbered);
+    EXPECT_EQ(recorded_search(preset_scene("three-steep")).find(named), std::string::npos);
+}
+
 TEST(Presets, UnknownNamesAreRefused) {
     try {
         preset_scene("unity-standart");
