@@ -86,7 +86,7 @@ TEST(FragDepth, InsetReliefIsBehindItsPolygon) {
 testing::AssertionResult flat_relief_is_a_plate(const Renderer& renderer) {
     Scene scene = only(cut_scene(true), 0);
     scene.materials[0].textures["height"] =
-        texture(write_texture("flat.exr", 4, [](int, int, int) { return 0.25; }));
+        texture(write_texture("flat-quarter.exr", 4, [](int, int, int) { return 0.25; }));
     scene.materials[0].textures["height"].swizzle = "r";
     scene.materials[0].trace.parameters["steps"] = 16;
     Scene plate = scene;
