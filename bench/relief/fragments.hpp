@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/table.hpp"
-#include "quadrel/baked_texture.hpp"
+#include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/relief/registry.hpp"
 
 namespace quadrel::bench {

@@ -3,7 +3,7 @@
 
 #include "kernels/select.hpp"
 #include "quadrel/scene/load.hpp"
-#include "render/prepared.hpp"
+#include "render/plan/prepared.hpp"
 #include "support/clock.hpp"
 
 namespace quadrel::bench {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/table.hpp"
-#include "render/prepared.hpp"
+#include "render/plan/prepared.hpp"
 
 namespace quadrel::bench {
 

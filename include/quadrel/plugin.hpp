@@ -17,7 +17,7 @@
 #include "quadrel/num/quad.hpp"
 #include "quadrel/quad/plugin_table.hpp"
 #include "quadrel/relief/shader.hpp"
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/search/search.hpp"
 #include "quadrel/shade/maps.hpp"
 
 #if defined(QUADREL_PLUGIN)

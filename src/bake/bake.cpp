@@ -1,4 +1,4 @@
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 
 #include <fmt/format.h>
 #include <tbb/task_arena.h>
@@ -8,10 +8,10 @@
 
 #include "bake/kinds.hpp"
 #include "bake/wrap_names.hpp"
-#include "io/hash.hpp"
-#include "io/suggest.hpp"
 #include "quadrel/error.hpp"
-#include "render/allowed_threads.hpp"
+#include "render/draw/allowed_threads.hpp"
+#include "text/hash.hpp"
+#include "text/suggest.hpp"
 
 namespace quadrel {
 

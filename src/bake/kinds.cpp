@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "io/suggest.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
+#include "text/suggest.hpp"
 
 namespace quadrel {
 

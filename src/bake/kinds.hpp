@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bake/job.hpp"
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 
 namespace quadrel {
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 
 namespace quadrel {
 

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "bake/block_search.hpp"
-#include "bake/cone.hpp"
+#include "bake/cone/cone.hpp"
 
 namespace quadrel {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <new>
 
-#include "cli/console.hpp"
-#include "cli/examples.hpp"
-#include "cli/exit_codes.hpp"
-#include "cli/usage.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/examples.hpp"
+#include "cli/common/usage.hpp"
+#include "cli/explain/exit_codes.hpp"
 #include "cli/verbs.hpp"
-#include "io/printable.hpp"
-#include "io/temporary_registry.hpp"
+#include "file/temporary_registry.hpp"
+#include "text/printable.hpp"
 
 namespace quadrel::cli {
 namespace {

@@ -6,12 +6,12 @@
 #include <map>
 #include <memory>
 
-#include "cli/command_files.hpp"
-#include "cli/console.hpp"
-#include "cli/quiet.hpp"
-#include "cli/selection_options.hpp"
+#include "cli/common/command_files.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/quiet.hpp"
+#include "cli/common/selection_options.hpp"
 #include "cli/verbs.hpp"
-#include "io/output_group.hpp"
+#include "file/output_group.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/arguments.hpp"
-#include "cli/console.hpp"
-#include "cli/plugins.hpp"
+#include "cli/common/arguments.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/scene/load.hpp"
 

@@ -7,15 +7,15 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "cli/arguments.hpp"
-#include "cli/command_files.hpp"
-#include "cli/console.hpp"
-#include "cli/hints.hpp"
-#include "cli/plugins.hpp"
-#include "cli/quiet.hpp"
+#include "cli/common/arguments.hpp"
+#include "cli/common/command_files.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/hints.hpp"
+#include "cli/common/plugins.hpp"
+#include "cli/common/quiet.hpp"
 #include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
-#include "io/output_group.hpp"
+#include "file/output_group.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/film/preview.hpp"

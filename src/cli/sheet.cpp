@@ -6,13 +6,13 @@
 #include <memory>
 #include <optional>
 
-#include "cli/arguments.hpp"
-#include "cli/command_files.hpp"
-#include "cli/console.hpp"
-#include "cli/hints.hpp"
-#include "cli/plugins.hpp"
-#include "cli/quiet.hpp"
-#include "cli/selection_options.hpp"
+#include "cli/common/arguments.hpp"
+#include "cli/common/command_files.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/hints.hpp"
+#include "cli/common/plugins.hpp"
+#include "cli/common/quiet.hpp"
+#include "cli/common/selection_options.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/suggest.hpp"
 #include "quadrel/error.hpp"
+#include "text/suggest.hpp"
 
 namespace quadrel {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "io/hash.hpp"
 #include "quadrel/film/film.hpp"
+#include "text/hash.hpp"
 
 namespace quadrel {
 namespace {

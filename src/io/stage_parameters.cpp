@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/suggest.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "text/suggest.hpp"
 
 namespace quadrel {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "modules/oiio/oiio_module.hpp"
+#include "io/image/oiio_request.hpp"
 #include "quadrel/texture/image.hpp"
 
 namespace quadrel {

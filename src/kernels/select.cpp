@@ -8,7 +8,7 @@
 #include <map>
 #include <mutex>
 
-#include "io/module_path.hpp"
+#include "file/module_path.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {

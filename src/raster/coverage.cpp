@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "block.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/raster/samples.hpp"
+#include "raster/block.hpp"
 
 namespace quadrel {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <sstream>
 
-#include "io/data_path.hpp"
-#include "io/read_file.hpp"
+#include "file/data_path.hpp"
+#include "file/read_file.hpp"
 #include "quadrel/num/functions.hpp"
 #include "quadrel/scene/shapes.hpp"
 #include "scene/grid.hpp"

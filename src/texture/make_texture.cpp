@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "io/hash.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/texture/texture.hpp"
+#include "text/hash.hpp"
 #include "texture/mip.hpp"
 #include "texture/source_texels.hpp"
 #include "texture/texel_format.hpp"

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/hash.hpp"
 #include "quadrel/error.hpp"
+#include "text/hash.hpp"
 
 namespace quadrel {
 

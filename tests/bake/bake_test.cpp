@@ -1,5 +1,5 @@
 // What holds for every kind: threads, position, progress, identity, refusals.
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 
 #include <set>
 

@@ -1,8 +1,8 @@
 // Searches by blocks find what comparing all texels with all finds, bit for bit.
 #include <limits>
 
+#include "bake/cone/relaxed_falls.hpp"
 #include "bake/octants.hpp"
-#include "bake/relaxed_falls.hpp"
 #include "bake/sector_search.hpp"
 #include "bake/support.hpp"
 

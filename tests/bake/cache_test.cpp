@@ -9,10 +9,10 @@
 #include <csignal>
 #include <thread>
 
-#include "bake/cache_entry.hpp"
-#include "bake/disk_cache.hpp"
 #include "bake/files.hpp"
-#include "quadrel/baked_texture.hpp"
+#include "bake/store/cache_entry.hpp"
+#include "bake/store/disk_cache.hpp"
+#include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel::test {

@@ -2,7 +2,7 @@
 #include "bake/cone_rabbid_listing.hpp"
 #include "bake/files.hpp"
 #include "bake/support.hpp"
-#include "quadrel/packed_map.hpp"
+#include "quadrel/bake/packed_map.hpp"
 #include "quadrel/texture/image.hpp"
 
 namespace quadrel::test {

@@ -1,5 +1,5 @@
 // Distance volumes against distances measured in the open.
-#include "bake/distance_transform.hpp"
+#include "bake/distance/distance_transform.hpp"
 
 #include "bake/support.hpp"
 

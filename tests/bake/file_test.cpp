@@ -1,10 +1,10 @@
 // Baked maps as files: what is written is what is read, and what does not belong is refused.
-#include "quadrel/baked_file.hpp"
+#include "quadrel/bake/baked_file.hpp"
 
 #include "bake/files.hpp"
+#include "quadrel/bake/packed_map.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
-#include "quadrel/packed_map.hpp"
 
 namespace quadrel::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "bake/planted.hpp"
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 #include "texture/support.hpp"
 
 namespace quadrel::test {

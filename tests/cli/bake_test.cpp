@@ -7,9 +7,9 @@
 
 #include "cli/process.hpp"
 #include "film/films.hpp"
-#include "quadrel/baked_file.hpp"
+#include "quadrel/bake/baked_file.hpp"
+#include "quadrel/bake/packed_map.hpp"
 #include "quadrel/error.hpp"
-#include "quadrel/packed_map.hpp"
 
 namespace quadrel::cli_tests {
 namespace {

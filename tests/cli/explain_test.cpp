@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.hpp"
-#include "io/scene_keys.hpp"
-#include "quadrel/bake.hpp"
+#include "io/scene/keys.hpp"
+#include "quadrel/bake/bake.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"

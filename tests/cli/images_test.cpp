@@ -7,7 +7,7 @@
 
 #include "cli/process.hpp"
 #include "film/films.hpp"
-#include "io/exr_parts.hpp"
+#include "io/exr/parts.hpp"
 #include "quadrel/film/exr.hpp"
 #include "texture/files.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "cli/signals.hpp"
 #include "effort.hpp"
+#include "file/temporary_file.hpp"
 #include "film/films.hpp"
-#include "io/temporary_file.hpp"
 #include "quadrel/film/exr.hpp"
 
 namespace quadrel::cli_tests {

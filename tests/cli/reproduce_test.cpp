@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "cli/process.hpp"
-#include "io/shell_word.hpp"
+#include "text/shell_word.hpp"
 
 namespace quadrel::cli_tests {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "cli/bad_input.hpp"
+#include "file/file_identity.hpp"
 #include "film/films.hpp"
-#include "io/file_identity.hpp"
 
 namespace quadrel::cli_tests {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "planted.hpp"
+#include "data/planted.hpp"
 #include "quadrel/num/srgb.hpp"
 #include "quadrel/texture/image.hpp"
 

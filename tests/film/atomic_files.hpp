@@ -1,8 +1,8 @@
 // Files that appear whole, for the tests of what writes them.
 #pragma once
 
+#include "file/atomic_file.hpp"
 #include "film/films.hpp"
-#include "io/atomic_file.hpp"
 
 namespace quadrel {
 

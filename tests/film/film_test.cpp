@@ -7,9 +7,9 @@
 
 #include "film/films.hpp"
 #include "film/planted.hpp"
-#include "io/hash.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/resolve.hpp"
+#include "text/hash.hpp"
 
 namespace quadrel {
 namespace {

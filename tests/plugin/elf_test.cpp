@@ -1,5 +1,5 @@
 // A plugin whose headers are damaged, or that is cut off, is refused before the loader believes it.
-#include "render/elf_check.hpp"
+#include "render/registry/elf_check.hpp"
 
 #include <dlfcn.h>
 #include <sys/wait.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "quadrel/texture/height_sampler.hpp"
-#include "relief/frame_oracle.hpp"
+#include "relief/frame/frame_oracle.hpp"
 
 namespace quadrel::test {
 

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "quadrel/raster/interpolation.hpp"
-#include "relief/frame_listings.hpp"
+#include "relief/frame/frame_listings.hpp"
 #include "relief/surface_rays.hpp"
-#include "relief/trace_listings.hpp"
+#include "relief/trace/trace_listings.hpp"
 
 namespace quadrel::test {
 

@@ -1,6 +1,6 @@
 // The relief's depth: in tiles of the texture, and faded at grazing angles.
 #include "quadrel/scene/load.hpp"
-#include "relief/frame_support.hpp"
+#include "relief/frame/frame_support.hpp"
 #include "scene/degrees.hpp"
 #include "scene/support.hpp"
 

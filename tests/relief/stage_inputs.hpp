@@ -2,7 +2,7 @@
 // stages before it would have handed on.
 #pragma once
 
-#include "quadrel/bake.hpp"
+#include "quadrel/bake/bake.hpp"
 #include "relief/triangle.hpp"
 
 namespace quadrel::test {

@@ -2,7 +2,7 @@
 // and listings in tangent space need beyond fill_rays.
 #pragma once
 
-#include "relief/linear_search.hpp"
+#include "relief/march/linear_search.hpp"
 #include "relief/vertex_inputs.hpp"
 
 namespace quadrel::test {

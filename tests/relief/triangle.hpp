@@ -2,7 +2,7 @@
 #pragma once
 
 #include "quadrel/raster/interpolation.hpp"
-#include "relief/frame_oracle.hpp"
+#include "relief/frame/frame_oracle.hpp"
 #include "relief/vertex_inputs.hpp"
 #include "ulp.hpp"
 

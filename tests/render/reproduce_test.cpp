@@ -1,11 +1,11 @@
 // A stage that breaks a promise, or throws, ends the render with the command that shows the quad.
 #include <stdexcept>
 
-#include "io/shell_word.hpp"
 #include "kernels/table.hpp"
 #include "render/films.hpp"
-#include "render/prepared.hpp"
+#include "render/plan/prepared.hpp"
 #include "render/scenes.hpp"
+#include "text/shell_word.hpp"
 
 namespace quadrel::render_tests {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <limits>
 
-#include "planted.hpp"
 #include "quadrel/num/functions.hpp"
 #include "quadrel/scene/transform.hpp"
+#include "scene/planted.hpp"
 
 namespace quadrel {
 namespace {

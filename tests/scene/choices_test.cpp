@@ -1,8 +1,8 @@
 // Parameters whose values have names: numbers and names are one scene, other names are refused.
-#include "io/scene_choices.hpp"
+#include "io/scene/choices.hpp"
 
 #include "quadrel/scene/load.hpp"
-#include "support.hpp"
+#include "scene/support.hpp"
 
 namespace quadrel {
 namespace {

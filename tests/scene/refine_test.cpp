@@ -5,10 +5,10 @@
 
 #include <set>
 
+#include "io/mesh/mesh_properties.hpp"
 #include "quadrel/num/math.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/scene/shapes.hpp"
-#include "scene/mesh_properties.hpp"
 #include "scene/planted.hpp"
 #include "scene/support.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "mesh_properties.hpp"
-#include "planted.hpp"
+#include "io/mesh/mesh_properties.hpp"
 #include "quadrel/scene/transform.hpp"
+#include "scene/planted.hpp"
 
 namespace quadrel {
 namespace {

@@ -8,10 +8,10 @@
 #include <functional>
 #include <numeric>
 
+#include "io/gltf/gltf_files.hpp"
 #include "quadrel/num/math.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/scene/shapes.hpp"
-#include "scene/gltf_files.hpp"
 #include "scene/planted.hpp"
 #include "scene/support.hpp"
 

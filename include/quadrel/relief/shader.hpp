@@ -16,7 +16,7 @@
 //     };
 #pragma once
 
-#include "quadrel/relief/trace/search.hpp"
+#include "quadrel/relief/trace/search/search.hpp"
 
 namespace quadrel {
 

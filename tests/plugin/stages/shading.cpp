@@ -1,3 +1,3 @@
-#include "stages.hpp"
+#include "plugin/stages/stages.hpp"
 
 QUADREL_STAGES(plugin_tests::Tilt, plugin_tests::Stripes);

@@ -1,4 +1,4 @@
-#include "sweep.hpp"
+#include "texture/modules/sweep.hpp"
 
 #include "quadrel/num/lanes.hpp"
 

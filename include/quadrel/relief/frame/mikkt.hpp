@@ -29,7 +29,7 @@ struct FrameMikkt : StageDefaults {
     static constexpr StageText text{"frame-mikkt", "frame",
                                     "MikkTSpace: for normal maps; density of the triangle",
                                     "Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008"};
-    // The bitangent's place holds the unit vertex normals (render/primitive_frame.hpp).
+    // The bitangent's place holds the unit vertex normals (render/draw/primitive_frame.hpp).
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::Ng, Value::vertex_tangent,
                Value::tangent_sign, Value::vertex_bitangent, Value::face_J, Value::relief_depth);

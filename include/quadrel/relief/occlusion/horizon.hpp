@@ -8,7 +8,7 @@
 // sheared or stretched that length is the root of a tile's area.
 #pragma once
 
-#include "quadrel/relief/trace/cone_map.hpp"
+#include "quadrel/relief/trace/cone/cone_map.hpp"
 
 namespace quadrel {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "quadrel/relief/shadow/light_ray.hpp"
-#include "quadrel/relief/trace/cone_map.hpp"
+#include "quadrel/relief/trace/cone/cone_map.hpp"
 
 namespace quadrel {
 

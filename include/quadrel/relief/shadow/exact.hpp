@@ -10,7 +10,7 @@
 #pragma once
 
 #include "quadrel/relief/shadow/light_ray.hpp"
-#include "quadrel/relief/trace/cell_search.hpp"
+#include "quadrel/relief/trace/exact/cell_search.hpp"
 
 namespace quadrel {
 

@@ -10,7 +10,7 @@
 
 #include "quadrel/num/math.hpp"
 #include "quadrel/relief/shadow/light_ray.hpp"
-#include "quadrel/relief/trace/cone_map.hpp"
+#include "quadrel/relief/trace/cone/cone_map.hpp"
 
 namespace quadrel {
 

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "quadrel/relief/tangent_light.hpp"
-#include "quadrel/relief/trace/implicit_height.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
 
 namespace quadrel {
 

@@ -1,0 +1,80 @@
+// The march of LearnOpenGL's parallax occlusion mapping, which Godot took over: down by layers
+// while the depth there is greater, then one secant.
+//
+// Kept of the shaders:
+//   * the number of layers is real; depth and coordinate are accumulated: the last sample may lie
+//     below the bottom plane by a part of a layer;
+//   * texture() in the loop takes implicit derivatives: lanes that left keep their last coordinate;
+//     the look-up behind the loop is of all lanes, and of another level of detail than the same
+//     point's in the loop;
+//   * nothing bounds the loop (here: 65536 steps, CAP); a NaN height ends it, NAN; the secant of
+//     equal differences is no number, NAN.
+// hit.s and hit.h are those of the last sample before the secant, after which the shaders have no
+// depth.
+#pragma once
+
+#include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
+#include "quadrel/relief/trace/search/step_count.hpp"
+
+namespace quadrel {
+
+/// From `most` layers along the surface to `least` seen from above: a real number. `z`: of the unit
+/// view vector.
+template <Number F>
+F layers_by_angle(int least, int most, F z) {
+    return mix(F(static_cast<Scalar<F>>(most)), F(static_cast<Scalar<F>>(least)), abs(z));
+}
+
+template <Number F>
+struct LayerMarch {
+    Mask<F> active;  ///< lanes still in the loop
+    vec2<F> uv, uv_step;
+    F layer, s = F(0), depth = F(0);  ///< a layer's depth, the ray's, the map's
+
+    /// `shift`: the UV shift from the top plane to the bottom, against the ray.
+    LayerMarch(const SearchRay<F>& ray, const vec2<F>& shift, F layers)
+        : active(ray.active), uv(ray.uv), uv_step(shift / layers), layer(F(1) / layers) {}
+
+    template <class Heights>
+    void descend(Heights& heights) {
+        for (int i = 0; i <= most_steps; ++i) {
+            depth = select(active, F(1) - heights(active, s, uv), depth);
+            active = active & (s < depth);
+            if (!any(active) || i == most_steps) break;
+            uv = select(active, uv - uv_step, uv);
+            s = select(active, s + layer, s);
+        }
+    }
+
+    /// Between the last sample and the one before it; the last itself in lanes that were cut off.
+    template <class Heights>
+    vec2<F> secant(Heights& heights, Mask<F> searched) {
+        const vec2<F> previous = select(searched, uv + uv_step, uv);
+        const F height = heights(searched, s - layer, previous);
+        const F after = depth - s;
+        const F before = (F(1) - height) - s + layer;
+        return select(active, uv, mix(uv, previous, after / (after - before)));
+    }
+};
+
+/// Searches and stores.
+template <class Io, class F = typename Io::Number>
+void store_layer_march(const Io& io, const SearchRay<F>& ray, const vec2<F>& shift, F layers) {
+    const auto map = [&](Mask<F> active, const vec2<F>& uv) {
+        return implicit_height(io, active, uv);
+    };
+    CountedHeights heights(io, map);
+    LayerMarch<F> march(ray, shift, layers);
+    march.descend(heights);
+    const F h = heights.last();
+    const vec2<F> uv = march.secant(heights, ray.active);
+    const Mask<F> ended = !march.active;
+    const Mask<F> no_number = is_nan(h) | !is_finite(uv.x + uv.y);
+    SearchResult<F> result = heights.result(march.s, uv, ended);
+    result.h = h;
+    result.status = search_status<F>(ended, ended & no_number, Status::cap);
+    store_search(io, ray, result, uv);
+}
+
+}  // namespace quadrel

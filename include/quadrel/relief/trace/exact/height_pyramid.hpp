@@ -1,0 +1,93 @@
+// A search down and up a pyramid of greatest heights, over dual cells or texels. A node that lies
+// below the ray to its far side is left in one step; any other is gone down into, until a cell has
+// to be tested.
+#pragma once
+
+#include "quadrel/relief/trace/exact/cell_search.hpp"
+
+namespace quadrel {
+
+/// One node a lane.
+template <Number F>
+struct PyramidNode {
+    CellBlock<F> block;                        ///< as cells around the ray's
+    F height;                                  ///< the greatest in it, NaN if one is
+    Mask<F> leaves_parent_x, leaves_parent_y;  ///< the border ahead is one of the node's parent too
+};
+
+/// A map of BakeKind::max_mip or texel_max.
+template <Number F>
+class HeightPyramid {
+  public:
+    HeightPyramid(const SampledTexture& map, const Grid& grid) : view_(map.view), grid_(grid) {}
+
+    Int<F> top() const { return Int<F>(view_.levels - 1); }
+    int levels() const { return view_.levels; }
+
+    /// The node of `level` around the cell where each ray is.
+    PyramidNode<F> node(const CellSearch<F>& search, Int<F> level) const {
+        const F size = power_of_two(to_float<F>(level));
+        const Span x = span(search.i, grid_.u, size, search.ray.x.forward());
+        const Span y = span(search.j, grid_.v, size, search.ray.y.forward());
+        const Int<F> width = gather_int<F>(view_.width, level);
+        const Int<F> texel = gather_int<F>(view_.offset, level) + y.index * width + x.index;
+        return {{x.low, y.low, x.high, y.high},
+                gather<F>(view_.texels, texel),
+                x.leaves_parent,
+                y.leaves_parent};
+    }
+
+  private:
+    /// One axis of a node.
+    struct Span {
+        Int<F> index, low, high;
+        Mask<F> leaves_parent;
+    };
+
+    static Span span(Int<F> cell, const GridAxis& axis, F size, Mask<F> forward) {
+        const Int<F> stored = stored_index<F>(cell, axis), count(axis.count);
+        const Int<F> index = to_int(floor(to_float<F>(stored) / size));
+        const Int<F> first = index * to_int(size), end = min(first + to_int(size), count);
+        const Mask<F> odd = (index & Int<F>(1)) == Int<F>(1);
+        const Int<F> origin = cell - stored;
+        const Mask<F> odd_ahead = (forward & odd) | !(forward | odd);
+        return {index, origin + first, origin + end, odd_ahead | (forward & (end == count))};
+    }
+
+    const TextureView& view_;
+    Grid grid_;
+};
+
+/// Searches the cells of `search`. `ascent`: how many levels to go up after a node has been left;
+/// -1: one where its border is one of its parent too. `leaf(mask, exit, height)` tests cells;
+/// `visit(mask, height)` is told of the nodes that are not.
+template <Number F, class Leaf, class Visit>
+void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int ascent,
+                    const Leaf& leaf, const Visit& visit) {
+    Int<F> level = pyramid.top();
+    for (;;) {
+        search.count_step(16, 4 * pyramid.levels() + 64);
+        if (!any(search.active)) break;
+        const Mask<F> active = search.active;
+        const PyramidNode<F> node = pyramid.node(search, level);
+        const CellExit<F> exit = search.exit(node.block);
+        const F bound = node.height + search.ray.margin;
+        const Mask<F> above = F(1) - min(exit.s, F(1)) > bound;
+        const Mask<F> finest = level == Int<F>(0), tests = active & !above & finest;
+        const Mask<F> down = active & !above & !finest;
+        visit(active, node.height);
+        if (any(tests)) leaf(tests, exit, node.height);
+        const Mask<F> crosses = (active & (above | finest)) & search.active;
+        search.leap(crosses, node.block, exit);
+        const Mask<F> across_y = !exit.across_x;
+        const Mask<F> leaves_parent =
+            (exit.across_x & node.leaves_parent_x) | (across_y & node.leaves_parent_y);
+        const Mask<F> up = crosses & (leaves_parent | Mask<F>(ascent > 0)) & Mask<F>(ascent != 0);
+        level = select(up, min(level + Int<F>(ascent > 0 ? ascent : 1), pyramid.top()), level);
+        // Into the node, no further than the ray is above all of it.
+        search.leap_to(down, min(F(1) - bound, exit.s));
+        level = select(down, level - Int<F>(1), level);
+    }
+}
+
+}  // namespace quadrel

@@ -1,0 +1,84 @@
+// relief-gg3: the relief mapping of GPU Gems 3's demonstration, as listed.
+//
+// Source: F. Policarpo, M. M. Oliveira, GPU Gems 3, chapter 18, relief_mapping.fx, ray_intersect_
+// relief. Its v, scaled to unit depth, is (K, 1); p.z is s; its map holds 1 - h. Kept:
+//   * p is accumulated and moves only while it is above the surface; there is no early exit, so
+//     every step is a fetch;
+//   * the binary steps are half steps forward or back from the last p, not a bisection: the first
+//     may lead forward;
+//   * the end is never tested. Here: FLOOR where no sample was at or below the surface;
+//   * level 0 (the demonstration's sampler has MipFilter = None).
+// Not reproduced: the 8 bits of its map; its depth bias and border clamp, both off by default.
+#pragma once
+
+#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/step_count.hpp"
+
+namespace quadrel {
+
+struct ReliefGg3 : HeightSearch {
+    static constexpr StageText text{"relief-gg3", "trace",
+                                    "linear search and signed half steps as listed",
+                                    "Policarpo, Oliveira, GPU Gems 3, chapter 18"};
+    static constexpr auto inputs = search_inputs;
+    static constexpr const char* not_reproduced =
+        "the 8 bits of its map; depth bias and border clamp, off by default";
+    struct Params {
+        std::int32_t linear_steps = 15, binary_steps = 6;
+    };
+    static constexpr std::array parameters{
+        parameter<&Params::linear_steps>("linear_steps", "1", "steps over the relief's depth", 1,
+                                         most_steps, 15),
+        parameter<&Params::binary_steps>("binary_steps", "1", "signed half steps", 0, 60, 6)};
+
+    template <class Io>
+    void operator()(Io& io, const Params& params) const {
+        using F = typename Io::Number;
+        const SearchRay<F> ray = search_ray(io);
+        const auto heights = march_heights_of_level(io, F(0));
+        Walk<F> walk{ray.uv, F(0)};
+        const F steps(static_cast<Scalar<F>>(params.linear_steps));
+        vec2<F> v = ray.K / steps;
+        F v_z = F(1) / steps;
+        for (int i = 0; i < params.linear_steps; ++i) {
+            const Mask<F> above = walk.above(io, heights, ray.active);
+            walk.p = select(above, walk.p + v, walk.p);
+            walk.p_z = select(above, walk.p_z + v_z, walk.p_z);
+        }
+        for (int i = 0; i < params.binary_steps; ++i) {
+            v = v * F(0.5f);
+            v_z = v_z * F(0.5f);
+            const Mask<F> above = walk.above(io, heights, ray.active);
+            walk.p = select(above, walk.p + v, walk.p - v);
+            walk.p_z = select(above, walk.p_z + v_z, walk.p_z - v_z);
+        }
+        walk.result.s = walk.p_z;
+        walk.result.status = search_status<F>(walk.found, walk.met_nan);
+        walk.result.fetches = walk.result.steps;
+        store_search(io, ray, walk.result, walk.p);
+    }
+
+  private:
+    template <Number F>
+    struct Walk {
+        vec2<F> p;
+        F p_z;
+        SearchResult<F> result{};
+        Mask<F> found = Mask<F>(false), met_nan = Mask<F>(false);
+
+        /// Fetches at p: whether it is above the surface.
+        template <class Io, class Heights>
+        Mask<F> above(const Io& io, const Heights& heights, Mask<F> active) {
+            const F h = heights(active, p);
+            io.march_step(active, p_z, p, F(1) - p_z, h);
+            const Mask<F> above = p_z < F(1) - h;
+            result.h = h;
+            met_nan = met_nan | (active & is_nan(h));
+            found = found | (active & !above);
+            count_in<F>(result.steps, active);
+            return above;
+        }
+    };
+};
+
+}  // namespace quadrel

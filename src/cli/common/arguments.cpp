@@ -1,0 +1,90 @@
+#include "cli/common/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+constexpr int largest_side = 65536;
+
+[[noreturn]] void reject(const std::string& option, const std::string& text,
+                         const std::string& expected) {
+    throw UsageError(option + ": found \"" + text + "\", expected " + expected);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == separator) {
+            parts.emplace_back();
+        } else if (c != ' ') {
+            parts.back() += c;
+        }
+    }
+    return parts;
+}
+
+std::optional<int> parse_side(const std::string& text) {
+    int value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || value < 0 || value > largest_side)
+        return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+std::vector<std::string> parse_list(const std::string& option, const std::string& text) {
+    std::vector<std::string> parts = split(text, ',');
+    for (const std::string& part : parts)
+        if (part.empty()) reject(option, text, "names separated by commas");
+    return parts;
+}
+
+Size parse_size(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, 'x');
+    constexpr const char* expected = "WIDTHxHEIGHT, 1 to 65536 each";
+    if (parts.size() != 2) reject(option, text, expected);
+    const auto width = parse_side(parts[0]), height = parse_side(parts[1]);
+    if (width.value_or(0) < 1 || height.value_or(0) < 1) reject(option, text, expected);
+    return {*width, *height};
+}
+
+Window parse_window(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    constexpr const char* expected = "x0,y0,x1,y1 with 0 <= x0 < x1 and 0 <= y0 < y1";
+    if (parts.size() != 4) reject(option, text, expected);
+    int sides[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto side = parse_side(parts[i]);
+        if (!side) reject(option, text, expected);
+        sides[i] = *side;
+    }
+    const Window window{sides[0], sides[1], sides[2], sides[3]};
+    if (window.width() < 1 || window.height() < 1) reject(option, text, expected);
+    return window;
+}
+
+Pixel parse_pixel(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = split(text, ',');
+    constexpr const char* expected = "x,y, both 0 or more";
+    if (parts.size() != 2) reject(option, text, expected);
+    const auto x = parse_side(parts[0]), y = parse_side(parts[1]);
+    if (!x || !y) reject(option, text, expected);
+    return {*x, *y};
+}
+
+std::vector<std::string> with_size(std::vector<std::string> overrides, const std::string& size) {
+    if (size.empty()) return overrides;
+    const auto [width, height] = parse_size("--size", size);
+    overrides.push_back(fmt::format("size=[{},{}]", width, height));
+    return overrides;
+}
+
+}  // namespace quadrel::cli

@@ -1,0 +1,51 @@
+#include "cli/common/examples.hpp"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace quadrel::cli {
+namespace {
+
+constexpr Example all[] = {
+    {"render", "bricks-45 -o bricks.exr --preview bricks.png", "an installed scene, and a picture"},
+    {"render", "scene.json -D material.relief.trace=cone-cell --channels R,G,B,hit,N",
+     "another search, and where its rays end"},
+    {"compare", "bricks.exr port.exr --abs 1e-4 --heatmap difference.png",
+     "allow a small error, and show where there is more"},
+    {"compare", "bricks.exr port.png --channels R,G,B --encode srgb8 --ulp 1",
+     "against a picture of 8 bits, a code apart at most"},
+    {"list", "algorithms cone", "stages whose texts have the word cone"},
+    {"list", "scenes --json", "for programs"},
+    {"info", "bricks.exr", "channels with their ranges, attributes, hash"},
+    {"info", "bricks-45 --json", "what an installed scene is made of"},
+    {"explain", "material.relief.depth hit.status", "a key of scenes and a channel"},
+    {"explain", "linear 75", "a stage and an exit code"},
+    {"probe", "bricks-45 --pixel 200,300", "all that one pixel's quad goes through"},
+    {"probe", "scene.json --pixel 0,0 --number double --json", "in double, for programs"},
+    {"sheet", "bricks-45 stones-45 -o walls.png --size 200x200", "two scenes side by side"},
+    {"sheet", "bricks-45 --each material.relief.steps=8,32,128 -o steps.png",
+     "one scene with three values of a key"},
+    {"mips", "wall.png --srgb -o wall", "wall.0.exr, wall.1.exr, ..., filtered as light"},
+    {"mips", "heights.exr --format unorm16 --rule area -o heights", "as a port uploads them"},
+    {"bake", "heights.exr --kind cone-cell -o cones.exr", "into a file and into the cache"},
+    {"bake", "heights.png --kind relaxed-cone --packed relaxed.png --packing gg3",
+     "in the channels of its source, 8 bits each"},
+};
+
+}  // namespace
+
+std::span<const Example> examples() { return all; }
+
+void add_examples(CLI::App& program) {
+    for (CLI::App* verb : program.get_subcommands(nullptr)) {
+        std::string text = verb->get_footer();
+        text += text.empty() ? "Examples:" : "\n\nExamples:";
+        for (const Example& example : all)
+            if (verb->get_name() == example.verb)
+                text += "\n  " + program.get_name() + " " + example.verb + " " + example.arguments +
+                        "\n      " + example.meaning;
+        verb->footer(text);
+    }
+}
+
+}  // namespace quadrel::cli

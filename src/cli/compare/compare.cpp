@@ -1,0 +1,214 @@
+// quadrel compare: strict about NaN, infinities, sizes and channels.
+#include "quadrel/compare.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/common/arguments.hpp"
+#include "cli/common/command_files.hpp"
+#include "cli/common/console.hpp"
+#include "cli/common/hints.hpp"
+#include "cli/common/plugins.hpp"
+#include "cli/common/selection_options.hpp"
+#include "cli/compare/arguments.hpp"
+#include "cli/compare/blame.hpp"
+#include "cli/compare/region.hpp"
+#include "cli/verbs.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/film/heatmap.hpp"
+#include "quadrel/film/preview.hpp"
+#include "text/printable.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+constexpr const char* details =
+    "A channel differs where its bits differ and no tolerance given for it allows that; a NaN on "
+    "one\n"
+    "side, a missing channel, another size or window always do. CHANNEL is a channel or a group, "
+    "as\n"
+    "in --abs N=1e-3, and wins over a bare VALUE. Integers pass by equal bits, or by --abs of "
+    "their\n"
+    "full name.\n"
+    "--encode srgb8 and unorm8: R G B A, and what either image stores in 8 bits, become the "
+    "nearest\n"
+    "code (rounded on the encoded side, 0.5 up; below 0 gives 0, above 1 gives 255; A is linear).\n"
+    "Codes of an 8-bit file stay as they are; --ulp counts codes. half: every float becomes the\n"
+    "nearest half, ties to even; --ulp counts halves.";
+
+struct Arguments {
+    std::string reference, test, channels, heatmap, encode, blame, ignored_flags;
+    std::vector<std::string> mappings, overrides, plugins;
+    ToleranceArguments tolerances;
+    ImageSelection selection, reference_selection;
+    RegionArguments region;
+    bool flip_y = false, json = false;
+};
+
+/// "float32 uint32": how the channels that are compared are stored.
+std::string storage_text(const ComparableImage& image) {
+    std::set<std::string> names;
+    for (const Plane& plane : image.film.planes)
+        names.insert(storage_name(image.stored.at(plane.name)));
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
+Encoding encoding_argument(const std::string& text) {
+    if (text.empty()) return Encoding::none;
+    const std::optional<Encoding> encoding = parse_encoding(text);
+    if (!encoding)
+        throw UsageError("--encode: found \"" + text + "\", expected srgb8, unorm8 or half");
+    return *encoding;
+}
+
+/// Both images as they are to be compared, and how they became so.
+struct Images {
+    ComparableImage reference, test;
+    Preparation preparation;
+    CompareRules rules;
+};
+
+/// The pixels that --ignore-flags leaves out.
+std::vector<bool> left_out(const std::string& flags, const Film& reference) {
+    if (flags.empty()) return {};
+    try {
+        return flagged_pixels(reference, parse_hit_flags(parse_list("--ignore-flags", flags)));
+    } catch (const UsageError& error) {
+        throw UsageError(std::string("--ignore-flags: ") + error.what());
+    }
+}
+
+/// Gives the test image the reference's values where nothing is compared.
+void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& left_out) {
+    for (Plane& plane : test.planes) {
+        const Plane* right = reference.find(plane.name);
+        for (std::size_t i = 0; right != nullptr && i < left_out.size(); ++i)
+            if (left_out[i]) plane.bits[i] = right->bits[i];
+    }
+}
+
+Images prepare(const Arguments& arguments) {
+    const Encoding encoding = encoding_argument(arguments.encode);
+    const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
+    const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
+    Images images{read_comparable(arguments.reference, arguments.reference_selection),
+                  read_comparable(arguments.test, arguments.selection),
+                  {},
+                  {}};
+    ComparableImage &reference = images.reference, &test = images.test;
+    if (arguments.flip_y) flip_y(test.film);
+    map_channels(test, mappings);
+    const auto region = keep_region(arguments.region, reference.film, test.film);
+    images.rules = match_tolerances(tolerances, reference.film, test.film);
+    images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
+    if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
+    const std::string storage[] = {storage_text(reference), storage_text(test)};
+    const auto by_value = compare_by_value(reference.film, test.film);
+    // They stay integers in what is allowed: no tolerance for all channels is for them.
+    for (const std::string& name : by_value)
+        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
+    images.rules.encodings = encode_both(reference, test, encoding);
+    images.preparation = {arguments.reference, arguments.test, storage[0], storage[1], encoding,
+                          arguments.flip_y,    mappings,       by_value,   region};
+    return images;
+}
+
+ExitCode run_compare(const Arguments& arguments) {
+    if (arguments.blame.empty() && !arguments.overrides.empty())
+        throw UsageError("-D: expected with --blame only");
+    if (arguments.blame.empty() && !arguments.plugins.empty())
+        throw UsageError("--plugin: expected with --blame only");
+    CommandFiles files;
+    for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
+    files.add_output("--heatmap", arguments.heatmap);
+    files.check_writable();
+    check_output_kinds({{"--heatmap", ".png", arguments.heatmap}});
+    load_plugins(arguments.plugins);
+    Images images = prepare(arguments);
+    std::optional<ProbedScene> scene;
+    if (!arguments.blame.empty()) {
+        scene = open_probed_scene(arguments.blame, arguments.overrides);
+        scene->plugins = arguments.plugins;
+    }
+    files.check();
+    const Film &reference = images.reference.film, &test = images.test.film;
+    CompareReport report = compare(reference, test, images.rules);
+    report.preparation = images.preparation;
+    if (scene) {
+        report.blame = find_blame(reference, test, images.rules, report);
+        if (report.blame) point_at_probe(*report.blame, *scene, images.reference);
+    }
+    if (arguments.json) {
+        print_json(to_json(report));
+    } else {
+        for (std::string* name :
+             {&report.preparation->reference_file, &report.preparation->test_file})
+            *name = printable(*name);
+        print(to_text(report));
+    }
+    if (!arguments.heatmap.empty()) {
+        if (reference.window == test.window) {
+            fill_left_out(reference, images.test.film, images.rules.left_out);
+            write_png(arguments.heatmap, heatmap(reference, test));
+        } else {
+            say("quadrel: no heat map: the windows differ");
+        }
+    }
+    return report.equal() ? ExitCode::ok : ExitCode::difference;
+}
+
+void add_tolerances(CLI::App& verb, ToleranceArguments& tolerances) {
+    const auto add = [&](const char* option, std::vector<std::string>& values, const char* help) {
+        verb.add_option(option, values, help)
+            ->type_name("[CHANNEL=]VALUE")
+            ->allow_extra_args(false);
+    };
+    add("--abs", tolerances.abs, "allow this absolute error; repeatable, as all of these");
+    add("--rel", tolerances.rel, "allow this error relative to the reference");
+    add("--ulp", tolerances.ulp, "allow values to be so many floats (halves, codes) apart");
+    add("--fraction", tolerances.fraction, "share of pixels, 0 to 1, that may exceed");
+}
+
+void add_preparation(CLI::App& verb, Arguments& a) {
+    verb.add_option("--encode", a.encode, "round both to what 8 bits or half can hold")
+        ->type_name("srgb8|unorm8|half");
+    verb.add_flag("--flip-y", a.flip_y, "the test image's first row is its bottom");
+    verb.add_option("--map", a.mappings, "the test image's channel or group for a reference's")
+        ->type_name("REF=TEST")
+        ->allow_extra_args(false);
+    add_selection_options(verb, a.selection, "", "the test image, an EXR");
+    add_selection_options(verb, a.reference_selection, "reference-", "the reference, an EXR");
+    add_region_options(verb, a.region);
+    verb.add_option("--channels", a.channels, "compare these comma-separated channels only");
+    verb.add_option("--ignore-flags", a.ignored_flags,
+                    "leave out pixels whose reference has one of these hit.flags, such as "
+                    "nan-look-up")
+        ->type_name("LIST");
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
+    const auto a = std::make_shared<Arguments>();
+    verb->add_option("reference", a->reference, "the image that is right")->required();
+    verb->add_option("test", a->test, "the image to be judged, of any format")->required();
+    verb->footer(details);
+    add_tolerances(*verb, a->tolerances);
+    add_preparation(*verb, *a);
+    verb->add_option("--blame", a->blame, "find the first wrong value of the worst pixel")
+        ->type_name("SCENE");
+    verb->add_option("-D,--define", a->overrides, "override a value of that scene; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    add_plugin_option(*verb, a->plugins);
+    verb->add_option("--heatmap", a->heatmap,
+                     "write a PNG of the largest differences, a panel for each kind of channel")
+        ->type_name("OUT.png");
+    verb->add_flag("--json", a->json, "machine-readable, on standard output");
+    verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });
+}
+
+}  // namespace quadrel::cli

@@ -1,0 +1,167 @@
+#include "io/exr/pixels.hpp"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputPart.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <stdexcept>
+
+#include "io/exr/context.hpp"
+#include "io/exr/dwa_check.hpp"
+#include "quadrel/num/half.hpp"
+
+namespace quadrel {
+namespace {
+
+/// Rows of one channel as the file stores them, in memory that begins as zeros.
+struct NativeRows {
+    std::vector<std::uint8_t> bytes;
+    bool halves = false;
+};
+
+std::vector<std::uint32_t> converted(const std::uint8_t* native, bool halves, int count) {
+    std::vector<std::uint32_t> row(static_cast<std::size_t>(count));
+    if (!halves) {
+        std::memcpy(row.data(), native, row.size() * sizeof row[0]);
+        return row;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        std::uint16_t half = 0;
+        std::memcpy(&half, native + 2 * i, sizeof half);
+        row[i] = std::bit_cast<std::uint32_t>(half_to_float(half));
+    }
+    return row;
+}
+
+void hand_out(const std::vector<NativeRows>& channels, int x, int y, int width, int height,
+              const ExrSink& sink) {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const std::size_t row = static_cast<std::size_t>(width) * (channels[c].halves ? 2 : 4);
+        if (channels[c].bytes.size() != row * static_cast<std::size_t>(height))
+            throw std::runtime_error("a channel is missing");
+        for (int r = 0; r < height; ++r) {
+            const auto bits = converted(&channels[c].bytes[static_cast<std::size_t>(r) * row],
+                                        channels[c].halves, width);
+            sink({c, x, y + r, width, bits.data()});
+        }
+    }
+}
+
+/// Lossless compressions and Pxr24, by the C library.
+class ChunkPixels : public ExrPixels {
+  public:
+    ChunkPixels(std::unique_ptr<ExrContext> context, std::vector<std::string> channels)
+        : context_(std::move(context)), channels_(std::move(channels)) {}
+
+    void read(int y0, int y1, const ExrSink& sink) override {
+        context_->for_each_chunk(y0, y1, [&](const exr_chunk_info_t& chunk, int x, int y) {
+            hand_out(decode(chunk), x, y, chunk.width, chunk.height, sink);
+        });
+    }
+
+  private:
+    std::vector<NativeRows> decode(const exr_chunk_info_t& chunk) const {
+        ExrPipeline pipeline(*context_, chunk);
+        std::vector<NativeRows> rows(channels_.size());
+        for (int c = 0; c < pipeline.decode.channel_count; ++c)
+            place(pipeline.decode.channels[c], chunk, rows);
+        check_exr(exr_decoding_choose_default_routines(context_->get(), context_->part(),
+                                                       &pipeline.decode));
+        check_exr(exr_decoding_run(context_->get(), context_->part(), &pipeline.decode));
+        return rows;
+    }
+
+    /// Tells the decoder where a channel goes; nowhere if nobody asks for it.
+    void place(exr_coding_channel_info_t& info, const exr_chunk_info_t& chunk,
+               std::vector<NativeRows>& rows) const {
+        const auto name = std::find(channels_.begin(), channels_.end(), info.channel_name);
+        if (name == channels_.end()) return;
+        if (info.width != chunk.width || info.height != chunk.height)
+            throw std::runtime_error("a sub-sampled channel");
+        NativeRows& to = rows[static_cast<std::size_t>(name - channels_.begin())];
+        const int row = chunk.width * info.bytes_per_element;
+        to.halves = info.data_type == EXR_PIXEL_HALF;
+        to.bytes.resize(static_cast<std::size_t>(row) * static_cast<std::size_t>(chunk.height));
+        info.user_pixel_stride = info.bytes_per_element;
+        info.user_line_stride = row;
+        info.decode_to_ptr = to.bytes.data();
+    }
+
+    std::unique_ptr<ExrContext> context_;
+    std::vector<std::string> channels_;
+};
+
+/// B44 and DWA, by the C++ library. What its DWA decoder would leave as it was in its buffers is
+/// refused beforehand.
+class LossyPixels : public ExrPixels {
+  public:
+    LossyPixels(const std::filesystem::path& file, std::unique_ptr<ExrContext> context,
+                std::vector<std::string> channels)
+        : context_(std::move(context)),
+          channels_(std::move(channels)),
+          file_(file.c_str(), 0, false),
+          part_(file_, context_->part()) {}
+
+    /// In steps of the most rows that a chunk has.
+    void read(int y0, int y1, const ExrSink& sink) override {
+        constexpr int most = 256;
+        const int top = context_->window().min.y;
+        for (int y = y0; y < y1;) {
+            const int next = std::min(y1, y + most - (y - top) % most);
+            read_block(y, next, sink);
+            y = next;
+        }
+    }
+
+  private:
+    void read_block(int y0, int y1, const ExrSink& sink) {
+        const bool dwa = context_->compression() == EXR_COMPRESSION_DWAA ||
+                         context_->compression() == EXR_COMPRESSION_DWAB;
+        if (dwa) check_dwa_chunks(*context_, y0, y1);
+        const Imath::Box2i whole = part_.header().dataWindow();
+        const Imath::Box2i box({whole.min.x, y0}, {whole.max.x, y1 - 1});
+        const int width = whole.max.x - whole.min.x + 1;
+        std::vector<NativeRows> rows(channels_.size());
+        Imf::FrameBuffer buffer;
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+            const Imf::PixelType type = part_.header().channels()[channels_[c].c_str()].type;
+            rows[c].halves = type == Imf::HALF;
+            rows[c].bytes.resize(static_cast<std::size_t>(width) *
+                                 static_cast<std::size_t>(y1 - y0) * (type == Imf::HALF ? 2 : 4));
+            buffer.insert(channels_[c], Imf::Slice::Make(type, rows[c].bytes.data(), box));
+        }
+        part_.setFrameBuffer(buffer);
+        part_.readPixels(y0, y1 - 1);
+        hand_out(rows, whole.min.x, y0, width, y1 - y0, sink);
+    }
+
+    std::unique_ptr<ExrContext> context_;
+    std::vector<std::string> channels_;
+    Imf::MultiPartInputFile file_;
+    Imf::InputPart part_;
+};
+
+}  // namespace
+
+std::unique_ptr<ExrPixels> open_exr_pixels(const std::filesystem::path& file, int part,
+                                           std::vector<std::string> channels) {
+    auto context = std::make_unique<ExrContext>(file, part);
+    switch (context->compression()) {
+        case EXR_COMPRESSION_NONE:
+        case EXR_COMPRESSION_RLE:
+        case EXR_COMPRESSION_ZIPS:
+        case EXR_COMPRESSION_ZIP:
+        case EXR_COMPRESSION_PIZ:
+        case EXR_COMPRESSION_PXR24:
+            return std::make_unique<ChunkPixels>(std::move(context), std::move(channels));
+        default:
+            return std::make_unique<LossyPixels>(file, std::move(context), std::move(channels));
+    }
+}
+
+}  // namespace quadrel

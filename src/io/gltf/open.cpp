@@ -1,0 +1,133 @@
+#include "io/gltf/open.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "file/read_file.hpp"
+#include "io/gltf/asset.hpp"
+#include "io/gltf/buffers.hpp"
+#include "io/gltf/container.hpp"
+#include "io/gltf/schema.hpp"
+#include "io/not_finite.hpp"
+
+namespace quadrel {
+namespace {
+
+using nlohmann::json;
+
+std::string one_line(std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+// Others are calls within calls.
+void check_nesting(const GltfFile& file, std::string_view text) {
+    constexpr int most = 100;
+    int depth = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '"') in_string = !in_string;
+        if (in_string && text[i] == '\\') ++i;
+        if (in_string) continue;
+        if (text[i] == '[' || text[i] == '{') ++depth;
+        if (text[i] == ']' || text[i] == '}') --depth;
+        if (depth > most)
+            file.fail("", "more than " + std::to_string(most) + " nested brackets", "glTF 2.0");
+    }
+}
+
+json parse(const GltfFile& file, std::string_view text) {
+    check_nesting(file, text);
+    try {
+        json root = json::parse(text);
+        if (!root.is_object()) file.fail("", "JSON that is no object", "glTF 2.0");
+        return root;
+    } catch (const json::parse_error& error) {
+        const auto word = word_around(text, error.byte == 0 ? 0 : error.byte - 1);
+        if (spells_not_finite(word))
+            file.fail("", fmt::format("{} in byte {}", word, error.byte), "finite numbers");
+        file.fail("", one_line(error.what()), "glTF 2.0");
+    } catch (const json::exception& error) {
+        file.fail("", one_line(error.what()), "glTF 2.0");
+    }
+}
+
+std::vector<tinygltf::Skin> skins_of(const json& checked) {
+    std::vector<tinygltf::Skin> skins;
+    for (const json& described : checked.value("skins", json::array())) {
+        tinygltf::Skin& skin = skins.emplace_back();
+        skin.inverseBindMatrices = described.value("inverseBindMatrices", -1);
+        skin.joints = described["joints"].get<std::vector<int>>();
+    }
+    return skins;
+}
+
+// tinygltf drops what it finds malformed, refuses what geometry does not need, and reads buffers
+// and images by itself: it gets what is checked already, and only what meshes are made of. It also
+// wants inverse bind matrices, which are optional, and a buffer view for indices, which may be
+// sparse instead.
+void fill_model(GltfFile& file, json checked) {
+    const std::vector<tinygltf::Skin> skins = skins_of(checked);
+    for (const char* part : {"buffers", "materials", "skins"}) checked.erase(part);
+    std::vector<std::vector<int>> indices;
+    for (json& mesh : checked.value("meshes", json::array())) {
+        indices.emplace_back();
+        for (json& primitive : mesh["primitives"])
+            indices.back().push_back(primitive.value("indices", -1));
+    }
+    if (checked.contains("meshes"))
+        for (json& mesh : checked["meshes"])
+            for (json& primitive : mesh["primitives"]) primitive.erase("indices");
+    const std::string text = checked.dump();
+    tinygltf::TinyGLTF loader;
+    std::string error, warning;
+    const bool read = loader.LoadASCIIFromString(&file.model, &error, &warning, text.data(),
+                                                 static_cast<unsigned>(text.size()), "");
+    if (!read || !error.empty())
+        file.fail("", error.empty() ? "something unreadable" : one_line(error), "glTF 2.0");
+    file.model.skins = skins;
+    for (std::size_t i = 0; i < indices.size(); ++i)
+        for (std::size_t k = 0; k < indices[i].size(); ++k)
+            file.model.meshes.at(i).primitives.at(k).indices = indices[i][k];
+}
+
+struct Parts {
+    GltfFile file;
+    json checked;
+    std::string bytes;
+    std::optional<std::string_view> binary;  ///< within `bytes`
+};
+
+void read_parts(const std::filesystem::path& path, Parts& parts) {
+    parts.file.name = path.string();
+    parts.bytes = read_whole_file(path);
+    if (parts.bytes.size() > 0x7fffffff)
+        parts.file.fail("", std::to_string(parts.bytes.size()) + " bytes", "less than 2^31");
+    const GltfContainer container = open_gltf_container(parts.file.name, parts.bytes);
+    parts.binary = container.binary;
+    parts.file.json = parse(parts.file, container.json);
+    check_gltf_version(parts.file.name, parts.file.json);
+    check_gltf_extensions(parts.file.name, parts.file.json);
+    parts.checked = checked_gltf(parts.file.name, parts.file.json);
+}
+
+}  // namespace
+
+GltfFile open_gltf(const std::filesystem::path& path) {
+    Parts parts;
+    read_parts(path, parts);
+    fill_model(parts.file, parts.checked);
+    load_gltf_buffers(parts.file, parts.checked, path.parent_path(), parts.binary);
+    parts.file.json.erase("buffers");  // which may hold their bytes
+    return std::move(parts.file);
+}
+
+std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& path) {
+    Parts parts;
+    read_parts(path, parts);
+    return gltf_buffer_paths(parts.checked, path.parent_path());
+}
+
+}  // namespace quadrel

@@ -1,0 +1,44 @@
+// The parts of a scene file's reader, one per file.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "io/scene/value.hpp"
+#include "quadrel/scene/scene.hpp"
+
+namespace quadrel {
+
+/// Frame-wide keys: size, samples, conventions, hardware and so on.
+void read_settings(Fields& scene, Scene& out);
+
+/// The camera for the settings already read into `scene`.
+Camera read_camera(const Value& value, const Scene& scene);
+
+/// A texture given in place. The sampler's hardware terms are those of `hardware`.
+TextureReference read_texture(const Value& value, Hardware hardware);
+Environment read_environment(const Value& value, Hardware hardware);
+
+using TextureTable = std::map<std::string, TextureReference>;
+
+Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
+                       Hardware hardware);
+
+/// A shape or file; `notes` gets what is ignored of a file.
+Mesh read_mesh(const Value& value, std::vector<std::string>& notes);
+
+Light read_light(const Value& value);
+
+/// The matrix of a "transform": 16 numbers row by row, or a list of steps, the first one first.
+glm::mat4 read_transform(const Value& value);
+/// 16 finite numbers, row by row.
+glm::dmat4 read_matrix(const Value& value);
+
+/// A file that the scene names, relative to the scene file. Throws InputError if it is missing.
+std::filesystem::path read_path(const Value& value);
+
+/// Canonical JSON (sorted keys, whole numbers as integers) with every file path replaced by
+/// "sha256:" and the content's hash.
+std::string canonical_scene(const SceneDocument& document);
+
+}  // namespace quadrel

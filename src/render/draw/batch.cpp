@@ -1,0 +1,138 @@
+#include "render/draw/batch.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "render/draw/border_check.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr std::align_val_t alignment{64};
+constexpr int padding_quads = 4;  // the widest packet
+
+/// The evaluation point of each lane, in pixels.
+void load_window(const QuadPoints& points, float* const (&window)[2], int lane) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        window[0][lane + static_cast<int>(k)] = static_cast<float>(points.x[k]) / subpixel_units;
+        window[1][lane + static_cast<int>(k)] = static_cast<float>(points.y[k]) / subpixel_units;
+    }
+}
+
+}  // namespace
+
+void Batch::Free::operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
+
+Batch::Batch(int scalar_bytes, const ProbeCommand* command)
+    : scalar_bytes_(scalar_bytes), command_(command), values_(slot_count, nullptr) {}
+
+void Batch::prepare(const MaterialPlan& plan) {
+    const ValueSet& values = plan.values;
+    // One size for every array, whatever its kind: alignment stays simple.
+    const std::size_t array_bytes = std::size_t(batch_lanes) * scalar_bytes_;
+    const std::size_t arrays_an_edge = sizeof(double) / static_cast<std::size_t>(scalar_bytes_);
+    std::size_t arrays = 4 + 3 * arrays_an_edge;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (values[v]) arrays += arrays_of(static_cast<Value>(v));
+    if (arrays * array_bytes > capacity_) {
+        capacity_ = arrays * array_bytes;
+        memory_.reset(static_cast<std::byte*>(::operator new[](capacity_, alignment)));
+    }
+    std::byte* next = memory_.get();
+    const auto take = [&](std::size_t count = 1) {
+        std::byte* array = next;
+        next += count * array_bytes;
+        return array;
+    };
+    for (double*& edge : edges_) edge = reinterpret_cast<double*>(take(arrays_an_edge));
+    for (float*& window : window_) window = reinterpret_cast<float*>(take());
+    primitive_ = reinterpret_cast<std::int32_t*>(take());
+    active_ = reinterpret_cast<std::uint32_t*>(take());
+    std::fill(values_.begin(), values_.end(), nullptr);
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        if (!values[v]) continue;
+        const int first = slot_of(static_cast<Value>(v));
+        for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i) {
+            values_[first + i] = take();
+            if (!plan.produced[v]) std::memset(values_[first + i], 0, array_bytes);
+        }
+    }
+}
+
+void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
+                 bool centroid) {
+    quads_ = count;
+    loaded_ = quads;
+    lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
+    for (int q = 0; q < lanes_ / 4; ++q) {
+        // Padding repeats the last quad, inactive: every address that it computes is valid.
+        const QuadCoverage& quad = quads[std::min(q, count - 1)];
+        const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
+        const QuadPoints points = centroid ? quad_centroids(triangle, quad.x, quad.y, samples)
+                                           : quad_centres(quad.x, quad.y);
+        attribute_edges(triangle, points, edges_[0] + 4 * q, edges_[1] + 4 * q, edges_[2] + 4 * q);
+        if (!geometry.planes.empty()) load_window(points, window_, 4 * q);
+        for (int lane = 0; lane < 4; ++lane) {
+            primitive_[4 * q + lane] = static_cast<std::int32_t>(quad.triangle);
+            active_[4 * q + lane] = q < count ? 0xffffffffu : 0u;
+        }
+    }
+}
+
+void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
+                StageClock* clock) {
+    call.values = values_.data();
+    call.active = active_;
+    call.lanes = lanes_;
+    for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
+    for (int i = 0; i < 2; ++i) call.window[i] = geometry.planes.empty() ? nullptr : window_[i];
+    call.planes = geometry.planes.empty() ? nullptr : geometry.planes.data();
+    call.primitive = primitive_;
+    call.primitives = geometry.data.data();
+    call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
+    call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
+    const auto fetches = [&] {
+        std::uint64_t sum = 0;
+        for (int slot = 0; call.counters && slot < texture_slot_count; ++slot)
+            sum += call.counters[slot].fetches;
+        return sum;
+    };
+    for (const PlannedStage& stage : plan.stages) {
+        const std::uint64_t before = fetches();
+        if (clock) clock->start();
+        call.parameters = stage.params.data();
+        call.light = stage.light;
+        stage.run(&call);
+        if (clock) clock->lap(stage.info->text.id, call.lanes, fetches() - before);
+        check_border(stage);
+    }
+}
+
+void Batch::check_border(const PlannedStage& stage) const {
+    const auto fault = find_border_fault(stage, values_.data(), 4 * quads_, scalar_bytes_);
+    if (!fault) return;
+    std::optional<QuadContext> context;
+    if (command_) context.emplace(*command_, std::span(loaded_ + fault->lane / 4, 1));
+    check_failed(__FILE__, __LINE__, "stage keeps its promises", fault->text);
+}
+
+std::uint64_t Batch::sum(int slot) const {
+    std::uint64_t sum = 0;
+    for (int lane = 0; has(slot) && lane < 4 * quads_; ++lane) sum += integer(slot, lane);
+    return sum;
+}
+
+float Batch::real(int slot, int lane) const {
+    if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
+    return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
+}
+
+LaneBits Batch::bits(const ChannelSource& source) const {
+    const bool integer = info(source.value).kind == ValueKind::integer;
+    const auto real =
+        scalar_bytes_ == sizeof(float) ? LaneBits::Element::single : LaneBits::Element::wide;
+    return {values_[source.slot()], integer ? LaneBits::Element::integer : real};
+}
+
+}  // namespace quadrel

@@ -1,0 +1,90 @@
+// Memory of one batch: 64 quads of one material, each planned value an array in quad order.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "quadrel/quad/stage.hpp"
+#include "quadrel/raster/quad_points.hpp"
+#include "render/draw/geometry.hpp"
+#include "render/plan/plan.hpp"
+#include "render/probe/command.hpp"
+#include "render/stats/stage_clock.hpp"
+
+namespace quadrel {
+
+/// A value's array as film bits: float32 with canonical NaNs, or uint32.
+class LaneBits {
+  public:
+    enum class Element { integer, single, wide };
+
+    LaneBits(const void* array, Element element) : array_(array), element_(element) {}
+
+    std::uint32_t operator()(int lane) const {
+        if (element_ == Element::integer) return static_cast<const std::uint32_t*>(array_)[lane];
+        const float x = element_ == Element::single
+                            ? static_cast<const float*>(array_)[lane]
+                            : static_cast<float>(static_cast<const double*>(array_)[lane]);
+        return canonical_bits(std::bit_cast<std::uint32_t>(x));
+    }
+
+  private:
+    const void* array_;
+    Element element_;
+};
+
+/// The arrays of a batch, for one scalar type (float or double). One per thread, used again and
+/// again; arrays are 64-byte aligned.
+class Batch {
+  public:
+    /// `command`, if given, is what failed checks name. It must outlive the batch.
+    explicit Batch(int scalar_bytes, const ProbeCommand* command = nullptr);
+
+    /// Makes arrays for the plan's values; those of other values are null. Values that no stage
+    /// of the plan produces are 0.
+    void prepare(const MaterialPlan& plan);
+
+    /// Fills in up to batch_quads quads, which must stay until they have run, and pads with
+    /// inactive ones to a whole packet.
+    void load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
+              bool centroid);
+
+    /// Runs the plan's stages and checks what each stored. `call` comes with material, frame,
+    /// textures and counters set. A `clock`, if given, times the stages.
+    void run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
+             StageClock* clock = nullptr);
+
+    int quads() const { return quads_; }
+    /// Sum over all lanes of the quads; 0 where the array is not there.
+    std::uint64_t sum(int slot) const;
+    /// The arrays that a channel's bits come from, to be read lane by lane.
+    LaneBits bits(const ChannelSource& source) const;
+    float real(int slot, int lane) const;
+    std::uint32_t integer(int slot, int lane) const {
+        return static_cast<const std::uint32_t*>(values_[slot])[lane];
+    }
+    bool has(int slot) const { return values_[slot] != nullptr; }
+
+  private:
+    struct Free {
+        void operator()(std::byte* memory) const;
+    };
+
+    void check_border(const PlannedStage& stage) const;
+
+    int scalar_bytes_;
+    const ProbeCommand* command_;
+    const QuadCoverage* loaded_ = nullptr;
+    int quads_ = 0, lanes_ = 0;
+    std::unique_ptr<std::byte[], Free> memory_;
+    std::size_t capacity_ = 0;
+    std::vector<void*> values_;
+    double* edges_[3]{};
+    float* window_[2]{};
+    std::int32_t* primitive_ = nullptr;
+    std::uint32_t* active_ = nullptr;
+};
+
+}  // namespace quadrel

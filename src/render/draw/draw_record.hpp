@@ -1,0 +1,34 @@
+// What drawing counts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "quadrel/quad/uniforms.hpp"
+#include "quadrel/texture/counters.hpp"
+#include "render/stats/stage_clock.hpp"
+
+namespace quadrel {
+
+struct DrawRecord {
+    std::uint64_t pixels = 0;  ///< of the film, with a visible fragment; the rest is on demand
+    StageTimes stages;
+    std::array<FetchCounters, texture_slot_count> fetches{};  ///< by slot
+    std::uint64_t quads = 0, covered_lanes = 0, helper_lanes = 0;
+    std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
+};
+
+/// Adds what another thread recorded.
+inline void merge(DrawRecord& into, const DrawRecord& from) {
+    into.pixels += from.pixels;
+    merge(into.stages, from.stages);
+    for (std::size_t slot = 0; slot < into.fetches.size(); ++slot)
+        into.fetches[slot] += from.fetches[slot];
+    into.quads += from.quads;
+    into.covered_lanes += from.covered_lanes;
+    into.helper_lanes += from.helper_lanes;
+    into.trace_steps += from.trace_steps;
+    into.shadow_steps += from.shadow_steps;
+}
+
+}  // namespace quadrel

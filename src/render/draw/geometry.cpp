@@ -1,0 +1,235 @@
+#include "render/draw/geometry.hpp"
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "quadrel/num/functions.hpp"
+#include "render/draw/primitive_frame.hpp"
+#include "render/draw/primitive_vertices.hpp"
+#include "scene/degrees.hpp"
+
+namespace quadrel {
+namespace {
+
+/// Outputs of the vertex stage, float32 as on a GPU.
+struct ShadedVertices {
+    std::vector<glm::vec3> eye, normal;
+    std::vector<glm::vec4> clip;
+    std::vector<glm::vec2> uv;
+};
+
+glm::mat3 normal_matrix(const glm::mat4& model_view) {
+    return glm::mat3(glm::transpose(glm::inverse(glm::dmat3(glm::dmat4(model_view)))));
+}
+
+ShadedVertices shade_vertices(const Mesh& mesh, const Camera& camera, const glm::mat4& model_view,
+                              const glm::mat4& texture_matrix) {
+    ShadedVertices out;
+    const glm::mat3 normals = normal_matrix(model_view);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec4 eye = model_view * glm::vec4(mesh.positions[i], 1.0f);
+        out.eye.emplace_back(eye);
+        out.clip.push_back(camera.projection * eye);
+        out.normal.push_back(mesh.normals.empty() ? glm::vec3(0.0f) : normals * mesh.normals[i]);
+        const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0.0f) : mesh.uvs[i];
+        out.uv.emplace_back(texture_matrix * glm::vec4(uv, 0.0f, 1.0f));
+    }
+    return out;
+}
+
+/// Towards the counter-clockwise side, twice the area long.
+glm::dvec3 face_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a), v = glm::dvec3(c) - glm::dvec3(a);
+    return {u.y * v.z - v.y * u.z, u.z * v.x - v.z * u.x, u.x * v.y - v.x * u.y};
+}
+
+/// Unit normal of the counter-clockwise side; null for a triangle without area.
+glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::dvec3 n = face_vector(a, b, c);
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    return length > 0 ? glm::vec3(n / length) : glm::vec3(0.0f);
+}
+
+bool is_flat(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return face_vector(a, b, c) == glm::dvec3(0.0);
+}
+
+/// Attributes of one piece of the triangle of vertices `index`.
+PrimitiveData primitive_data(const AssembledTriangle& piece, const ShadedVertices& vertices,
+                             const std::array<std::uint32_t, 3>& index, bool flat) {
+    PrimitiveData data{};
+    const auto [a, b, c] = index;
+    const glm::vec3 face = face_normal(vertices.eye[a], vertices.eye[b], vertices.eye[c]);
+    for (int v = 0; v < 3; ++v) {
+        const auto& weights = piece.weights[v].perspective;
+        const auto combined = [&](const auto& list, int component) {
+            return weigh(weights, list[a][component], list[b][component], list[c][component]);
+        };
+        data.w[v] = piece.screen.vertex[v].w;
+        for (int i = 0; i < 3; ++i) {
+            data.position[v][i] = combined(vertices.eye, i);
+            data.normal[v][i] = flat ? face[i] : combined(vertices.normal, i);
+        }
+        for (int i = 0; i < 2; ++i) data.uv[v][i] = combined(vertices.uv, i);
+    }
+    for (int i = 0; i < 3; ++i) data.face_normal[i] = face[i];
+    return data;
+}
+
+void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
+                     const GeometryParts& parts, Geometry& geometry) {
+    const Object& object = scene.objects[object_index];
+    const Mesh& mesh = scene.meshes[object.mesh];
+    const Material& material = scene.materials[object.material];
+    const glm::mat4 model_view = scene.camera.view * object.transform;
+    const ShadedVertices vertices =
+        shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
+    std::optional<PrimitiveFrames> frames;
+    if (parts.frames)
+        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+    std::optional<VertexRows> rows;
+    if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
+    // A mirroring transform turns the winding round; the outside stays the outside.
+    const bool mirrored = glm::determinant(glm::dmat3(glm::dmat4(model_view))) < 0;
+    std::vector<AssembledTriangle> pieces;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        DrawnCorners drawn{t, {0, 1, 2}};
+        if (mirrored) std::swap(drawn.corner[1], drawn.corner[2]);
+        const auto& corners = mesh.triangles[t];
+        const std::array<std::uint32_t, 3> index{corners[drawn.corner[0]], corners[drawn.corner[1]],
+                                                 corners[drawn.corner[2]]};
+        // Without area in eye space it has no normal, and what rounding makes of it is not drawn.
+        if (is_flat(vertices.eye[index[0]], vertices.eye[index[1]], vertices.eye[index[2]])) {
+            ++geometry.counts.submitted;
+            ++geometry.counts.zero_area;
+            continue;
+        }
+        pieces.clear();
+        assemble_triangle(
+            {vertices.clip[index[0]], vertices.clip[index[1]], vertices.clip[index[2]]}, state,
+            pieces, geometry.counts);
+        for (const AssembledTriangle& piece : pieces) {
+            geometry.triangles.push_back(
+                {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
+            geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
+            if (frames) geometry.frames.push_back(frames->of(piece, drawn));
+            if (rows) geometry.vertices.push_back(rows->of(piece, drawn));
+        }
+    }
+}
+
+/// The point that a projection sees from, homogeneous: where clip x, y and w all vanish.
+glm::dvec4 centre_of_projection(const glm::mat4& projection) {
+    const auto row = [&](int r) {
+        return glm::dvec4(projection[0][r], projection[1][r], projection[2][r], projection[3][r]);
+    };
+    const glm::dvec4 x = row(0), y = row(1), w = row(3);
+    // The generalised cross product of three rows, by cofactors.
+    const auto minor = [&](int i, int j, int k) {
+        return x[i] * (y[j] * w[k] - y[k] * w[j]) - x[j] * (y[i] * w[k] - y[k] * w[i]) +
+               x[k] * (y[i] * w[j] - y[j] * w[i]);
+    };
+    return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
+}
+
+void set_eye(const Scene& scene, FrameUniforms& frame) {
+    const glm::dvec4 eye = centre_of_projection(scene.camera.projection);
+    frame.orthographic = eye.w == 0;
+    glm::dvec3 v(eye);
+    if (!frame.orthographic) v = v / eye.w;
+    // Towards the viewer: eye space looks down -z.
+    if (frame.orthographic && v.z < 0) v = -v;
+    for (int i = 0; i < 3; ++i) frame.eye[i] = static_cast<float>(v[i]) + 0.0f;
+}
+
+void copy3(float (&to)[3], const glm::vec4& from) {
+    for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+LightUniforms light_uniforms(const Light& light, const glm::mat4& view) {
+    LightUniforms out{};
+    out.directional = light.kind == Light::Kind::directional;
+    glm::vec4 position(light.position, out.directional ? 0.0f : 1.0f);
+    if (light.space == Light::Space::world) position = view * position;
+    copy3(out.position, position);
+    copy3(out.ambient, light.ambient);
+    copy3(out.diffuse, light.diffuse);
+    copy3(out.specular, light.specular);
+    out.intensity = light.intensity;
+    out.attenuation[0] = light.constant_attenuation;
+    out.attenuation[1] = light.linear_attenuation;
+    out.attenuation[2] = light.quadratic_attenuation;
+    return out;
+}
+
+}  // namespace
+
+HardwareModel scene_hardware(const Scene& scene) {
+    HardwareModel hardware = hardware_model(scene.hardware);
+    if (scene.derivatives) hardware.derivatives = *scene.derivatives;
+    return hardware;
+}
+
+FrameUniforms frame_uniforms(const Scene& scene, const HardwareModel& hardware) {
+    FrameUniforms frame{};
+    set_eye(scene, frame);
+    // A view matrix is a rotation and a translation, so the transpose turns back.
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            frame.eye_to_world[3 * row + column] = scene.camera.view[row][column];
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            frame.projection[4 * row + column] = scene.camera.projection[column][row];
+    const bool symmetric = scene.conventions == Conventions::gl;  // clip z in [-w, w]
+    frame.depth_scale = symmetric ? 0.5f : 1.0f;
+    frame.depth_offset = symmetric ? 0.5f : 0.0f;
+    frame.derivatives = hardware.derivatives;
+    frame.interpolation = hardware.interpolation;
+    frame.light_count = static_cast<std::int32_t>(scene.lights.size());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        frame.lights[i] = light_uniforms(scene.lights[i], scene.camera.view);
+    return frame;
+}
+
+MaterialUniforms material_uniforms(const Material& material) {
+    MaterialUniforms out{};
+    out.depth = material.depth;
+    out.depth_in_tiles = material.depth_in_tiles;
+    out.fade_from = static_cast<float>(sin_cos_degrees(material.fade_from).cosine);
+    out.fade_to = static_cast<float>(sin_cos_degrees(material.fade_to).cosine);
+    if (material.noise) {
+        out.noise_octaves = material.noise->octaves;
+        out.noise_frequency = material.noise->frequency;
+    }
+    out.seat = material.seat;
+    copy3(out.ambient, material.ambient);
+    copy3(out.diffuse, material.diffuse);
+    copy3(out.specular, material.specular);
+    copy3(out.emission, material.emission);
+    out.shininess = material.shininess;
+    return out;
+}
+
+Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
+                           const GeometryParts& parts) {
+    Geometry geometry;
+    const Viewport viewport{scene.width, scene.height, scene.conventions};
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        if (!object.visible) continue;
+        const Cull cull = scene.materials[object.material].cull;
+        assemble_object(scene, i, raster_state(viewport, hardware, cull), parts, geometry);
+    }
+    if (hardware.interpolation != Interpolation::exact)
+        for (const DrawnTriangle& triangle : geometry.triangles)
+            geometry.planes.push_back(
+                plane_setup(hardware.interpolation, triangle.screen, scene.samples));
+    return geometry;
+}
+
+}  // namespace quadrel

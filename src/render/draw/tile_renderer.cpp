@@ -1,0 +1,220 @@
+#include "render/draw/tile_renderer.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace quadrel {
+namespace {
+
+DepthCompare depth_compare(const Scene& scene) {
+    return scene.camera.reversed_z ? DepthCompare::greater : DepthCompare::less;
+}
+
+/// Whether shading decides over coverage or depth.
+bool draws_in_order(const Material& material) {
+    return material.discard_below >= 0 || clips(material) || writes_depth(material);
+}
+
+}  // namespace
+
+std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size) {
+    const int first_x = area.x0 / size, first_y = area.y0 / size;
+    const int columns = (area.x1 - 1) / size - first_x + 1;
+    const int rows = (area.y1 - 1) / size - first_y + 1;
+    std::vector<Tile> tiles;
+    for (int row = first_y; row < first_y + rows; ++row)
+        for (int column = first_x; column < first_x + columns; ++column)
+            tiles.push_back({intersect(area, {column * size, row * size, (column + 1) * size,
+                                              (row + 1) * size}),
+                             {}});
+    for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
+        const PixelRect bounds = intersect(area, geometry.triangles[t].screen.bounds);
+        if (bounds.empty()) continue;
+        for (int row = bounds.y0 / size; row <= (bounds.y1 - 1) / size; ++row)
+            for (int column = bounds.x0 / size; column <= (bounds.x1 - 1) / size; ++column)
+                tiles[std::size_t(row - first_y) * columns + (column - first_x)]
+                    .triangles.push_back(t);
+    }
+    return tiles;
+}
+
+TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
+                           const FilmTarget& target, Recording recording,
+                           const TouchedTexels* touched)
+    : scene_(scene),
+      plan_(plan),
+      geometry_(geometry),
+      buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
+      film_(target, scene.samples),
+      command_(scene, *plan.kernels, plan.isa),
+      batch_(plan.scalar_bytes, &command_),
+      recording_(recording),
+      touched_(touched) {}
+
+std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
+    return geometry_.triangles[quad.triangle].material;
+}
+
+void TileRenderer::render(const Tile& tile) {
+    const bool writes = recording_ != Recording::marks;
+    if (writes) film_.begin(tile.rect);
+    if (!tile.triangles.empty()) {
+        find_visible(tile);
+        shade();
+    }
+    if (writes) film_.end();
+}
+
+const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
+    buffer_.reset(tile.rect);
+    draw_opaque(tile);
+    draw_in_order(tile);
+    quads_.clear();
+    collect_quads(buffer_, quads_);
+    return quads_;
+}
+
+void TileRenderer::draw_opaque(const Tile& tile) {
+    for (const std::uint32_t t : tile.triangles)
+        if (!draws_in_order(scene_.materials[geometry_.triangles[t].material]))
+            rasterize(geometry_.triangles[t].screen, t, buffer_);
+}
+
+/// Materials that discard or write depth, in submission order. At equal depth the earlier triangle
+/// wins, as in in-order drawing, although the opaque ones are drawn first.
+void TileRenderer::draw_in_order(const Tile& tile) {
+    for (const std::uint32_t t : tile.triangles) {
+        const DrawnTriangle& triangle = geometry_.triangles[t];
+        const Material& material = scene_.materials[triangle.material];
+        if (!draws_in_order(material)) continue;
+        quads_.clear();
+        collect_passing(triangle.screen, t, buffer_, quads_,
+                        writes_depth(material) ? DepthTest::late : DepthTest::early);
+        for (std::size_t first = 0; first < quads_.size(); first += batch_quads)
+            draw_batch(triangle,
+                       std::span(quads_).subspan(
+                           first, std::min<std::size_t>(batch_quads, quads_.size() - first)));
+    }
+}
+
+/// Decides over the fragments of up to batch_quads quads of one triangle, and writes their depths.
+void TileRenderer::draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads) {
+    const Material& material = scene_.materials[triangle.material];
+    run(plan_.discard[triangle.material], triangle.material, quads.data(),
+        static_cast<int>(quads.size()));
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+        std::array<float, 4> depth{};
+        for (int lane = 0; lane < 4; ++lane) {
+            const int i = 4 * static_cast<int>(q) + lane;
+            if (is_discarded(material, i)) quads[q].samples[static_cast<std::size_t>(lane)] = 0;
+            if (writes_depth(material))
+                depth[static_cast<std::size_t>(lane)] = batch_.real(slot_of(Value::frag_depth), i);
+        }
+        if (writes_depth(material))
+            write_quad_depth(quads[q], depth, buffer_);
+        else
+            write_quad(triangle.screen, quads[q], buffer_);
+    }
+}
+
+/// Whether lane `i` of the batch that ran the discard plan is demoted.
+bool TileRenderer::is_discarded(const Material& material, int i) const {
+    if (material.discard_below >= 0 &&
+        batch_.real(slot_of(Value::opacity), i) < material.discard_below)
+        return true;
+    return clips(material) && batch_.integer(slot_of(Value::hit_status), i) ==
+                                  static_cast<std::uint32_t>(Status::clip);
+}
+
+DrawRecord TileRenderer::record() const {
+    DrawRecord record = record_;
+    record.stages = clock_.times();
+    record.pixels = film_.pixels();
+    return record;
+}
+
+void TileRenderer::count_quads() {
+    record_.quads += quads_.size();
+    for (const QuadCoverage& quad : quads_)
+        for (const std::uint16_t samples : quad.samples)
+            ++(samples != 0 ? record_.covered_lanes : record_.helper_lanes);
+}
+
+void TileRenderer::shade() {
+    if (recording_ == Recording::counts) count_quads();
+    if (scene_.materials.size() > 1)
+        std::stable_sort(quads_.begin(), quads_.end(),
+                         [&](const QuadCoverage& a, const QuadCoverage& b) {
+                             return material_of(a) < material_of(b);
+                         });
+    for (std::size_t first = 0; first < quads_.size();) {
+        const std::uint32_t material = material_of(quads_[first]);
+        std::size_t end = first;
+        while (end < quads_.size() && end - first < batch_quads &&
+               material_of(quads_[end]) == material)
+            ++end;
+        const int count = static_cast<int>(end - first);
+        run(plan_.materials[material], material, quads_.data() + first, count);
+        if (recording_ != Recording::marks)
+            film_.add(batch_, quads_.data() + first, geometry_, buffer_);
+        first = end;
+    }
+}
+
+void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
+                       int count) {
+    const std::span<const QuadCoverage> all(quads, static_cast<std::size_t>(count));
+    const QuadContext context(command_, all);
+    try {
+        run_stages(plan, material, all);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        name_failing_quad(plan, material, all, error.what());
+    }
+    if (recording_ == Recording::marks) count_steps(plan);
+}
+
+void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
+                              std::span<const QuadCoverage> quads) {
+    batch_.prepare(plan);
+    batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
+                scene_.centroid);
+    StageCall call = stage_call(plan_, material);
+    if (recording_ == Recording::marks) mark(material);
+    if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
+    batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
+}
+
+/// Stages do not throw: whatever did is a mistake of ours. Runs the quads one by one until it is
+/// thrown again.
+void TileRenderer::name_failing_quad(const MaterialPlan& plan, std::uint32_t material,
+                                     std::span<const QuadCoverage> quads, std::string message) {
+    std::span<const QuadCoverage> failing = quads;
+    for (std::size_t q = 0; q < quads.size() && failing.size() == quads.size(); ++q) {
+        try {
+            run_stages(plan, material, quads.subspan(q, 1));
+        } catch (const std::exception& error) {
+            failing = quads.subspan(q, 1);
+            message = error.what();
+        }
+    }
+    throw std::runtime_error(message + "; " + QuadContext(command_, failing).text());
+}
+
+/// Directs the marks of the next batch to the textures of its material.
+void TileRenderer::mark(std::uint32_t material) {
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        record_.fetches[static_cast<std::size_t>(slot)].marks = touched_->marks(material, slot);
+}
+
+void TileRenderer::count_steps(const MaterialPlan& plan) {
+    for (const PlannedStage& stage : plan.stages) {
+        if (stores(stage, Value::hit_steps))
+            record_.trace_steps += batch_.sum(slot_of(Value::hit_steps));
+        if (stores(stage, Value::shadow_steps))
+            record_.shadow_steps += batch_.sum(slot_of(Value::shadow_steps) + stage.light);
+    }
+}
+
+}  // namespace quadrel

@@ -1,0 +1,85 @@
+// Renders tiles: visibility, then shading batch by batch, material by material.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "quadrel/raster/tile_buffer.hpp"
+#include "quadrel/render.hpp"
+#include "render/draw/batch.hpp"
+#include "render/draw/draw_record.hpp"
+#include "render/draw/geometry.hpp"
+#include "render/draw/tile_film.hpp"
+#include "render/plan/render_plan.hpp"
+#include "render/stats/touched_texels.hpp"
+
+namespace quadrel {
+
+/// A rectangle of the frame (window coordinates, whole quads) and the triangles that meet it.
+struct Tile {
+    PixelRect rect;
+    std::vector<std::uint32_t> triangles;
+};
+
+/// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
+std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
+
+/// What a renderer writes down beside the film.
+enum class Recording {
+    nothing,
+    counts,  ///< times, look-ups, lanes
+    marks,   ///< texels that are touched, and steps that searches make; writes no film
+};
+
+/// One thread's renderer. Where it records marks, `touched` receives them, and plan_with_steps made
+/// the plan.
+class TileRenderer {
+  public:
+    TileRenderer(const Scene& scene, const RenderPlan& plan, const Geometry& geometry,
+                 const FilmTarget& target, Recording recording = Recording::nothing,
+                 const TouchedTexels* touched = nullptr);
+
+    TileRenderer(const TileRenderer&) = delete;
+    TileRenderer& operator=(const TileRenderer&) = delete;
+
+    void render(const Tile& tile);
+
+    /// Visibility alone: the quads of the tile that are to be shaded.
+    const std::vector<QuadCoverage>& find_visible(const Tile& tile);
+
+    /// What was drawn so far and what it took; the pixels alone unless recording.
+    DrawRecord record() const;
+
+  private:
+    void draw_opaque(const Tile& tile);
+    void draw_in_order(const Tile& tile);
+    void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
+    bool is_discarded(const Material& material, int i) const;
+    void shade();
+    void count_quads();
+    void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
+             int count);
+    void run_stages(const MaterialPlan& plan, std::uint32_t material,
+                    std::span<const QuadCoverage> quads);
+    [[noreturn]] void name_failing_quad(const MaterialPlan& plan, std::uint32_t material,
+                                        std::span<const QuadCoverage> quads, std::string message);
+    void mark(std::uint32_t material);
+    void count_steps(const MaterialPlan& plan);
+    std::uint32_t material_of(const QuadCoverage& quad) const;
+
+    const Scene& scene_;
+    const RenderPlan& plan_;
+    const Geometry& geometry_;
+    TileBuffer buffer_;
+    TileFilm film_;
+    ProbeCommand command_;
+    Batch batch_;
+    Recording recording_;
+    const TouchedTexels* touched_;
+    StageClock clock_;
+    DrawRecord record_;
+    std::vector<QuadCoverage> quads_;
+};
+
+}  // namespace quadrel

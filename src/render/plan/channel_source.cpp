@@ -1,0 +1,136 @@
+#include "render/plan/channel_source.hpp"
+
+#include <map>
+
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
+
+namespace quadrel {
+namespace {
+
+using Kind = ChannelSource::Kind;
+
+struct Component {
+    Value value;
+    int component;
+};
+
+using Table = std::map<std::string, Component>;
+
+/// name.X name.Y name.Z for the letters of `suffixes`.
+void add(Table& table, const std::string& name, const std::string& suffixes, Value value,
+         int first = 0) {
+    for (std::size_t i = 0; i < suffixes.size(); ++i)
+        table[name + "." + suffixes[i]] = {value, first + static_cast<int>(i)};
+}
+
+void add_geometry(Table& table) {
+    add(table, "P", "XYZ", Value::P);
+    add(table, "N", "XYZ", Value::N);
+    add(table, "Ng", "XYZ", Value::Ng);
+    add(table, "T", "XYZ", Value::T);
+    add(table, "B", "XYZ", Value::B);
+    add(table, "bary", "012", Value::bary);
+    add(table, "uv", "UV", Value::uv);
+    add(table, "dUVdx", "UV", Value::dUVdx);
+    add(table, "dUVdy", "UV", Value::dUVdy);
+    add(table, "dPdx", "XYZ", Value::dPdx);
+    add(table, "dPdy", "XYZ", Value::dPdy);
+    add(table, "J.U", "XYZ", Value::J);
+    add(table, "J.V", "XYZ", Value::J, 3);
+    add(table, "K", "UV", Value::K);
+    table["r"] = {Value::r, 0};
+}
+
+void add_hit(Table& table) {
+    add(table, "hit.P", "XYZ", Value::hit_P);
+    add(table, "hit", "UV", Value::hit_uv);
+    table["relief.depth"] = {Value::relief_depth, 0};
+    table["frag.depth"] = {Value::frag_depth, 0};
+    table["hit.s"] = {Value::hit_s, 0};
+    table["hit.h"] = {Value::hit_h, 0};
+    table["hit.status"] = {Value::hit_status, 0};
+    table["hit.flags"] = {Value::hit_flags, 0};
+    table["hit.steps"] = {Value::hit_steps, 0};
+    table["hit.fetches"] = {Value::hit_fetches, 0};
+    table["lod.rho"] = {Value::lod_rho, 0};
+    table["lod.lambda"] = {Value::lod_lambda, 0};
+    table["lod.level"] = {Value::lod_level, 0};
+    table["lod.frac"] = {Value::lod_frac, 0};
+}
+
+void add_shading(Table& table) {
+    table["R"] = {Value::color, 0};
+    table["G"] = {Value::color, 1};
+    table["B"] = {Value::color, 2};
+    add(table, "light.ambient", "RGB", Value::light_ambient);
+    add(table, "light.diffuse", "RGB", Value::light_diffuse);
+    add(table, "light.specular", "RGB", Value::light_specular);
+    add(table, "light.emissive", "RGB", Value::light_emissive);
+    add(table, "light.reflection", "RGB", Value::light_reflection);
+    add(table, "light.refraction", "RGB", Value::light_refraction);
+    table["occlusion"] = {Value::occlusion, 0};
+    table["shadow.visibility"] = {Value::shadow_visibility, 0};
+    table["shadow.steps"] = {Value::shadow_steps, 0};
+}
+
+const Table& value_channels() {
+    static const Table table = [] {
+        Table made;
+        add_geometry(made);
+        add_hit(made);
+        add_shading(made);
+        return made;
+    }();
+    return table;
+}
+
+const std::map<std::string, Kind>& special_channels() {
+    static const std::map<std::string, Kind> table{{"A", Kind::coverage},
+                                                   {"Z", Kind::z},
+                                                   {"depth", Kind::depth},
+                                                   {"id.object", Kind::object},
+                                                   {"id.primitive", Kind::primitive},
+                                                   {"quad.lane", Kind::lane},
+                                                   {"quad.coverage", Kind::quad_coverage}};
+    return table;
+}
+
+/// shadow.<i>.visibility as shadow.visibility, with the light's number.
+std::string without_light(const std::string& name, int& light) {
+    const std::string prefix = "shadow.";
+    const std::size_t dot = name.find('.', prefix.size());
+    if (name.compare(0, prefix.size(), prefix) != 0 || dot == std::string::npos) return name;
+    light = std::stoi(name.substr(prefix.size(), dot - prefix.size()));
+    if (light >= max_lights)
+        throw UsageError("channel \"" + name + "\": at most " + std::to_string(max_lights) +
+                         " lights are supported");
+    return prefix + name.substr(dot + 1);
+}
+
+}  // namespace
+
+bool ChannelSource::resolved() const {
+    return kind == Kind::coverage || kind == Kind::z ||
+           (kind == Kind::value && value == Value::color);
+}
+
+ChannelSource channel_source(const std::string& name) {
+    const ChannelInfo* channel = find_channel(name);
+    QUADREL_CHECK(channel != nullptr, name);
+    ChannelSource source;
+    source.name = name;
+    source.type = channel->type;
+    if (const auto special = special_channels().find(name); special != special_channels().end()) {
+        source.kind = special->second;
+        return source;
+    }
+    const auto found = value_channels().find(without_light(name, source.light));
+    QUADREL_CHECK(found != value_channels().end(), name);
+    source.value = found->second.value;
+    source.component = found->second.component;
+    return source;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,176 @@
+#include "render/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "io/stage_parameters.hpp"
+#include "quadrel/check.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/scene/default_stage.hpp"
+#include "render/registry/added_stages.hpp"
+#include "text/suggest.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr std::size_t index_of(Value v) { return static_cast<std::size_t>(v); }
+
+std::vector<std::string> ids_of_room(std::string_view room) {
+    std::vector<std::string> ids;
+    for (const StageInfo& stage : all_stages())
+        if (room == stage.text.room) ids.emplace_back(stage.text.id);
+    return ids;
+}
+
+/// The stage that a scene names for a room; `none` is the room's own do-nothing stage.
+const StageInfo& chosen_stage(const Scene& scene, const StageChoice& choice, std::string_view room,
+                              HeightSource heights) {
+    std::string id = choice.id;
+    if (id.empty()) id = default_stage(room, heights);
+    if (id == "none") id = fmt::format("{}-none", room);
+    const StageInfo* stage = find_stage(id);
+    if (stage && room == stage->text.room) return *stage;
+    const std::vector<std::string> known = ids_of_room(room);
+    const std::string nearest = nearest_word(choice.id, known);
+    throw InputError(
+        scene.file.string(), choice.key, fmt::format("unknown stage \"{}\"", choice.id),
+        nearest.empty()
+            ? fmt::format("one of {}", fmt::join(known, ", "))
+            : fmt::format("\"{}\" perhaps; known are {}", nearest, fmt::join(known, ", ")));
+}
+
+void set_parameter(const Scene& scene, const StageChoice& choice, const StageInfo& stage,
+                   const std::string& name, const ParameterValue& value, void* params) {
+    const std::string key = choice.key + "." + name;
+    const ParameterText* parameter = find_parameter(stage.text.id, name);
+    if (parameter == nullptr) {
+        std::vector<std::string> names;
+        for (const ParameterText& p : stage.parameters) names.emplace_back(p.name);
+        throw InputError(scene.file.string(), key, "an unknown parameter",
+                         names.empty() ? fmt::format("none, {} takes no parameters", stage.text.id)
+                                       : fmt::format("a parameter of {}: {}", stage.text.id,
+                                                     fmt::join(names, ", ")));
+    }
+    const std::optional<double> number = number_of(*parameter, value);
+    if (!number)
+        throw InputError(scene.file.string(), key, text_of(value), expected_of(*parameter, value));
+    parameter->set(params, *number);
+}
+
+PlannedStage make_stage(const StageInfo& info, int light = -1) {
+    PlannedStage planned;
+    planned.info = &info;
+    planned.light = light;
+    planned.params.resize(info.params_size / sizeof(std::max_align_t) + 1);
+    info.set_defaults(planned.params.data());
+    return planned;
+}
+
+PlannedStage make_chosen(const Scene& scene, const StageChoice& choice, std::string_view room,
+                         HeightSource heights, int light = -1) {
+    const StageInfo& info = chosen_stage(scene, choice, room, heights);
+    PlannedStage planned = make_stage(info, light);
+    for (const auto& [name, value] : choice.parameters)
+        set_parameter(scene, choice, info, name, value, planned.params.data());
+    return planned;
+}
+
+bool any_of(std::span<const Value> list, const ValueSet& set) {
+    return std::any_of(list.begin(), list.end(), [&](Value v) { return set[index_of(v)]; });
+}
+
+StageFunction kernel(const KernelTable& table, std::string_view id) {
+    if (const StageFunction run = find_kernel(table, id)) return run;
+    if (const StageFunction run = find_added_kernel(table, id)) return run;
+    check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
+}
+
+}  // namespace
+
+bool clips(const Material& material) {
+    return !material.clip.id.empty() && material.clip.id != "none";
+}
+
+bool writes_depth(const Material& material) {
+    return !material.frag_depth.id.empty() && material.frag_depth.id != "none";
+}
+
+bool stores(const PlannedStage& stage, Value v) {
+    const auto& outputs = stage.info->outputs;
+    return std::find(outputs.begin(), outputs.end(), v) != outputs.end();
+}
+
+bool grades_depth(const Material& material) {
+    return material.depth_in_tiles || material.fade_from < material.fade_to;
+}
+
+std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
+    const HeightSource heights = material.noise                      ? HeightSource::noise
+                                 : material.textures.count("height") ? HeightSource::map
+                                                                     : HeightSource::none;
+    const auto chosen = [&](const StageChoice& choice, const char* room, int light = -1) {
+        return make_chosen(scene, choice, room, heights, light);
+    };
+    std::vector<PlannedStage> stages;
+    for (const char* id : {"interpolate", "differentiate", "lod"})
+        stages.push_back(make_stage(*find_stage(id)));
+    stages.push_back(
+        make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
+    stages.push_back(chosen(material.frame, "frame"));
+    stages.push_back(chosen(material.trace, "trace"));
+    if (clips(material)) stages.push_back(chosen(material.clip, "clip"));
+    stages.push_back(make_stage(*find_stage("displace")));
+    stages.push_back(writes_depth(material) ? chosen(material.frag_depth, "frag-depth")
+                                            : make_stage(*find_stage("frag-depth")));
+    stages.push_back(chosen(material.surface, "surface"));
+    for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
+        stages.push_back(chosen(material.shadow, "shadow", light));
+    stages.push_back(chosen(material.occlusion, "occlusion"));
+    stages.push_back(chosen(material.shade, "shade"));
+    return stages;
+}
+
+MaterialPlan plan_material(const Scene& scene, const Material& material, const Wanted& wanted,
+                           const KernelTable& table) {
+    MaterialPlan plan;
+    plan.values = wanted.values;
+    LightSet lights = wanted.lights;
+    std::vector<PlannedStage> stages = material_stages(scene, material);
+    for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
+        if (!any_of(stage->info->outputs, plan.values)) continue;
+        if (stage->light >= 0 && !lights[static_cast<std::size_t>(stage->light)]) continue;
+        for (const Value v : stage->info->inputs) {
+            plan.values.set(index_of(v));
+            if (info(v).per_light) lights.set();
+        }
+        for (const Value v : stage->info->outputs) plan.produced.set(index_of(v));
+        for (const TextureSlot slot : stage->info->textures) {
+            plan.textures.set(static_cast<std::size_t>(slot));
+            const bool optional = stage->info->text.room == std::string_view("quad");
+            const bool baked = slot >= first_baked_slot;
+            plan.needs_height |= (slot == TextureSlot::height || baked) && !optional;
+            if (baked || stage->info->needs_height_map) plan.needs_height_map = stage->info;
+        }
+        stage->run = kernel(table, stage->info->text.id);
+        plan.stages.push_back(std::move(*stage));
+    }
+    std::reverse(plan.stages.begin(), plan.stages.end());
+    return plan;
+}
+
+Wanted wanted_values(const std::vector<ChannelSource>& channels) {
+    Wanted wanted;
+    for (const ChannelSource& channel : channels) {
+        if (channel.kind == ChannelSource::Kind::value) {
+            wanted.values.set(index_of(channel.value));
+            if (info(channel.value).per_light)
+                wanted.lights.set(static_cast<std::size_t>(channel.light));
+        }
+        if (channel.kind == ChannelSource::Kind::z) wanted.values.set(index_of(Value::hit_P));
+    }
+    return wanted;
+}
+
+}  // namespace quadrel

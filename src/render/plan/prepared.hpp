@@ -1,0 +1,49 @@
+// A render in two halves: what is settled once (plan, textures, geometry), and drawing.
+#pragma once
+
+#include <vector>
+
+#include "quadrel/render.hpp"
+#include "render/draw/draw_record.hpp"
+#include "render/draw/tile_renderer.hpp"
+
+namespace quadrel {
+
+/// Everything that a render needs before its first tile. Refers to the scene, which must outlive
+/// it; may be drawn any number of times.
+struct PreparedRender {
+    const Scene* scene;
+    Window window;
+    std::vector<ChannelSource> channels;
+    RenderPlan plan;
+    Geometry geometry;
+    std::vector<bool> used;  ///< materials that have a triangle in the window
+};
+
+/// Checks the options, plans and assembles geometry; loads no texture.
+PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
+                           const KernelTable& kernels);
+
+/// plan_render, and loads the textures that the plan reads. Throws as `render` does.
+PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
+                              const KernelTable& kernels);
+
+/// Draws. Takes threads, tile and progress from `options`; adds to `record` where it is given. With
+/// Recording::counts, times the stage functions and counts.
+Film draw(const PreparedRender& prepared, const RenderOptions& options,
+          DrawRecord* record = nullptr, Recording recording = Recording::counts);
+
+/// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
+/// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.
+TouchedTexels mark_touched(const PreparedRender& prepared, const RenderOptions& options,
+                           DrawRecord& record);
+
+/// The plan for people: kernels, what each material runs and reads, and what is left out.
+std::string explain(const PreparedRender& prepared);
+/// Stages, textures and materials that nothing asked for, a line each.
+std::vector<std::string> left_out(const PreparedRender& prepared);
+
+/// The quads of the prepared window that are to be shaded, in no matter how many tiles.
+std::vector<QuadCoverage> visible_quads(const PreparedRender& prepared);
+
+}  // namespace quadrel

@@ -1,0 +1,134 @@
+#include "render/plan/render_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "quadrel/error.hpp"
+#include "quadrel/quad/interpolate.hpp"
+#include "render/plan/height_bounds.hpp"
+
+namespace quadrel {
+namespace {
+
+MaterialPlan discard_plan(const Scene& scene, const Material& material,
+                          const KernelTable& kernels) {
+    ValueSet wanted;
+    if (material.discard_below >= 0) wanted.set(static_cast<std::size_t>(Value::opacity));
+    if (clips(material)) wanted.set(static_cast<std::size_t>(Value::hit_status));
+    if (writes_depth(material)) wanted.set(static_cast<std::size_t>(Value::frag_depth));
+    return plan_material(scene, material, {wanted, {}}, kernels);
+}
+
+void check_lights(const Scene& scene) {
+    if (scene.lights.size() > max_lights)
+        throw InputError(scene.file.string(), "lights",
+                         fmt::format("{} lights", scene.lights.size()),
+                         fmt::format("at most {}", max_lights));
+}
+
+void check_height(const Scene& scene, const Material& material, const MaterialPlan& plan) {
+    const std::string key =
+        (material.key.empty() ? "materials." + material.name : material.key) + ".height";
+    if (material.noise && plan.needs_height_map)
+        throw InputError(scene.file.string(), key, "noise",
+                         fmt::format("a texture: {} reads texels", plan.needs_height_map->text.id));
+    if (plan.needs_height && !material.noise && material.textures.count("height") == 0)
+        throw InputError(scene.file.string(), key, "nothing",
+                         "a texture: the material's relief stages read heights");
+}
+
+/// Tells the stages what the height map can give.
+void bound_heights(RenderPlan& plan, std::size_t material) {
+    const SampledTexture* map =
+        plan.textures[material].bound(static_cast<int>(TextureSlot::height));
+    const auto range = map ? height_range(*map) : std::nullopt;
+    MaterialUniforms& uniforms = plan.uniforms[material];
+    if (!range || uniforms.noise_octaves > 0) return;
+    uniforms.heights_bounded = 1;
+    uniforms.height_low = range->low;
+    uniforms.height_high = range->high;
+}
+
+}  // namespace
+
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels, bool skip) {
+    check_lights(scene);
+    RenderPlan plan;
+    plan.hardware = scene_hardware(scene);
+    plan.kernels = &kernels;
+    plan.scalar_bytes = kernels.scalar_bytes;
+    plan.frame = frame_uniforms(scene, plan.hardware);
+    const Wanted wanted =
+        skip ? wanted_values(channels) : Wanted{ValueSet().set(), LightSet().set()};
+    for (const Material& material : scene.materials) {
+        plan.materials.push_back(plan_material(scene, material, wanted, kernels));
+        plan.discard.push_back(discard_plan(scene, material, kernels));
+        check_height(scene, material, plan.materials.back());
+        check_height(scene, material, plan.discard.back());
+        plan.uniforms.push_back(material_uniforms(material));
+    }
+    plan.textures.resize(scene.materials.size());
+    return plan;
+}
+
+GeometryParts parts_read(const RenderPlan& plan) {
+    GeometryParts parts;
+    for (const auto* const list : {&plan.materials, &plan.discard}) {
+        for (const MaterialPlan& material : *list) {
+            for (const Value v : frame_values)
+                parts.frames |= material.values[static_cast<std::size_t>(v)];
+            for (const PlannedStage& stage : material.stages)
+                parts.vertices |= stage.info->reads_vertices;
+        }
+    }
+    return parts;
+}
+
+bool may_leave_out_steps(const MaterialPlan& plan) {
+    for (const Value v : {Value::hit_steps, Value::hit_fetches, Value::shadow_steps})
+        if (plan.values[static_cast<std::size_t>(v)]) return false;
+    return std::any_of(plan.stages.begin(), plan.stages.end(),
+                       [](const PlannedStage& stage) { return stage.info->uses_height_bounds; });
+}
+
+std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
+                                 const PixelRect& area) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const DrawnTriangle& triangle : geometry.triangles)
+        if (!intersect(area, triangle.screen.bounds).empty()) used[triangle.material] = true;
+    return used;
+}
+
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
+                        const BakingListener& baking) {
+    TextureCache cache;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        if (!used[m]) continue;
+        const SlotSet slots = plan.materials[m].textures | plan.discard[m].textures;
+        plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache, baking);
+        if (may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
+    }
+}
+
+RenderPlan plan_with_steps(const RenderPlan& plan) {
+    RenderPlan counting = plan;
+    for (auto* const list : {&counting.materials, &counting.discard})
+        for (MaterialPlan& material : *list)
+            for (const Value v : {Value::hit_steps, Value::shadow_steps})
+                if (material.produced[static_cast<std::size_t>(v)])
+                    material.values.set(static_cast<std::size_t>(v));
+    return counting;
+}
+
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material) {
+    StageCall call{};
+    call.material = &plan.uniforms[material];
+    call.frame = &plan.frame;
+    for (int slot = 0; slot < texture_slot_count; ++slot)
+        call.textures[slot] = plan.textures[material].bound(slot);
+    return call;
+}
+
+}  // namespace quadrel

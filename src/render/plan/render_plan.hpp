@@ -1,0 +1,53 @@
+// What a whole render computes, and what it need not: stages and textures of each material.
+#pragma once
+
+#include <vector>
+
+#include "render/draw/geometry.hpp"
+#include "render/plan/plan.hpp"
+#include "render/plan/textures.hpp"
+
+namespace quadrel {
+
+/// All that is settled before the first tile, but for geometry.
+struct RenderPlan {
+    HardwareModel hardware;
+    const KernelTable* kernels = nullptr;
+    std::string isa = "auto";  ///< by which name the kernels were asked for
+    int scalar_bytes = 4;
+    FrameUniforms frame{};
+    std::vector<MaterialPlan> materials;  ///< per material of the scene
+    std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
+    std::vector<MaterialTextures> textures;
+    std::vector<MaterialUniforms> uniforms;
+};
+
+/// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
+/// `textures` are unbound. With `skip` off every stage of every material is planned.
+RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
+                            const KernelTable& kernels, bool skip);
+
+/// What the planned stages read of triangles.
+GeometryParts parts_read(const RenderPlan& plan);
+
+/// Whether steps of a material's searches may be left out: a stage knows how, and nothing asks how
+/// many there are.
+bool may_leave_out_steps(const MaterialPlan& plan);
+
+/// Whether each material has a triangle in `area` (window coordinates).
+std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
+                                 const PixelRect& area);
+
+/// Loads the textures that the plan reads, of the materials in `used`, and measures the heights of
+/// those whose stages leave out steps by them. Tells `baking` of maps that are derived.
+void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
+                        const BakingListener& baking);
+
+/// The same plan, storing the step counts of the searches that it runs, too. What they leave out
+/// stays left out.
+RenderPlan plan_with_steps(const RenderPlan& plan);
+
+/// What a stage of that material is called with, but for values and parameters.
+StageCall stage_call(const RenderPlan& plan, std::uint32_t material);
+
+}  // namespace quadrel

@@ -1,0 +1,184 @@
+#include "quadrel/stats.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "render/stats/stats_record.hpp"
+
+namespace quadrel {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const PrimitiveCounts& counts) {
+    return {{"submitted", counts.submitted}, {"non_finite", counts.non_finite},
+            {"outside", counts.outside},     {"clipped", counts.clipped},
+            {"zero_area", counts.zero_area}, {"culled", counts.culled},
+            {"off_frame", counts.off_frame}, {"drawn", counts.drawn}};
+}
+
+Json to_json(const StageStats& stage) {
+    return {{"id", stage.id},           {"batches", stage.batches}, {"lanes", stage.lanes},
+            {"fetches", stage.fetches}, {"wall_ms", stage.wall_ms}, {"cpu_ms", stage.cpu_ms}};
+}
+
+Json to_json(const TouchedStats& touched) {
+    return {{"texels", touched.texels}, {"lines", touched.lines}};
+}
+
+Json to_json(const TextureStats& texture) {
+    Json out{{"material", texture.material},
+             {"slot", texture.slot},
+             {"file", texture.file},
+             {"width", texture.width},
+             {"height", texture.height},
+             {"levels", texture.levels},
+             {"faces", texture.faces},
+             {"channels", texture.channels},
+             {"non_finite", texture.non_finite}};
+    TouchedStats sum;
+    Json levels = Json::array();
+    for (std::size_t level = 0; level < texture.touched.size(); ++level) {
+        const TouchedStats& touched = texture.touched[level];
+        if (touched.texels == 0) continue;
+        sum += touched;
+        Json row{{"level", level}};
+        row.update(to_json(touched));
+        levels.push_back(row);
+    }
+    out["touched"] = to_json(sum);
+    out["touched"]["levels"] = levels;
+    return out;
+}
+
+Json to_json(const PhaseTime& time) { return {{"wall_ms", time.wall_ms}, {"cpu_ms", time.cpu_ms}}; }
+
+// What is baked comes from the file of the heights.
+std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
+    const auto kind = static_cast<TextureSlot>(slot);
+    if (kind == TextureSlot::environment) return scene.environment->faces[0].string();
+    const auto source = kind >= first_baked_slot ? TextureSlot::height : kind;
+    return material.textures.at(std::string(slot_name(source))).file.string();
+}
+
+std::uint64_t count_non_finite(const Texture& texture) {
+    const TextureView& view = texture.view();
+    const std::size_t texels = static_cast<std::size_t>(view.width[0]) * view.height[0];
+    std::uint64_t count = 0;
+    for (int face = 0; face < view.faces; ++face) {
+        const float* texel = texture.level_texels(0, face);
+        for (std::size_t i = 0; i < texels; ++i, texel += view.channels)
+            count += std::any_of(texel, texel + view.channels,
+                                 [](float value) { return !std::isfinite(value); });
+    }
+    return count;
+}
+
+void record_textures(const PreparedRender& prepared, RenderStats& stats) {
+    const Scene& scene = *prepared.scene;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        for (int slot = 0; slot < texture_slot_count; ++slot) {
+            const auto& texture = prepared.plan.textures[m].owned[slot];
+            if (!texture) continue;
+            const std::string name(slot_name(static_cast<TextureSlot>(slot)));
+            const std::string file = file_of_slot(scene, scene.materials[m], slot);
+            const TextureView& view = texture->view();
+            stats.textures.push_back({scene.materials[m].name,
+                                      name,
+                                      file,
+                                      view.width[0],
+                                      view.height[0],
+                                      view.levels,
+                                      view.faces,
+                                      view.channels,
+                                      count_non_finite(*texture),
+                                      {}});
+        }
+    }
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_kib() {
+    rusage usage{};
+    return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) : 0;
+}
+
+void record_plan(const PreparedRender& prepared, const RenderOptions& options, RenderStats& stats) {
+    const KernelTable& kernels = *prepared.plan.kernels;
+    stats.isa = kernels.isa;
+    stats.number = options.number;
+    stats.packet_lanes = kernels.lanes;
+    stats.pixels = prepared.window.area();
+    stats.primitives = prepared.geometry.counts;
+    stats.left_out = left_out(prepared);
+    record_textures(prepared, stats);
+}
+
+void record_drawing(const DrawRecord& record, RenderStats& stats) {
+    stats.quads += record.quads;
+    stats.covered_lanes += record.covered_lanes;
+    stats.helper_lanes += record.helper_lanes;
+    for (int slot = 0; slot < texture_slot_count; ++slot) {
+        const FetchCounters& fetches = record.fetches[static_cast<std::size_t>(slot)];
+        stats.fetches += fetches;
+        if (fetches.fetches > 0)
+            stats.fetches_by_kind[std::string(slot_name(static_cast<TextureSlot>(slot)))] +=
+                fetches.fetches;
+    }
+    for (const auto& [id, time] : record.stages)
+        stats.stages.push_back({id, time.batches, time.lanes, time.fetches,
+                                1e-6 * static_cast<double>(time.wall_ns),
+                                1e-6 * static_cast<double>(time.cpu_ns)});
+    stats.peak_memory_kib = peak_memory_kib();
+}
+
+void record_marks(const PreparedRender& prepared, const DrawRecord& record,
+                  const TouchedTexels& touched, RenderStats& stats) {
+    auto row = stats.textures.begin();
+    for (std::uint32_t m = 0; m < prepared.plan.textures.size(); ++m)
+        for (int slot = 0; slot < texture_slot_count; ++slot) {
+            if (touched.marks(m, slot) == nullptr) continue;
+            for (int level = 0; level < row->levels; ++level)
+                row->touched.push_back(touched.count(m, slot, level));
+            ++row;
+        }
+    stats.touched = touched.total();
+    stats.trace_steps = record.trace_steps;
+    stats.shadow_steps = record.shadow_steps;
+}
+
+std::string to_json(const RenderStats& stats) {
+    Json out{{"isa", stats.isa},
+             {"number", stats.number},
+             {"packet_lanes", stats.packet_lanes},
+             {"pixels", stats.pixels},
+             {"quads", stats.quads},
+             {"covered_lanes", stats.covered_lanes},
+             {"helper_lanes", stats.helper_lanes},
+             {"fetches",
+              {{"look_ups", stats.fetches.fetches},
+               {"nan_coordinates", stats.fetches.nan_coordinates},
+               {"huge_coordinates", stats.fetches.huge_coordinates},
+               {"by_kind", stats.fetches_by_kind}}},
+             {"touched", to_json(stats.touched)},
+             {"steps", {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}}},
+             {"primitives", to_json(stats.primitives)},
+             {"stages", Json::array()},
+             {"textures", Json::array()},
+             {"left_out", stats.left_out},
+             {"phases",
+              {{"plan", to_json(stats.plan)},
+               {"load", to_json(stats.load)},
+               {"draw", to_json(stats.draw)},
+               {"mark", to_json(stats.mark)}}},
+             {"peak_memory_kib", stats.peak_memory_kib}};
+    for (const StageStats& stage : stats.stages) out["stages"].push_back(to_json(stage));
+    for (const TextureStats& texture : stats.textures) out["textures"].push_back(to_json(texture));
+    return out.dump(2) + "\n";
+}
+
+}  // namespace quadrel
