@@ -9,7 +9,7 @@
 #include "bake/kinds.hpp"
 #include "bake/wrap_names.hpp"
 #include "quadrel/error.hpp"
-#include "render/draw/allowed_threads.hpp"
+#include "bake/allowed_threads.hpp"
 #include "text/hash.hpp"
 #include "text/suggest.hpp"
 

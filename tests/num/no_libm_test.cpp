@@ -9,10 +9,14 @@
 #include "num/command.hpp"
 #include "num/module_loader.hpp"
 #include "num/planted.hpp"
-#include "num/source_tree.hpp"
+#include "sources/source_tree.hpp"
 
 namespace quadrel::num_tests {
 namespace {
+
+using source_tests::project_sources;
+using source_tests::SourceFile;
+using source_tests::without_comments;
 
 const std::string functions =
     "(sin|cos|tan|asin|acos|atan|atan2|sincos|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|"

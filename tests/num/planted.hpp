@@ -38,11 +38,9 @@ enum class Planted {
     inverse_without_transpose,  // the matrix of cofactors as it is
     mix_swapped,                // mix(b, a, t)
     refract_without_root,       // sqrt(k) left out
-    // The sources and what is built of them (sources_test.cpp, exported_symbols_test.cpp)
+    // What is built of the sources (no_libm_test.cpp, exported_symbols_test.cpp)
     libm_call,
     libm_symbol,
-    simd_header_elsewhere,
-    upward_include,
     leaked_symbol,
 };
 

@@ -14,7 +14,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/stats.hpp"
-#include "render/draw/allowed_threads.hpp"
+#include "bake/allowed_threads.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
 #include "render/stats/stats_record.hpp"
