@@ -26,6 +26,7 @@ const std::set<std::string> others = {
     "src/nodes/accessors/AccessorsUtils.js",
     "kernels/thesis",
     "kernels/.*against",
+    "bake/cone-",
     "quadrel/baked",
     "tests/num_ulp_exhaustive",
 };
