@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "bake/cone/relaxed_falls.hpp"
-#include "bake/octants.hpp"
-#include "bake/sector_search.hpp"
+#include "bake/search/octants.hpp"
+#include "bake/search/sector_search.hpp"
 #include "bake/support.hpp"
 
 namespace quadrel::test {

@@ -11,8 +11,8 @@
 #include <functional>
 #include <thread>
 
+#include "file/atomic_files.hpp"
 #include "file/temporary_registry.hpp"
-#include "film/atomic_files.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 

@@ -8,8 +8,8 @@
 #include <csignal>
 #include <functional>
 
+#include "file/atomic_files.hpp"
 #include "file/temporary_registry.hpp"
-#include "film/atomic_files.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {

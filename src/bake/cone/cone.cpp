@@ -7,7 +7,7 @@
 #include "bake/cone/cone.hpp"
 
 #include "bake/generators.hpp"
-#include "bake/sector_search.hpp"
+#include "bake/search/sector_search.hpp"
 
 namespace quadrel {
 

@@ -7,11 +7,11 @@
 // itself counts; and in leaving out rays that cannot narrow the cone further, which changes
 // nothing: those that enter the field outside of it, and those that go down at least as steeply as
 // the field does behind q, so that they never come out.
-#include "bake/block_search.hpp"
 #include "bake/cone/cone.hpp"
 #include "bake/cone/relaxed_falls.hpp"
 #include "bake/generators.hpp"
-#include "bake/octants.hpp"
+#include "bake/search/block_search.hpp"
+#include "bake/search/octants.hpp"
 
 namespace quadrel {
 

@@ -3,7 +3,7 @@
 // the field falls going away from the apex, so only texels at the start of such an edge bound the
 // cone; then the 3x3 minimum. Differs in distances in tile units and in rounding down.
 #include "bake/generators.hpp"
-#include "bake/sector_search.hpp"
+#include "bake/search/sector_search.hpp"
 
 namespace quadrel {
 

@@ -1,8 +1,8 @@
 #include "bake/cone/relaxed_falls.hpp"
 
-#include "bake/block_search.hpp"
-#include "bake/octants.hpp"
 #include "bake/rounding.hpp"
+#include "bake/search/block_search.hpp"
+#include "bake/search/octants.hpp"
 
 namespace quadrel {
 

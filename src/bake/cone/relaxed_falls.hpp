@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bake/cone/relaxed_rays.hpp"
-#include "bake/plane_tree.hpp"
+#include "bake/search/plane_tree.hpp"
 
 namespace quadrel {
 

@@ -8,8 +8,8 @@
 // ray of a sector passes over a texel that did not count. Inspired by Chen, Chuang, "Anisotropic
 // Relaxed Cone Stepping", APSIPA 2009.
 #include "bake/generators.hpp"
-#include "bake/octants.hpp"
-#include "bake/sector_search.hpp"
+#include "bake/search/octants.hpp"
+#include "bake/search/sector_search.hpp"
 
 namespace quadrel {
 

@@ -10,7 +10,7 @@
 #include "cli/explain/markdown.hpp"
 #include "cli/explain/parameter_text.hpp"
 #include "io/scene/keys.hpp"
-#include "io/stage_parameters.hpp"
+#include "io/scene/stage_parameters.hpp"
 #include "quadrel/bake/bake.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
+#include "text/not_finite.hpp"
 
 namespace quadrel {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/gltf/buffers.hpp"
 #include "io/gltf/container.hpp"
 #include "io/gltf/schema.hpp"
-#include "io/not_finite.hpp"
+#include "text/not_finite.hpp"
 
 namespace quadrel {
 namespace {

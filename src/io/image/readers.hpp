@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "io/stored_image.hpp"
+#include "io/image/stored_image.hpp"
 
 namespace quadrel {
 

@@ -1,7 +1,7 @@
 #include "io/scene/keys.hpp"
 #include "io/scene/override.hpp"
+#include "io/scene/stage_parameters.hpp"
 #include "io/scene/value.hpp"
-#include "io/stage_parameters.hpp"
 
 namespace quadrel {
 namespace {

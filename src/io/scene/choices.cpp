@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "io/scene/keys.hpp"
+#include "io/scene/stage_parameters.hpp"
 #include "io/scene/stages.hpp"
 #include "io/scene/value.hpp"
-#include "io/stage_parameters.hpp"
 #include "quadrel/scene/default_stage.hpp"
 
 namespace quadrel {

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <vector>
 
-#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
+#include "text/not_finite.hpp"
 
 namespace quadrel {
 namespace {

@@ -1,7 +1,7 @@
 #include "quadrel/scene/load.hpp"
 
+#include "file/file_kind.hpp"
 #include "file/read_file.hpp"
-#include "io/file_kind.hpp"
 #include "io/glib/commands.hpp"
 #include "io/glib/scene.hpp"
 #include "io/scene/choices.hpp"

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "io/scene/keys.hpp"
+#include "io/scene/stage_parameters.hpp"
 #include "io/scene/stages.hpp"
-#include "io/stage_parameters.hpp"
 #include "quadrel/relief/registry.hpp"
 
 namespace quadrel {

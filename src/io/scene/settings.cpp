@@ -1,5 +1,5 @@
 #include "io/scene/read.hpp"
-#include "io/setting_words.hpp"
+#include "io/scene/setting_words.hpp"
 
 namespace quadrel {
 namespace {

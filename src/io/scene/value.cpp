@@ -4,8 +4,8 @@
 
 #include <charconv>
 
-#include "io/not_finite.hpp"
 #include "quadrel/error.hpp"
+#include "text/not_finite.hpp"
 
 namespace quadrel {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/setting_words.hpp"
+#include "io/scene/setting_words.hpp"
 
 namespace quadrel {
 

@@ -1,4 +1,4 @@
-#include "bake/plane_tree.hpp"
+#include "bake/search/plane_tree.hpp"
 
 namespace quadrel {
 

@@ -2,7 +2,7 @@
 // decide nothing but the bound.
 #pragma once
 
-#include "bake/plane_tree.hpp"
+#include "bake/search/plane_tree.hpp"
 
 namespace quadrel {
 

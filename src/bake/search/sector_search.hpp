@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "bake/block_search.hpp"
 #include "bake/cone/cone.hpp"
+#include "bake/search/block_search.hpp"
 
 namespace quadrel {
 

@@ -1,4 +1,4 @@
-#include "io/stored_image.hpp"
+#include "io/image/stored_image.hpp"
 
 #include <Imath/half.h>
 

@@ -1,4 +1,4 @@
-#include "io/stage_parameters.hpp"
+#include "io/scene/stage_parameters.hpp"
 
 #include <fmt/format.h>
 
