@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "io/scene/stage_parameters.hpp"
+#include "io/document/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel::bench {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.hpp"
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 #include "quadrel/bake/bake.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/explain/markdown.hpp"
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/presets.hpp"
 #include "text/suggest.hpp"

@@ -10,7 +10,7 @@
 #include "cli/common/quiet.hpp"
 #include "cli/explain/parameter_text.hpp"
 #include "cli/verbs.hpp"
-#include "io/scene/stage_parameters.hpp"
+#include "io/document/stage_parameters.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 namespace quadrel {
 

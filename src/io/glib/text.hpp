@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 namespace quadrel {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "file/read_file.hpp"
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 #include "io/scene/read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "text/hash.hpp"

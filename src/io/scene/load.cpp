@@ -2,14 +2,14 @@
 
 #include "file/file_kind.hpp"
 #include "file/read_file.hpp"
+#include "io/document/choices.hpp"
+#include "io/document/override.hpp"
+#include "io/document/replaced.hpp"
 #include "io/glib/commands.hpp"
 #include "io/glib/scene.hpp"
-#include "io/scene/choices.hpp"
 #include "io/scene/find_scene.hpp"
 #include "io/scene/objects.hpp"
-#include "io/scene/override.hpp"
 #include "io/scene/read.hpp"
-#include "io/scene/replaced.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "text/hash.hpp"
 

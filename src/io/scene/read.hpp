@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "io/scene/value.hpp"
+#include "io/document/value.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "io/scene/stage_parameters.hpp"
+#include "io/document/stage_parameters.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/default_stage.hpp"

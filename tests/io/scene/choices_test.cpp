@@ -1,5 +1,5 @@
 // Parameters whose values have names: numbers and names are one scene, other names are refused.
-#include "io/scene/choices.hpp"
+#include "io/document/choices.hpp"
 
 #include "quadrel/scene/load.hpp"
 #include "scene/support.hpp"

@@ -1,5 +1,5 @@
 // The table of keys in the code and the reference in data/scenes/README.md say the same.
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "io/scene/override.hpp"
+#include "io/document/override.hpp"
 
-#include "io/scene/value.hpp"
+#include "io/document/value.hpp"
 #include "scene/support.hpp"
 
 namespace quadrel {

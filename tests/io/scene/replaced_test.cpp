@@ -1,7 +1,7 @@
 // What -D leaves of a stage that it replaces.
-#include "io/scene/replaced.hpp"
+#include "io/document/replaced.hpp"
 
-#include "io/scene/override.hpp"
+#include "io/document/override.hpp"
 #include "quadrel/scene/load.hpp"
 #include "scene/support.hpp"
 

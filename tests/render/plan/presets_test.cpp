@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "io/scene/stage_parameters.hpp"
+#include "io/document/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"

@@ -26,8 +26,8 @@
 #pragma once
 
 #include "quadrel/relief/trace/engine/o3de_search.hpp"
-#include "quadrel/relief/trace/march/quality.hpp"
 #include "quadrel/relief/trace/offset/offset.hpp"
+#include "quadrel/relief/trace/search/quality.hpp"
 #include "quadrel/relief/trace/search/tangent_eye.hpp"
 
 namespace quadrel {

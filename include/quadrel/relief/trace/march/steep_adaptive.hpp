@@ -14,8 +14,8 @@
 // the next, bands show.
 #pragma once
 
-#include "quadrel/relief/trace/march/quality.hpp"
 #include "quadrel/relief/trace/search/bracket.hpp"
+#include "quadrel/relief/trace/search/quality.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
 namespace quadrel {

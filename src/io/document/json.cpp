@@ -1,4 +1,4 @@
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 #include <algorithm>
 #include <cstddef>

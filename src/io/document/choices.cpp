@@ -1,11 +1,11 @@
-#include "io/scene/choices.hpp"
+#include "io/document/choices.hpp"
 
 #include <algorithm>
 
-#include "io/scene/keys.hpp"
-#include "io/scene/stage_parameters.hpp"
-#include "io/scene/stages.hpp"
-#include "io/scene/value.hpp"
+#include "io/document/keys.hpp"
+#include "io/document/stage_parameters.hpp"
+#include "io/document/stages.hpp"
+#include "io/document/value.hpp"
 #include "quadrel/scene/default_stage.hpp"
 
 namespace quadrel {

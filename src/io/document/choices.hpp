@@ -1,7 +1,7 @@
 // Parameters of which each value has a name, in a scene's document.
 #pragma once
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 namespace quadrel {
 

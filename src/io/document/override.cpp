@@ -1,10 +1,10 @@
-#include "io/scene/override.hpp"
+#include "io/document/override.hpp"
 
 #include <charconv>
 #include <variant>
 
-#include "io/scene/keys.hpp"
-#include "io/scene/value.hpp"
+#include "io/document/keys.hpp"
+#include "io/document/value.hpp"
 #include "quadrel/error.hpp"
 #include "text/printable.hpp"
 #include "text/shell_word.hpp"

@@ -1,6 +1,6 @@
 // The keys of scene files, as data/scenes/README.md explains them: section, key, value, default,
 // meaning (in Markdown), and what stands below.
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 
 namespace quadrel {
 namespace {

@@ -1,10 +1,10 @@
-#include "io/scene/replaced.hpp"
+#include "io/document/replaced.hpp"
 
 #include <fmt/format.h>
 
-#include "io/scene/keys.hpp"
-#include "io/scene/stage_parameters.hpp"
-#include "io/scene/stages.hpp"
+#include "io/document/keys.hpp"
+#include "io/document/stage_parameters.hpp"
+#include "io/document/stages.hpp"
 #include "quadrel/relief/registry.hpp"
 
 namespace quadrel {

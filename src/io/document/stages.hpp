@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 namespace quadrel {
 

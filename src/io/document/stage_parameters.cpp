@@ -1,4 +1,4 @@
-#include "io/scene/stage_parameters.hpp"
+#include "io/document/stage_parameters.hpp"
 
 #include <fmt/format.h>
 

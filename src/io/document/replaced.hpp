@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 
 namespace quadrel {
 

@@ -1,4 +1,4 @@
-#include "io/scene/keys.hpp"
+#include "io/document/keys.hpp"
 
 namespace quadrel {
 

@@ -1,4 +1,4 @@
-#include "io/scene/stages.hpp"
+#include "io/document/stages.hpp"
 
 #include "quadrel/scene/presets.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/scene/value.hpp"
+#include "io/document/value.hpp"
 
 #include <fmt/format.h>
 

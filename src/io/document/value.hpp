@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/scene/json.hpp"
+#include "io/document/json.hpp"
 #include "text/suggest.hpp"
 
 namespace quadrel {

@@ -1,7 +1,7 @@
-#include "io/scene/keys.hpp"
-#include "io/scene/override.hpp"
-#include "io/scene/stage_parameters.hpp"
-#include "io/scene/value.hpp"
+#include "io/document/keys.hpp"
+#include "io/document/override.hpp"
+#include "io/document/stage_parameters.hpp"
+#include "io/document/value.hpp"
 
 namespace quadrel {
 namespace {
