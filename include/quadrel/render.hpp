@@ -34,9 +34,10 @@ struct RenderOptions {
 };
 
 /// Renders. The film's bits depend on scene, channels and number type only: not on window (beyond
-/// what it holds), instruction set, threads or tile size.
-/// Throws InputError for a scene that cannot be planned or textures that cannot be read, UsageError
-/// for options that make no sense.
+/// what it holds), instruction set, threads or tile size. Rendered again, with another camera,
+/// window, or whatever of the scene is changed, a scene has its textures ready
+/// (Scene::texture_cache). Throws InputError for a scene that cannot be planned or textures that
+/// cannot be read, UsageError for options that make no sense.
 Film render(const Scene& scene, const RenderOptions& options);
 
 /// The plan of a render, for people; loads and renders nothing. Throws as `render` does.

@@ -9,6 +9,7 @@
 
 #include "bake/wrap_names.hpp"
 #include "cli/common/command_files.hpp"
+#include "cli/common/compression_option.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/hints.hpp"
 #include "cli/common/quiet.hpp"
@@ -30,6 +31,7 @@ struct Arguments {
     std::string format, packed, packing = "dummer", rounding = "conservative";
     std::vector<std::string> parameters;
     ImageSelection selection;
+    ExrCompression compression = ExrCompression::zip;
     float border = 0;
     int threads = 0;
     bool flip_v = false, no_cache = false;
@@ -119,13 +121,15 @@ ExitCode run_bake(const Arguments& arguments) {
     const auto height = load_heights(arguments);
     const SamplerState sampler = make_sampler(arguments);
     const auto map = bake_with_bar(*height, kind, sampler, options);
+    const ExrWriting writing{arguments.compression, arguments.threads};
     OutputGroup outputs;
     if (!arguments.output.empty())
-        write_baked(arguments.output, *map, *height, kind, sampler, options);
+        write_baked(arguments.output, *map, *height, kind, sampler, options, writing);
     if (!arguments.packed.empty())
         write_packed(
             arguments.packed, *map, *height, sampler, packing,
-            arguments.rounding == "nearest" ? PackRounding::nearest : PackRounding::conservative);
+            arguments.rounding == "nearest" ? PackRounding::nearest : PackRounding::conservative,
+            writing);
     outputs.commit();
     for (const std::string& output : {arguments.output, arguments.packed})
         if (!output.empty()) say_written(output);
@@ -180,6 +184,7 @@ void add_outputs(CLI::App& verb, Arguments& a) {
     verb.add_option("--rounding", a.rounding, "of packed values")
         ->check(CLI::IsMember({"conservative", "nearest"}))
         ->capture_default_str();
+    add_compression_option(verb, a.compression);
     verb.add_flag("--no-cache", a.no_cache, "neither read nor write the disk cache");
 }
 

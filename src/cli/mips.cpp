@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "cli/common/command_files.hpp"
+#include "cli/common/compression_option.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/selection_options.hpp"
@@ -30,6 +31,7 @@ const std::map<std::string, MipRule> rules{{"box", MipRule::box}, {"area", MipRu
 struct Arguments {
     std::string image, prefix, format, rule = "box", swizzle;
     ImageSelection selection;
+    ExrCompression compression = ExrCompression::zip;
     bool srgb = false, flip_v = false;
 };
 
@@ -77,7 +79,8 @@ ExitCode run_mips(const Arguments& arguments) {
     for (int level = 0; level < texture->view().levels; ++level)
         write_exr(
             files[static_cast<std::size_t>(level)], to_film(texture_level(*texture, level)),
-            {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}});
+            {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}},
+            {arguments.compression});
     outputs.commit();
     for (const std::string& file : files) say_written(file);
     return ExitCode::ok;
@@ -101,6 +104,7 @@ void add_mips(CLI::App& app, Action& action) {
     verb->add_option("--swizzle", a->swizzle, "channels, as in scene files: rgba, a, 1-r, ...");
     verb->add_flag("--srgb", a->srgb, "colour channels are sRGB-encoded: filter linear values");
     verb->add_flag("--flip-v", a->flip_v, "last row first");
+    add_compression_option(*verb, a->compression);
     add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_mips(*a); }; });
 }

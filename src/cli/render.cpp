@@ -9,6 +9,7 @@
 
 #include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
+#include "cli/common/compression_option.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
@@ -31,6 +32,7 @@ struct Arguments {
     bool explain = false, no_skip = false;
     bool streams() const { return output == "-"; }  ///< the EXR goes to standard output
     RenderOptions options;
+    ExrCompression compression = ExrCompression::zip;
 };
 
 /// The output's name unless it is given: the scene's, in the current directory.
@@ -105,12 +107,13 @@ void write_outputs(const Arguments& arguments, const Scene& scene, const RenderO
     const std::filesystem::path output = output_name(arguments);
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
+    const ExrWriting writing{arguments.compression, options.threads};
     OutputGroup outputs;
-    if (!arguments.streams()) write_exr(output, film, attributes);
+    if (!arguments.streams()) write_exr(output, film, attributes, writing);
     if (!arguments.preview.empty()) write_png(arguments.preview, preview(film));
     if (!arguments.stats.empty()) write_text(arguments.stats, to_json(*options.stats));
     if (arguments.streams()) {
-        print_bytes(exr_bytes(film, attributes));
+        print_bytes(exr_bytes(film, attributes, writing));
         flush_output();
     }
     outputs.commit();
@@ -165,6 +168,7 @@ void add_values(CLI::App& verb, Arguments& a) {
                     "render this part only: half-open, pixels from the top-left")
         ->type_name("X0,Y0,X1,Y1");
     verb.add_flag("--explain", a.explain, "print the plan and render nothing");
+    add_compression_option(verb, a.compression);
     verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON")
         ->type_name("OUT.json");
     verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at")

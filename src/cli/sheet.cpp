@@ -96,6 +96,17 @@ std::vector<SheetInput> open_inputs(const Arguments& arguments, const Variants& 
     return inputs;
 }
 
+/// The variants of a scene share what they load; of one scene after the other no more is kept.
+void share_textures(std::vector<SheetInput>& inputs) {
+    const SheetInput* last = nullptr;
+    for (SheetInput& input : inputs) {
+        if (!input.scene) continue;
+        if (last != nullptr && last->file == input.file)
+            input.scene->texture_cache = last->scene->texture_cache;
+        last = &input;
+    }
+}
+
 Picture picture_of(const SheetInput& input, const ImageSelection& selection,
                    const RenderOptions& options) {
     if (!input.scene) return preview(read_exr(input.file, selection).film);
@@ -110,7 +121,11 @@ std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs,
     options.channels = {"R", "G", "B", "A"};
     options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
     options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
+    const Scene* last = nullptr;
     for (const SheetInput& input : inputs) {
+        if (last != nullptr && input.scene && last->texture_cache != input.scene->texture_cache)
+            last->texture_cache->clear();
+        if (input.scene) last = &*input.scene;
         entries.push_back({input.label, picture_of(input, selection, options)});
         bar.show(static_cast<double>(entries.size()) / static_cast<double>(inputs.size()));
     }
@@ -124,7 +139,8 @@ ExitCode run_sheet(const Arguments& arguments) {
     files.add_output("-o", arguments.output);
     files.check_writable();
     load_plugins(arguments.plugins);
-    const std::vector<SheetInput> inputs = open_inputs(arguments, variants, files);
+    std::vector<SheetInput> inputs = open_inputs(arguments, variants, files);
+    share_textures(inputs);
     files.check();
     const auto entries = make_entries(inputs, arguments.selection);
     for (const SheetInput& input : inputs)

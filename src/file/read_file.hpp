@@ -3,8 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <string>
+#include <utility>
 
 #include "file/input_record.hpp"
 #include "quadrel/error.hpp"
@@ -31,10 +32,11 @@ inline std::string read_whole_file(const std::filesystem::path& file) {
     if (reason != nullptr && !std::filesystem::is_fifo(file, error))
         throw InputError(file.string(), "", reason, "a file");
     std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    std::ostringstream bytes;
+    if (stream.peek() != std::ifstream::traits_type::eof()) bytes << stream.rdbuf();
     if (!stream.is_open() || stream.bad())
         throw InputError(file.string(), "", "a file that cannot be read", "a readable one");
-    return bytes;
+    return std::move(bytes).str();
 }
 
 }  // namespace quadrel

@@ -2,11 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/texture/texture.hpp"
 #include "text/hash.hpp"
+#include "texture/make_texture.hpp"
 #include "texture/mip.hpp"
 #include "texture/source_texels.hpp"
 #include "texture/texel_format.hpp"
@@ -54,35 +59,93 @@ TextureView make_layout(const Image& image, int channels, int faces,
     return view;
 }
 
-/// Rounds a level to the texture's format and stores it. `source(x, y, c)` is in multiples of
-/// 1 / texels.unit(c).
-template <class Source>
-void store_level(Texture& texture, int level, int face, const Source& source,
-                 const SourceTexels& texels) {
-    const TextureView& view = texture.view();
-    float* const to = texture.level_texels(level, face);
-    const int width = view.width[level], channels = view.channels;
-    tbb::parallel_for(0, view.height[level], [&](int y) {
-        float* out = to + static_cast<std::size_t>(y) * width * channels;
-        for (int x = 0; x < width; ++x) {
-            for (int c = 0; c < channels; ++c) {
-                *out++ =
-                    store_and_decode(source(x, y, c), texels.unit(c), texture.format(), c == 3);
-            }
+/// Makes the levels of one face, each rounded to the texture's format and stored while its rows are
+/// at hand for the next.
+class FaceFiller {
+  public:
+    FaceFiller(Texture& texture, int face, const std::vector<double>& units, MipRule rule)
+        : texture_(texture), view_(texture.view()), face_(face), units_(units), rule_(rule) {}
+
+    void fill(const LevelRows& texels) {
+        if (view_.levels == 1) return store_level(0, texels);
+        auto level = reduce(0, texels);
+        for (int i = 1; i + 1 < view_.levels; ++i) level = reduce(i, *level);
+        store_level(view_.levels - 1, *level);
+    }
+
+  private:
+    void store_row(int level, int y, const double* row) {
+        const int width = view_.width[level], channels = view_.channels;
+        float* const out =
+            texture_.level_texels(level, face_) + static_cast<std::ptrdiff_t>(y) * width * channels;
+        const bool alike = std::count(units_.begin(), units_.end(), units_[0]) == channels;
+        if (alike && texture_.format() != TexelFormat::srgb8)
+            return store_and_decode(row, out, width * channels, 1, units_[0], texture_.format(),
+                                    false);
+        for (int c = 0; c < channels; ++c)
+            store_and_decode(row + c, out + c, width, channels, units_[static_cast<std::size_t>(c)],
+                             texture_.format(), c == 3);
+    }
+
+    /// Calls f(first, last) on rows that together are `height`, in parallel; not so few at a time
+    /// that it is not worth it.
+    template <class F>
+    void in_rows(int level, int height, const F& f) const {
+        constexpr int worth = 1 << 14;  // values
+        const int grain = std::max(1, worth / (view_.width[level] * view_.channels));
+        tbb::parallel_for(tbb::blocked_range<int>(0, height, grain),
+                          [&](const auto& rows) { f(rows.begin(), rows.end()); });
+    }
+
+    void store_level(int level, const LevelRows& from) {
+        in_rows(level, view_.height[level], [&](int first, int last) {
+            std::vector<double> scratch;
+            for (int y = first; y < last; ++y) store_row(level, y, from.row(y, scratch));
+        });
+    }
+
+    /// Stores a level and gives the next.
+    std::unique_ptr<WideLevel> reduce(int level, const LevelRows& from) {
+        auto to = std::make_unique<WideLevel>(view_.width[level + 1], view_.height[level + 1],
+                                              view_.channels);
+        if (rule_ == MipRule::box) {
+            in_rows(level + 1, to->height,
+                    [&](int first, int last) { store_and_box(level, from, *to, first, last); });
+            return to;
         }
-    });
-}
+        store_level(level, from);
+        in_rows(level + 1, to->height, [&](int first, int last) {
+            for (int y = first; y < last; ++y)
+                area_row(from, view_.width[level], view_.height[level], *to, y);
+        });
+        return to;
+    }
+
+    /// Rows `first` to `last - 1` of `to`, and the rows that these are made of; the last one takes
+    /// the odd row with it, which the box rule leaves out.
+    void store_and_box(int level, const LevelRows& from, WideLevel& to, int first, int last) {
+        const int height = view_.height[level];
+        std::vector<double> above, below;
+        for (int y = first; y < last; ++y) {
+            const double* const upper = from.row(2 * y, above);
+            store_row(level, 2 * y, upper);
+            const double* lower = upper;
+            if (2 * y + 1 < height) store_row(level, 2 * y + 1, lower = from.row(2 * y + 1, below));
+            box_row(upper, lower, view_.width[level], to, y);
+        }
+        if (last == to.height && 2 * last < height)
+            store_row(level, 2 * last, from.row(2 * last, above));
+    }
+
+    Texture& texture_;
+    const TextureView& view_;
+    const int face_;
+    const std::vector<double>& units_;
+    const MipRule rule_;
+};
 
 void fill_face(Texture& texture, int face, const SourceTexels& texels, MipRule rule) {
-    const TextureView& view = texture.view();
-    store_level(texture, 0, face, texels, texels);
-    if (view.levels == 1) return;
-    WideLevel finer = reduce_level(texels, view.width[0], view.height[0], view.channels, rule);
-    store_level(texture, 1, face, finer, texels);
-    for (int level = 2; level < view.levels; ++level) {
-        finer = reduce_level(finer, finer.width, finer.height, view.channels, rule);
-        store_level(texture, level, face, finer, texels);
-    }
+    FaceFiller(texture, face, texels.units(), rule).fill(texels);
 }
 
 std::shared_ptr<Texture> empty_texture(const Image& image, int channels, int faces,
@@ -103,25 +166,27 @@ void check_face(const Image& face, const Image& first, const std::string& key) {
 
 }  // namespace
 
-std::shared_ptr<const Texture> make_texture(const Image& image, const TextureOptions& options) {
+std::shared_ptr<const Texture> make_texture(const Image& image, const TextureOptions& options,
+                                            const std::string& content) {
     const auto swizzle = resolve_swizzle(options.swizzle, image, options.key);
     const auto texture =
-        empty_texture(image, static_cast<int>(swizzle.size()), 1, options, content_hash(image));
-    const SourceTexels texels(image, swizzle, options.srgb, options.flip_v);
-    fill_face(*texture, 0, texels, options.mip_rule);
+        empty_texture(image, static_cast<int>(swizzle.size()), 1, options, content);
+    fill_face(*texture, 0, SourceTexels(image, swizzle, options.srgb, options.flip_v),
+              options.mip_rule);
     return texture;
 }
 
+std::shared_ptr<const Texture> make_texture(const Image& image, const TextureOptions& options) {
+    return make_texture(image, options, content_hash(image));
+}
+
 std::shared_ptr<const Texture> make_cube_texture(const std::array<Image, 6>& faces,
-                                                 const TextureOptions& options) {
-    std::string hashes;
-    for (const Image& face : faces) {
-        check_face(face, faces[0], options.key);
-        hashes += content_hash(face);
-    }
+                                                 const TextureOptions& options,
+                                                 const std::string& content) {
+    for (const Image& face : faces) check_face(face, faces[0], options.key);
     const int channels =
         static_cast<int>(resolve_swizzle(options.swizzle, faces[0], options.key).size());
-    const auto texture = empty_texture(faces[0], channels, 6, options, hashes);
+    const auto texture = empty_texture(faces[0], channels, 6, options, content);
     for (int face = 0; face < 6; ++face) {
         const Image& image = faces[static_cast<std::size_t>(face)];
         const auto swizzle = resolve_swizzle(options.swizzle, image, options.key);
@@ -134,6 +199,13 @@ std::shared_ptr<const Texture> make_cube_texture(const std::array<Image, 6>& fac
                   options.mip_rule);
     }
     return texture;
+}
+
+std::shared_ptr<const Texture> make_cube_texture(const std::array<Image, 6>& faces,
+                                                 const TextureOptions& options) {
+    std::string hashes;
+    for (const Image& face : faces) hashes += content_hash(face);
+    return make_cube_texture(faces, options, hashes);
 }
 
 std::string content_hash(const Image& image) {

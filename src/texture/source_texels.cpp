@@ -24,7 +24,7 @@ SourceTexels::SourceTexels(const Image& image, std::vector<SwizzleEntry> swizzle
       flip_v_(flip_v),
       codes_(max_code(image.format)) {
     for (int c = 0; c < channels(); ++c) {
-        unit_.push_back(codes_ == 0 || is_decoded(c) ? 1.0 : codes_);
+        units_.push_back(codes_ == 0 || is_decoded(c) ? 1.0 : codes_);
     }
     if (!srgb || codes_ == 0) return;
     for (int code = 0; code <= codes_; ++code) {
@@ -37,18 +37,39 @@ bool SourceTexels::is_decoded(int c) const {
     return srgb_ && source >= 0 && source != alpha_index(image_);
 }
 
-double SourceTexels::operator()(int x, int y, int c) const {
+const double* SourceTexels::row(int y, std::vector<double>& scratch) const {
+    const auto width = static_cast<std::size_t>(image_.width);
+    scratch.resize(width * swizzle_.size());
+    const auto stored = static_cast<std::size_t>(flip_v_ ? image_.height - 1 - y : y);
+    const float* const from =
+        image_.values.data() + stored * width * static_cast<std::size_t>(image_.channels);
+    for (int c = 0; c < channels(); ++c) fill_channel(from, c, scratch.data() + c);
+    return scratch.data();
+}
+
+void SourceTexels::fill_channel(const float* stored, int c, double* out) const {
     const SwizzleEntry& entry = swizzle_[static_cast<std::size_t>(c)];
-    const double one = unit(c);
-    if (entry.source < 0) return entry.constant * one;
-    const std::size_t row = flip_v_ ? image_.height - 1 - y : y;
-    const float stored = image_.values[(row * image_.width + x) * image_.channels + entry.source];
-    double value = stored;
-    if (codes_ != 0) value = static_cast<int>(value * codes_ + 0.5);  // values lie in [0, 1]
-    if (is_decoded(c)) {
-        value = codes_ != 0 ? decoded_[static_cast<std::size_t>(value)] : srgb_decode(stored);
-    }
-    return entry.complement ? one - value : value;
+    const double one = units_[static_cast<std::size_t>(c)];
+    const int count = image_.width, step = image_.channels, out_step = channels();
+    const float* const in = stored + (entry.source < 0 ? 0 : entry.source);
+    const auto fill = [&](const auto& value) {
+        if (entry.complement)
+            for (int x = 0; x < count; ++x) out[x * out_step] = one - value(in[x * step]);
+        else
+            for (int x = 0; x < count; ++x) out[x * out_step] = value(in[x * step]);
+    };
+    // Stored values of codes lie in [0, 1].
+    const auto code = [codes = codes_](double v) { return static_cast<int>(v * codes + 0.5); };
+    if (entry.source < 0)
+        for (int x = 0; x < count; ++x) out[x * out_step] = entry.constant * one;
+    else if (codes_ != 0 && is_decoded(c))
+        fill([&](float v) { return decoded_[static_cast<std::size_t>(code(v))]; });
+    else if (codes_ != 0)
+        fill([&](float v) { return static_cast<double>(code(v)); });
+    else if (is_decoded(c))
+        fill([](float v) { return srgb_decode(v); });
+    else
+        fill([](float v) { return static_cast<double>(v); });
 }
 
 }  // namespace quadrel

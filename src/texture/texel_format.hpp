@@ -29,11 +29,14 @@ double round_to_half(double x);
 int encode_unorm(double value, double unit, int max);
 
 /// The sRGB code nearest to a linear value, rounded half up on the encoded side; NaN gives 0. By
-/// search: a level of a large texture encodes millions.
+/// table: a level of a large texture encodes millions.
 int encode_srgb8(double linear);
 
-/// `value` in multiples of 1 / `unit`, stored in `format` and decoded. `is_alpha`: linear in
-/// srgb8.
+/// `value` in multiples of `unit`, stored in `format` and decoded. `is_alpha`: linear in srgb8.
 float store_and_decode(double value, double unit, TexelFormat format, bool is_alpha);
+
+/// The same of `count` values that lie `step` apart, into floats that lie as far apart.
+void store_and_decode(const double* values, float* out, int count, int step, double unit,
+                      TexelFormat format, bool is_alpha);
 
 }  // namespace quadrel

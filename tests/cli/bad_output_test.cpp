@@ -96,22 +96,38 @@ TEST_F(BadOutputs, OutputsThroughLinksAndDevices) {
     EXPECT_EQ(run({"render", "s.json", "-o", "/dev/null"}, folder.path()).code, 0);
 }
 
-/// A limit on the size of files stands for a full disk.
+/// A limit on the size of files stands for a full disk. In the header, in the first chunk, and
+/// among chunks that several threads compress.
 TEST_F(BadOutputs, AFullDiskLeavesTheOldFile) {
     write_bytes(folder / "a.exr", "old");
     const std::size_t before = folder.count();
-    const TemporaryFolder logs;
-    rlimit free{};
-    getrlimit(RLIMIT_FSIZE, &free);
-    const rlimit full{500, free.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &full);
-    const pid_t child = start({"render", "s.json", "-o", "a.exr"}, folder.path(), logs.path());
-    setrlimit(RLIMIT_FSIZE, &free);
-    const int code = wait_for(child);
-    EXPECT_TRUE(
-        complains({code, "", file_bytes(logs / "err")}, {"full", {}, 5, {"a.exr: cannot"}}));
-    EXPECT_EQ(file_bytes(folder / "a.exr"), "old");
-    EXPECT_EQ(folder.count(), before);
+    for (const rlim_t room : {500, 30000, 200000}) {
+        const TemporaryFolder logs;
+        rlimit free{};
+        getrlimit(RLIMIT_FSIZE, &free);
+        const rlimit full{room, free.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &full);
+        const pid_t child = start({"render", "s.json", "-o", "a.exr", "--size", "128x128", "-t",
+                                   "3", "--compression", "none"},
+                                  folder.path(), logs.path());
+        setrlimit(RLIMIT_FSIZE, &free);
+        const int code = wait_for(child);
+        EXPECT_TRUE(
+            complains({code, "", file_bytes(logs / "err")}, {"full", {}, 5, {"a.exr: cannot"}}));
+        EXPECT_EQ(file_bytes(folder / "a.exr"), "old") << room;
+        EXPECT_EQ(folder.count(), before) << room;
+    }
+}
+
+TEST_F(BadOutputs, NoCompressionChangesPixels) {
+    ASSERT_EQ(run({"render", "s.json", "-o", "a.exr"}, folder.path()).code, 0);
+    for (const auto& [name, compression] : exr_compressions) {
+        ASSERT_EQ(run({"render", "s.json", "-o", "b.exr", "--compression", std::string(name)},
+                      folder.path())
+                      .code,
+                  0);
+        EXPECT_EQ(read_exr(folder / "b.exr").film, read_exr(folder / "a.exr").film) << name;
+    }
 }
 
 }  // namespace

@@ -55,6 +55,10 @@ TEST(Usage, CommandLinesThatMakeNoSense) {
         {"render", "a", "--nonsense"},
         {"render", "a", "--number", "half"},
         {"render", "a", "--isa", "mmx"},
+        {"render", "a", "--compression", "lzw"},
+        {"render", "a", "--compression", ""},
+        {"mips", "a.png", "-o", "a", "--compression", "dwaa"},
+        {"bake", "a.png", "--kind", "cone-cell", "--compression", "ZIP"},
         {"render", "a", "-t", "-1"},
         {"render", "a", "-t", "many"},
         {"render", "a", "--tile", "0"},
@@ -80,6 +84,12 @@ TEST(Usage, CommandLinesThatMakeNoSense) {
 TEST(Usage, UnknownChannelNamesTheNearest) {
     const Outcome outcome = run({"render", "a", "--channels", "hit.stats"});
     EXPECT_NE(outcome.err.find("\"hit.status\""), std::string::npos) << outcome.err;
+}
+
+TEST(Usage, UnknownCompressionNamesTheNearest) {
+    const Outcome outcome = run({"render", "a", "--compression", "zipp"});
+    EXPECT_NE(outcome.err.find("\"zip\", or one of none, rle, zips, zip, piz"), std::string::npos)
+        << outcome.err;
 }
 
 TEST(Input, MissingAndBadFiles) {

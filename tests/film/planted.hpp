@@ -40,6 +40,8 @@ enum class FilmError {
     by_value_keeps_bits,     ///< an integer is compared by its bits with a float
     heat_one_scale,          ///< counts and colours share a scale
     vectors_in_gray,         ///< a vector shows its first component alone
+    chunks_swapped,          ///< the second chunk of a file takes the place of the first
+    rows_off_by_band,        ///< a band of rows is written a row late
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
 };
 

@@ -30,6 +30,8 @@ enum class Planted {
     filter_before_decode,  ///< mips of sRGB codes instead of linear values
     mips_of_rounded,       ///< a level is made from the rounded previous one
     box_drops_nothing,     ///< the box rule covers the last odd texel, too
+    odd_row_lost,          ///< the last odd row is neither stored nor averaged
+    rows_swapped,          ///< two rows of a level change places
     flip_forgotten,        ///< flip_v has no effect
     marks_of_all_lanes,    ///< texels of lanes that do not ask are marked, too
     error_swallowed,       ///< a truncated file reads as a success

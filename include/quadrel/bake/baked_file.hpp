@@ -6,12 +6,14 @@
 #include <filesystem>
 
 #include "quadrel/bake/bake.hpp"
+#include "quadrel/film/exr.hpp"
 
 namespace quadrel {
 
 /// Writes a map that bake() made from these arguments, whole or not at all. Throws OutputError.
 void write_baked(const std::filesystem::path& file, const Texture& map, const Texture& height,
-                 BakeKind kind, const SamplerState& sampler, const BakeOptions& options = {});
+                 BakeKind kind, const SamplerState& sampler, const BakeOptions& options = {},
+                 const ExrWriting& writing = {});
 
 /// Reads a map for a height field, a sampler and a kind. Throws InputError for a file that is no
 /// baked map, is damaged, or was derived from other heights, for other wrap modes, for another

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "quadrel/bake/bake.hpp"
+#include "quadrel/film/exr.hpp"
 
 namespace quadrel {
 
@@ -36,7 +37,8 @@ bool is_packable(BakeKind kind, Packing packing);
 /// names.
 void write_packed(const std::filesystem::path& file, const Texture& map, const Texture& height,
                   const SamplerState& sampler, Packing packing,
-                  PackRounding rounding = PackRounding::conservative);
+                  PackRounding rounding = PackRounding::conservative,
+                  const ExrWriting& writing = {});
 
 /// A packed file's contents, as a height field and as a map of what the packing takes. What field,
 /// wrap mode and generator they are of, the file does not say. Throws InputError.

@@ -1,10 +1,13 @@
-// Films as OpenEXR files. Channels are float32 or uint, never half; ZIP compression; displayWindow
-// is the frame, dataWindow the window. Equal films and attributes give equal bytes.
+// Films as OpenEXR files. Channels are float32 or uint, never half; compressed without loss;
+// displayWindow is the frame, dataWindow the window. Equal films, attributes and compressions give
+// equal bytes.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quadrel/film/film.hpp"
@@ -15,12 +18,32 @@ namespace quadrel {
 /// Header attributes by name; the renderer's own begin with "quadrel:".
 using Attributes = std::map<std::string, std::string>;
 
+/// How pixels are stored; they are the same for all. rle is fast and wins where much is empty, piz
+/// on noise; zips is zip row by row, for readers that want single rows.
+enum class ExrCompression : std::int32_t { none, rle, zips, zip, piz };
+
+/// Their names.
+inline constexpr std::pair<std::string_view, ExrCompression> exr_compressions[] = {
+    {"none", ExrCompression::none},
+    {"rle", ExrCompression::rle},
+    {"zips", ExrCompression::zips},
+    {"zip", ExrCompression::zip},
+    {"piz", ExrCompression::piz}};
+
+/// How a film is written.
+struct ExrWriting {
+    ExrCompression compression = ExrCompression::zip;
+    int threads = 0;  ///< that compress; 0: as many as the process may use
+};
+
 /// Writes the film whole or not at all: to a temporary name that is synced and renamed. NaNs are
 /// written as canonical_nan. Throws OutputError.
-void write_exr(const std::filesystem::path& file, const Film& film, const Attributes& attributes);
+void write_exr(const std::filesystem::path& file, const Film& film, const Attributes& attributes,
+               const ExrWriting& writing = {});
 
 /// The bytes of the file that write_exr would write, for pipes.
-std::string exr_bytes(const Film& film, const Attributes& attributes);
+std::string exr_bytes(const Film& film, const Attributes& attributes,
+                      const ExrWriting& writing = {});
 
 enum class StoredType { half, float32, uint32 };
 

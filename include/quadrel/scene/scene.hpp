@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "quadrel/scene/parameter_value.hpp"
 #include "quadrel/scene/settings.hpp"
 #include "quadrel/texture/selection.hpp"
+#include "quadrel/texture/texture_cache.hpp"
 
 namespace quadrel {
 
@@ -128,6 +130,10 @@ struct Scene {
     std::vector<std::string> notes;
     std::string canonical;  ///< resolved JSON, paths replaced by content hashes
     std::string hash;       ///< SHA-256 of `canonical`, hex
+    /// What renders of this scene and its copies have loaded and baked, for the next one: only
+    /// files that have changed are read again. Another scene may be given the same; clear() frees
+    /// memory. Never null.
+    std::shared_ptr<TextureCache> texture_cache = std::make_shared<TextureCache>();
 };
 
 }  // namespace quadrel

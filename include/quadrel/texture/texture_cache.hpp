@@ -1,19 +1,33 @@
-// Textures shared between materials and scenes: one for each content and set of options.
+// Textures shared between materials, scenes and renders: one for each content and set of options.
 #pragma once
 
 #include <map>
 #include <mutex>
+#include <span>
+#include <vector>
 
 #include "quadrel/texture/texture.hpp"
 
 namespace quadrel {
 
-/// Finds textures by content hash, swizzle, colour space, format, mip rule and flip. A texture
-/// lives as long as someone holds it. All functions may be called from several threads.
+/// A texture as load_image and make_texture are asked for it.
+struct TextureRequest {
+    std::filesystem::path file;
+    TextureOptions options = {};
+    NotFinite not_finite = NotFinite::refuse;
+    ImageSelection selection = {};
+};
+
+/// Finds textures by content hash, swizzle, colour space, format, mip rule and flip. What was asked
+/// for is kept until the same request finds the file changed, or clear(). Asked again, a file is
+/// looked at (device, inode, size, times), and read only if it may have changed. All functions may
+/// be called from several threads.
 class TextureCache {
   public:
-    /// Reads the file's bytes; decodes them only if no texture with this content and these options
-    /// is alive. Throws InputError as load_image and make_texture do.
+    /// A texture for each request. Each image is decoded once, and only if a texture of it is
+    /// missing; one after the other, so that no two are in memory, each on all threads.
+    /// Throws InputError as load_image and make_texture do.
+    std::vector<std::shared_ptr<const Texture>> load(std::span<const TextureRequest> requests);
     std::shared_ptr<const Texture> load(const std::filesystem::path& file,
                                         const TextureOptions& options = {},
                                         NotFinite not_finite = NotFinite::refuse,
@@ -22,12 +36,19 @@ class TextureCache {
                                              const TextureOptions& options = {},
                                              const std::array<ImageSelection, 6>& selections = {});
 
+    /// Keeps a texture that was made elsewhere, in place of what was kept under this name.
+    void keep(const std::string& name, std::shared_ptr<const Texture> texture);
+    /// Keeps nothing any more. Textures that somebody else holds are still found.
+    void clear();
+
   private:
-    template <class Make>
-    std::shared_ptr<const Texture> find_or_make(const std::string& key, const Make& make);
+    std::shared_ptr<const Texture> find(const std::string& id);
+    /// The texture, or the one that another thread has put there first.
+    std::shared_ptr<const Texture> add(const std::string& id, std::shared_ptr<const Texture> made);
 
     std::mutex mutex_;
-    std::map<std::string, std::weak_ptr<const Texture>> textures_;
+    std::map<std::string, std::weak_ptr<const Texture>> textures_;  ///< by content and options
+    std::map<std::string, std::shared_ptr<const Texture>> kept_;    ///< by what was asked for
 };
 
 }  // namespace quadrel

@@ -145,12 +145,13 @@ void fill_level(const std::filesystem::path& file, const std::string& key, const
 }  // namespace
 
 void write_baked(const std::filesystem::path& file, const Texture& map, const Texture& height,
-                 BakeKind kind, const SamplerState& sampler, const BakeOptions& options) {
+                 BakeKind kind, const SamplerState& sampler, const BakeOptions& options,
+                 const ExrWriting& writing) {
     std::vector<ExrPart> parts;
     const Attributes attributes = describe_all(map, height, kind, sampler, options);
     for (int level = 0; level < map.view().levels; ++level)
         parts.push_back({fmt::format("level{}", level), to_film(map, level), attributes});
-    write_exr_parts(file, std::move(parts));
+    write_exr_parts(file, parts, writing);
 }
 
 std::shared_ptr<const Texture> load_baked(const std::filesystem::path& file, BakeKind kind,

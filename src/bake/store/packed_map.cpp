@@ -82,7 +82,7 @@ struct TexelPacker {
 };
 
 void write_values(const std::filesystem::path& file, const Texture& map, int channels,
-                  const std::vector<float>& values) {
+                  const std::vector<float>& values, const ExrWriting& writing) {
     const int width = map.view().width[0], height = map.view().height[0];
     if (file.extension() == ".png") {
         std::vector<std::uint8_t> codes;
@@ -97,7 +97,7 @@ void write_values(const std::filesystem::path& file, const Texture& map, int cha
         for (std::size_t i = 0; i < plane.bits.size(); ++i)
             plane.bits[i] = std::bit_cast<std::uint32_t>(values[i * channels + c]);
     }
-    write_exr(file, film, {{"quadrel:bake.id", map.id()}});
+    write_exr(file, film, {{"quadrel:bake.id", map.id()}}, writing);
 }
 
 std::shared_ptr<const Texture> make_plain(int width, int height, int channels,
@@ -138,7 +138,8 @@ bool is_packable(BakeKind kind, Packing packing) {
 }
 
 void write_packed(const std::filesystem::path& file, const Texture& map, const Texture& height,
-                  const SamplerState& sampler, Packing packing, PackRounding rounding) {
+                  const SamplerState& sampler, Packing packing, PackRounding rounding,
+                  const ExrWriting& writing) {
     const TextureView &cones = map.view(), &heights = height.view();
     if (cones.channels != 2 || cones.faces != 1 || cones.levels != 1 ||
         cones.width[0] != heights.width[0] || cones.height[0] != heights.height[0])
@@ -156,7 +157,7 @@ void write_packed(const std::filesystem::path& file, const Texture& map, const T
         const float* const normal = with_normals ? normals->level_texels(0, 0) + 4 * i : nullptr;
         packer.pack(map.level_texels(0, 0) + 2 * i, normal, packing, &values[i * channels]);
     }
-    write_values(file, map, channels, values);
+    write_values(file, map, channels, values, writing);
 }
 
 PackedMap load_packed(const std::filesystem::path& file, Packing packing, const std::string& key) {

@@ -13,6 +13,7 @@ struct ExrPart {
 
 /// Writes the parts whole or not at all; a single part as a plain file, without a name. NaNs become
 /// canonical_nan. Throws OutputError.
-void write_exr_parts(const std::filesystem::path& file, std::vector<ExrPart> parts);
+void write_exr_parts(const std::filesystem::path& file, const std::vector<ExrPart>& parts,
+                     const ExrWriting& writing = {});
 
 }  // namespace quadrel

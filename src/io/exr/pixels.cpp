@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfMultiPartInputFile.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -14,6 +15,7 @@
 #include "io/exr/context.hpp"
 #include "io/exr/dwa_check.hpp"
 #include "quadrel/num/half.hpp"
+#include "text/first_error.hpp"
 
 namespace quadrel {
 namespace {
@@ -24,47 +26,61 @@ struct NativeRows {
     bool halves = false;
 };
 
-std::vector<std::uint32_t> converted(const std::uint8_t* native, bool halves, int count) {
-    std::vector<std::uint32_t> row(static_cast<std::size_t>(count));
+/// The row in the form that is handed out, in `room`.
+const std::uint32_t* converted(const std::uint8_t* native, bool halves,
+                               std::vector<std::uint32_t>& room) {
     if (!halves) {
-        std::memcpy(row.data(), native, row.size() * sizeof row[0]);
-        return row;
+        std::memcpy(room.data(), native, room.size() * sizeof room[0]);
+        return room.data();
     }
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; i < room.size(); ++i) {
         std::uint16_t half = 0;
         std::memcpy(&half, native + 2 * i, sizeof half);
-        row[i] = std::bit_cast<std::uint32_t>(half_to_float(half));
+        room[i] = std::bit_cast<std::uint32_t>(half_to_float(half));
     }
-    return row;
+    return room.data();
 }
 
 void hand_out(const std::vector<NativeRows>& channels, int x, int y, int width, int height,
               const ExrSink& sink) {
+    std::vector<std::uint32_t> room(static_cast<std::size_t>(width));
     for (std::size_t c = 0; c < channels.size(); ++c) {
         const std::size_t row = static_cast<std::size_t>(width) * (channels[c].halves ? 2 : 4);
         if (channels[c].bytes.size() != row * static_cast<std::size_t>(height))
             throw std::runtime_error("a channel is missing");
         for (int r = 0; r < height; ++r) {
-            const auto bits = converted(&channels[c].bytes[static_cast<std::size_t>(r) * row],
-                                        channels[c].halves, width);
-            sink({c, x, y + r, width, bits.data()});
+            const std::uint8_t* const native =
+                &channels[c].bytes[static_cast<std::size_t>(r) * row];
+            sink({c, x, y + r, width, converted(native, channels[c].halves, room)});
         }
     }
 }
 
-/// Lossless compressions and Pxr24, by the C library.
+/// Lossless compressions and Pxr24, by the C library, chunks in parallel.
 class ChunkPixels : public ExrPixels {
   public:
     ChunkPixels(std::unique_ptr<ExrContext> context, std::vector<std::string> channels)
         : context_(std::move(context)), channels_(std::move(channels)) {}
 
     void read(int y0, int y1, const ExrSink& sink) override {
-        context_->for_each_chunk(y0, y1, [&](const exr_chunk_info_t& chunk, int x, int y) {
-            hand_out(decode(chunk), x, y, chunk.width, chunk.height, sink);
+        std::vector<Chunk> chunks;
+        context_->for_each_chunk(y0, y1, [&](const exr_chunk_info_t& info, int x, int y) {
+            chunks.push_back({info, x, y});
         });
+        FirstError error;
+        tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t i) {
+            const auto& [info, x, y] = chunks[i];
+            error.run(i, [&] { hand_out(decode(info), x, y, info.width, info.height, sink); });
+        });
+        error.rethrow();
     }
 
   private:
+    struct Chunk {
+        exr_chunk_info_t info;
+        int x, y;
+    };
+
     std::vector<NativeRows> decode(const exr_chunk_info_t& chunk) const {
         ExrPipeline pipeline(*context_, chunk);
         std::vector<NativeRows> rows(channels_.size());

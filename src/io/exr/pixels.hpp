@@ -20,6 +20,7 @@ struct ExrRun {
     const std::uint32_t* bits = nullptr;
 };
 
+/// Called from several threads at once, never twice for a pixel.
 using ExrSink = std::function<void(const ExrRun&)>;
 
 /// Not for several threads at once.

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "file/read_file.hpp"
+#include "file/file_hash.hpp"
 #include "io/document/keys.hpp"
 #include "io/scene/read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
@@ -13,9 +13,9 @@ using Sorted = nlohmann::json;
 
 // The hash of one file, or of the hashes of the files that together make a mesh.
 std::string content_hash(const std::vector<std::filesystem::path>& files) {
-    if (files.size() == 1) return "sha256:" + sha256_hex(read_whole_file(files[0]));
+    if (files.size() == 1) return "sha256:" + file_hash(files[0]);
     std::string hashes;
-    for (const auto& file : files) hashes += sha256_hex(read_whole_file(file)) + "\n";
+    for (const auto& file : files) hashes += file_hash(file) + "\n";
     return "sha256:" + sha256_hex(hashes);
 }
 

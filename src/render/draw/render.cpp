@@ -10,11 +10,11 @@
 #include <ctime>
 #include <mutex>
 
+#include "bake/allowed_threads.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/stats.hpp"
-#include "bake/allowed_threads.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
 #include "render/stats/stats_record.hpp"
@@ -131,6 +131,20 @@ class Stopwatch {
     PhaseTime last_ = so_far();
 };
 
+/// Runs f, whose parallel loops then take as many threads as the options say.
+template <class F>
+void in_threads(const RenderOptions& options, const F& f) {
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute(f);
+}
+
+void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
+    in_threads(options, [&] {
+        load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
+                           {options.baking, options.not_kept});
+    });
+}
+
 /// Renders all tiles, each thread with a renderer that `make` makes, and gathers the records.
 template <class Make>
 void render_tiles(const PreparedRender& prepared, const RenderOptions& options, const Make& make,
@@ -140,8 +154,7 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     const std::vector<Tile> tiles =
         bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
     Progress progress(options.progress, tiles.size());
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
+    in_threads(options, [&] {
         tbb::enumerable_thread_specific<TileRenderer> renderers(make);
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
@@ -206,7 +219,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
                               const KernelTable& kernels) {
     PreparedRender prepared = plan_render(scene, options, kernels);
-    load_plan_textures(scene, prepared.used, prepared.plan, {options.baking, options.not_kept});
+    load_textures_of(prepared, options);
     return prepared;
 }
 
@@ -271,7 +284,7 @@ Film render(const Scene& scene, const RenderOptions& options) {
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
     phases.plan = watch.lap();
-    load_plan_textures(scene, prepared.used, prepared.plan, {options.baking, options.not_kept});
+    load_textures_of(prepared, options);
     phases.load = watch.lap();
     DrawRecord record;
     Film film = draw(prepared, options, &record,

@@ -103,13 +103,12 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
 
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
                         const BakingListener& baking) {
-    TextureCache cache;
-    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        if (!used[m]) continue;
-        const SlotSet slots = plan.materials[m].textures | plan.discard[m].textures;
-        plan.textures[m] = load_textures(scene, scene.materials[m], slots, cache, baking);
-        if (may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
-    }
+    std::vector<SlotSet> slots(scene.materials.size());
+    for (std::size_t m = 0; m < slots.size(); ++m)
+        if (used[m]) slots[m] = plan.materials[m].textures | plan.discard[m].textures;
+    plan.textures = load_textures(scene, slots, *scene.texture_cache, baking);
+    for (std::size_t m = 0; m < slots.size(); ++m)
+        if (used[m] && may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
 }
 
 RenderPlan plan_with_steps(const RenderPlan& plan) {

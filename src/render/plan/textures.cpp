@@ -25,11 +25,47 @@ TextureOptions texture_options(const TextureReference& reference, TextureSlot sl
     return options;
 }
 
-std::shared_ptr<const Texture> load(TextureCache& cache, const TextureReference& reference,
-                                    TextureSlot slot) {
-    return cache.load(reference.file, texture_options(reference, slot),
-                      reference.allow_nan ? NotFinite::count : NotFinite::refuse,
-                      reference.selection);
+/// An image file that a slot of a material needs: its own, or the heights that its map is baked
+/// from.
+struct Need {
+    std::size_t material;
+    TextureSlot slot;
+    TextureReference reference;
+};
+
+std::optional<Need> need_of(const Scene& scene, std::size_t material, TextureSlot slot) {
+    const bool baked = slot >= first_baked_slot;
+    const auto& textures = scene.materials[material].textures;
+    const auto found = textures.find(std::string(slot_name(baked ? TextureSlot::height : slot)));
+    if (slot == TextureSlot::environment || found == textures.end()) return std::nullopt;
+    Need need{material, slot, found->second};
+    // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
+    if (baked) need.reference.mip_rule = MipRule::none;
+    return need;
+}
+
+/// In the order of materials and slots.
+std::vector<Need> all_needs(const Scene& scene, const std::vector<SlotSet>& slots) {
+    std::vector<Need> needs;
+    for (std::size_t material = 0; material < slots.size(); ++material)
+        for (int i = 0; i < texture_slot_count; ++i)
+            if (slots[material][static_cast<std::size_t>(i)])
+                if (auto need = need_of(scene, material, static_cast<TextureSlot>(i)))
+                    needs.push_back(*std::move(need));
+    return needs;
+}
+
+std::vector<std::shared_ptr<const Texture>> load_all(const std::vector<Need>& needs,
+                                                     TextureCache& cache) {
+    std::vector<TextureRequest> requests;
+    for (const Need& need : needs) {
+        const bool baked = need.slot >= first_baked_slot;
+        const TextureSlot slot = baked ? TextureSlot::height : need.slot;
+        requests.push_back({need.reference.file, texture_options(need.reference, slot),
+                            need.reference.allow_nan ? NotFinite::count : NotFinite::refuse,
+                            need.reference.selection});
+    }
+    return cache.load(requests);
 }
 
 void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
@@ -58,49 +94,36 @@ std::string bake_arguments(const TextureReference& reference) {
     return arguments;
 }
 
-/// A material's height map, read once for all that is derived from it.
-class HeightMap {
-  public:
-    /// `loaded`: that of the render, or null where it does without.
-    HeightMap(const TextureReference& named, TextureCache& cache,
-              std::shared_ptr<const Texture> loaded)
-        : reference(named), cache_(&cache), texture_(std::move(loaded)) {}
+/// Equal for renders of one scene whose height map's file changes in between.
+std::string baked_name(const Need& need) {
+    const SamplerState& sampler = need.reference.sampler;
+    return fmt::format("{} of {} {} {} {}", slot_name(need.slot), bake_arguments(need.reference),
+                       static_cast<int>(sampler.wrap_u), static_cast<int>(sampler.wrap_v),
+                       sampler.border[0]);
+}
 
-    /// Level 0 is the same under every mip rule, and all that bakes read.
-    const Texture& level_0() {
-        TextureReference alone = reference;
-        alone.mip_rule = MipRule::none;
-        if (!texture_) texture_ = load(*cache_, alone, TextureSlot::height);
-        return *texture_;
-    }
-    const TextureReference& reference;
-
-  private:
-    TextureCache* cache_;
-    std::shared_ptr<const Texture> texture_;
-};
-
-/// Binds what is derived from heights, under the wrap modes that they are sampled with. Throws
+/// What is derived from a height map, under the wrap modes that this is sampled with. Throws
 /// InputError for a map that takes too long.
-void load_baked(const Scene& scene, HeightMap& heights, TextureSlot slot,
-                const BakingListener& baking, MaterialTextures& out) {
-    const TextureReference& reference = heights.reference;
+std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
+                                         const Texture& height, TextureCache& cache,
+                                         const BakingListener& baking) {
+    const std::string_view kind = slot_name(need.slot);
     BakedTextureOptions options;
-    options.input = bake_arguments(reference);
-    options.key = reference.key;
+    options.input = bake_arguments(need.reference);
+    options.key = need.reference.key;
     options.not_kept = baking.not_kept;
     if (baking.progress)
-        options.progress = [&, map = fmt::format("{} map", slot_name(slot))](double share) {
+        options.progress = [&, map = fmt::format("{} map", kind)](double share) {
             baking.progress(map, share);
         };
-    const auto i = static_cast<std::size_t>(slot);
     try {
-        out.owned[i] = baked_texture(heights.level_0(), bake_kind_from_name(slot_name(slot)),
-                                     reference.sampler, options);
+        auto map =
+            baked_texture(height, bake_kind_from_name(kind), need.reference.sampler, options);
+        cache.keep(baked_name(need), map);
+        return map;
     } catch (const InputError& error) {
         throw InputError(scene.file.string(), error.key, error.found, error.expected);
     }
-    out.sampled[i] = {out.owned[i]->view(), reference.sampler};
 }
 
 }  // namespace
@@ -109,29 +132,24 @@ std::string height_swizzle(const TextureReference& reference) {
     return reference.swizzle.empty() ? "r" : reference.swizzle;
 }
 
-MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache, const BakingListener& baking) {
-    MaterialTextures out;
-    for (int i = 0; i < texture_slot_count; ++i) {
-        const auto slot = static_cast<TextureSlot>(i);
-        if (!slots[i] || slot >= first_baked_slot) continue;
-        if (slot == TextureSlot::environment) {
-            load_environment(scene, cache, out);
-            continue;
-        }
-        const auto found = material.textures.find(std::string(slot_name(slot)));
-        if (found == material.textures.end()) continue;
-        const TextureReference& reference = found->second;
-        out.owned[i] = load(cache, reference, slot);
-        out.sampled[i] = {out.owned[i]->view(), reference.sampler};
+std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vector<SlotSet>& slots,
+                                            TextureCache& cache, const BakingListener& baking) {
+    const std::vector<Need> needs = all_needs(scene, slots);
+    const auto loaded = load_all(needs, cache);
+    std::vector<MaterialTextures> textures(slots.size());
+    for (std::size_t n = 0; n < needs.size(); ++n) {
+        const Need& need = needs[n];
+        MaterialTextures& out = textures[need.material];
+        const auto i = static_cast<std::size_t>(need.slot);
+        out.owned[i] = need.slot >= first_baked_slot
+                           ? bake_need(scene, need, *loaded[n], cache, baking)
+                           : loaded[n];
+        out.sampled[i] = {out.owned[i]->view(), need.reference.sampler};
     }
-    const auto height = material.textures.find(std::string(slot_name(TextureSlot::height)));
-    if (height == material.textures.end()) return out;
-    HeightMap heights(height->second, cache,
-                      out.owned[static_cast<std::size_t>(TextureSlot::height)]);
-    for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i)
-        if (slots[i]) load_baked(scene, heights, static_cast<TextureSlot>(i), baking, out);
-    return out;
+    for (std::size_t m = 0; m < slots.size(); ++m)
+        if (slots[m][static_cast<std::size_t>(TextureSlot::environment)])
+            load_environment(scene, cache, textures[m]);
+    return textures;
 }
 
 }  // namespace quadrel

@@ -33,8 +33,9 @@ struct BakingListener {
 /// says otherwise.
 std::string height_swizzle(const TextureReference& reference);
 
-/// Loads those of the material's textures that are in `slots`.
-MaterialTextures load_textures(const Scene& scene, const Material& material, const SlotSet& slots,
-                               TextureCache& cache, const BakingListener& baking);
+/// Loads of each material the textures that are in its set of slots, from `cache` where that has
+/// them, and keeps them there.
+std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vector<SlotSet>& slots,
+                                            TextureCache& cache, const BakingListener& baking);
 
 }  // namespace quadrel

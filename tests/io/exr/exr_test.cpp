@@ -60,7 +60,9 @@ void write_with(FilmError error, const std::filesystem::path& file, Film film) {
 }
 
 TEST(Exr, RoundTripKeepsEveryBit) {
-    EXPECT_TRUE(round_trips(write_exr));
+    EXPECT_TRUE(round_trips([](const auto& file, const Film& film, const Attributes& attributes) {
+        write_exr(file, film, attributes);
+    }));
     for (const FilmError error :
          {FilmError::half_pixels, FilmError::nan_dropped, FilmError::window_shifted})
         EXPECT_FALSE(round_trips([&](const auto& file, const Film& film, const Attributes&) {

@@ -1,0 +1,16 @@
+// SHA-256 of files. Of a file that is as it was when this process hashed it, the hash is known.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace quadrel {
+
+/// The hash of the file's bytes, in hexadecimal. Counts as reading it. Throws InputError, with
+/// `key` for where a scene names it, for what is missing, no file or cannot be read.
+///
+/// A file is taken for unchanged by device, inode, size and both times; not if it was changed just
+/// before it was read, since a second change would not show.
+std::string file_hash(const std::filesystem::path& file, const std::string& key = "");
+
+}  // namespace quadrel
