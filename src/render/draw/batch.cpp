@@ -20,6 +20,23 @@ void load_window(const QuadPoints& points, float* const (&window)[2], int lane) 
     }
 }
 
+/// Look-ups so far in the textures that the stage reads.
+std::uint64_t fetches_of(const PlannedStage& stage, const FetchCounters* counters) {
+    std::uint64_t sum = 0;
+    if (counters != nullptr)
+        for (const TextureSlot slot : stage.info->textures)
+            sum += counters[static_cast<int>(slot)].fetches;
+    return sum;
+}
+
+void run_stage(const PlannedStage& stage, const StageCall& call, StageClock* clock) {
+    if (clock == nullptr) return stage.run(&call);
+    const std::uint64_t before = fetches_of(stage, call.counters);
+    clock->start(stage.info->text.id);
+    stage.run(&call);
+    clock->lap(call.lanes, fetches_of(stage, call.counters) - before);
+}
+
 }  // namespace
 
 void Batch::Free::operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
@@ -92,19 +109,10 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.primitives = geometry.data.data();
     call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
     call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
-    const auto fetches = [&] {
-        std::uint64_t sum = 0;
-        for (int slot = 0; call.counters && slot < texture_slot_count; ++slot)
-            sum += call.counters[slot].fetches;
-        return sum;
-    };
     for (const PlannedStage& stage : plan.stages) {
-        const std::uint64_t before = fetches();
-        if (clock) clock->start();
         call.parameters = stage.params.data();
         call.light = stage.light;
-        stage.run(&call);
-        if (clock) clock->lap(stage.info->text.id, call.lanes, fetches() - before);
+        run_stage(stage, call, clock);
         check_border(stage);
     }
 }

@@ -56,13 +56,15 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 }
 
 void TileRenderer::render(const Tile& tile) {
-    const bool writes = recording_ != Recording::marks;
+    const bool writes = recording_ != Recording::marks, times = recording_ == Recording::counts;
+    if (times) clock_.begin();
     if (writes) film_.begin(tile.rect);
     if (!tile.triangles.empty()) {
         find_visible(tile);
         shade();
     }
     if (writes) film_.end();
+    if (times) clock_.end();
 }
 
 const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
@@ -134,10 +136,12 @@ DrawRecord TileRenderer::record() const {
 }
 
 void TileRenderer::count_quads() {
-    record_.quads += quads_.size();
+    std::uint64_t covered = 0;
     for (const QuadCoverage& quad : quads_)
-        for (const std::uint16_t samples : quad.samples)
-            ++(samples != 0 ? record_.covered_lanes : record_.helper_lanes);
+        for (const std::uint16_t samples : quad.samples) covered += samples != 0;
+    record_.quads += quads_.size();
+    record_.covered_lanes += covered;
+    record_.helper_lanes += 4 * quads_.size() - covered;
 }
 
 void TileRenderer::shade() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace quadrel {
 
@@ -23,22 +24,66 @@ using StageTimes = std::map<std::string, StageTime>;
 /// The sum over stages.
 StageTime total(const StageTimes& times);
 
-/// One thread's clock. A lap costs about 0.3 us, a stage over a batch some 1 to 100 us.
+/// Where time is read.
+struct TimeSource {
+    std::uint64_t (*ticks)();  ///< in whatever unit; read around every stage, so it must be quick
+    std::int64_t (*wall_ns)();
+    std::int64_t (*cpu_ns)();  ///< of the calling thread
+};
+
+/// The processor's counter, 10 to 50 ns to read, and the system's clocks, up to 600.
+TimeSource processor_time();
+
+/// One thread's clock; it takes a hundredth of the time that the quickest picture takes.
+///
+/// Stages are timed in ticks, and what a tick is worth in time comes out at the end of each span,
+/// over all of it: the system's clocks, which take as long as a short stage, are read twice a span,
+/// and the counter needs no steady rate from one span to the next. Of a stage's batches the first
+/// few are timed and then one in `period`, which the others are taken to be like. CPU time is
+/// shared out by ticks, too. So what a thread had to wait for may be booked on one stage with too
+/// great a weight; each is as likely to get it as it is long.
 class StageClock {
   public:
-    void start();
-    /// Books the time since the last lap, or start, on stage `id`.
-    void lap(const char* id, int lanes, std::uint64_t fetches);
-    const StageTimes& times() const { return times_; }
+    static constexpr std::uint64_t period = 7;  ///< prime: tiles have 16 batches, or 4, or 64
+
+    explicit StageClock(const TimeSource& source = processor_time()) : source_(source) {}
+
+    /// Begins a span of stages: a tile.
+    void begin();
+    /// Ends it and turns its ticks into time.
+    void end();
+
+    /// Before a stage runs over a batch. `id` must live as long as the clock.
+    void start(const char* id);
+    /// After it.
+    void lap(int lanes, std::uint64_t fetches);
+
+    /// Of the spans that have ended.
+    StageTimes times() const;
 
   private:
     struct Moment {
+        std::uint64_t ticks = 0;
         std::int64_t wall_ns = 0, cpu_ns = 0;
     };
-    static Moment now();
+    struct Row {
+        const char* id;
+        std::uint64_t batches = 0, lanes = 0, fetches = 0;
+        std::uint64_t timed = 0;         ///< batches
+        std::uint64_t ticks = 0;         ///< of the span that is going on
+        double wall_ns = 0, cpu_ns = 0;  ///< of timed batches
 
-    Moment last_;
-    StageTimes times_;
+        bool is_timed() const { return batches < period || batches % period == 0; }
+    };
+
+    Moment now() const { return {source_.ticks(), source_.wall_ns(), source_.cpu_ns()}; }
+    std::size_t find_row(const char* id);
+
+    TimeSource source_;
+    Moment begin_;
+    std::uint64_t start_ = 0;
+    std::vector<Row> rows_;    ///< in the order of their first laps
+    std::size_t current_ = 0;  ///< the row of the stage that was started last
 };
 
 /// Adds what another thread measured.
