@@ -137,9 +137,11 @@ float Batch::real(int slot, int lane) const {
 }
 
 LaneBits Batch::bits(const ChannelSource& source) const {
-    const bool integer = info(source.value).kind == ValueKind::integer;
     const auto real =
         scalar_bytes_ == sizeof(float) ? LaneBits::Element::single : LaneBits::Element::wide;
+    if (source.kind == ChannelSource::Kind::z)
+        return {values_[slot_of(Value::hit_P) + 2], real, true};
+    const bool integer = info(source.value).kind == ValueKind::integer;
     return {values_[source.slot()], integer ? LaneBits::Element::integer : real};
 }
 

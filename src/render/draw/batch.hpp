@@ -1,7 +1,6 @@
 // Memory of one batch: 64 quads of one material, each planned value an array in quad order.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -9,31 +8,12 @@
 #include "quadrel/quad/stage.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "render/draw/geometry.hpp"
+#include "render/draw/lane_bits.hpp"
 #include "render/plan/plan.hpp"
 #include "render/probe/command.hpp"
 #include "render/stats/stage_clock.hpp"
 
 namespace quadrel {
-
-/// A value's array as film bits: float32 with canonical NaNs, or uint32.
-class LaneBits {
-  public:
-    enum class Element { integer, single, wide };
-
-    LaneBits(const void* array, Element element) : array_(array), element_(element) {}
-
-    std::uint32_t operator()(int lane) const {
-        if (element_ == Element::integer) return static_cast<const std::uint32_t*>(array_)[lane];
-        const float x = element_ == Element::single
-                            ? static_cast<const float*>(array_)[lane]
-                            : static_cast<float>(static_cast<const double*>(array_)[lane]);
-        return canonical_bits(std::bit_cast<std::uint32_t>(x));
-    }
-
-  private:
-    const void* array_;
-    Element element_;
-};
 
 /// The arrays of a batch, for one scalar type (float or double). One per thread, used again and
 /// again; arrays are 64-byte aligned.
@@ -59,7 +39,7 @@ class Batch {
     int quads() const { return quads_; }
     /// Sum over all lanes of the quads; 0 where the array is not there.
     std::uint64_t sum(int slot) const;
-    /// The arrays that a channel's bits come from, to be read lane by lane.
+    /// The array that a channel's bits come from. The channel is a value or Z.
     LaneBits bits(const ChannelSource& source) const;
     float real(int slot, int lane) const;
     std::uint32_t integer(int slot, int lane) const {

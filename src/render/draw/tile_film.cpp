@@ -1,5 +1,6 @@
 #include "render/draw/tile_film.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -18,6 +19,11 @@ std::uint32_t covered_lanes(const QuadCoverage& quad) {
     return mask;
 }
 
+/// Whether all four pixels are covered, by one sample each.
+bool is_whole(const QuadCoverage& quad) {
+    return std::bit_cast<std::uint64_t>(quad.samples) == 0x0001'0001'0001'0001u;
+}
+
 }  // namespace
 
 std::ptrdiff_t FilmTarget::index(int x, int y) const {
@@ -29,30 +35,58 @@ std::ptrdiff_t FilmTarget::index(int x, int y) const {
 
 void TileFilm::begin(const PixelRect& rect) {
     rect_ = rect;
+    const Window& w = target_.film->window;
+    held_ = intersect(rect, flip_rect(target_.viewport, {w.x0, w.y0, w.x1, w.y1}));
     if (sample_count_ == 1) return;  // the film's planes start as background
     ColorSample background{target_.background.r, target_.background.g, target_.background.b, 0,
                            std::numeric_limits<float>::infinity()};
     samples_.assign(std::size_t(rect.width()) * rect.height() * sample_count_, background);
 }
 
-void TileFilm::collect_fragments(const Batch& batch, const QuadCoverage* quads,
-                                 const TileBuffer& tile) {
+void TileFilm::collect(const QuadCoverage* quads, int count, const TileBuffer& tile) {
+    runs_.clear();
     fragments_.clear();
-    for (int q = 0; q < batch.quads(); ++q) {
-        const QuadCoverage& quad = quads[q];
-        for (int lane = 0; lane < 4; ++lane) {
-            if (!quad.samples[lane]) continue;
-            const int x = lane_x(quad, lane), y = lane_y(quad, lane);
-            const std::ptrdiff_t pixel = target_.index(x, y);
-            if (pixel < 0) continue;
-            int lowest = 0;
+    for (int q = 0; q < count;) {
+        const int run = rows_ ? run_length(quads + q, count - q) : 0;
+        if (run > 0)
+            collect_run(quads, q, run);
+        else
+            collect_fragments(quads[q], q, tile);
+        q += std::max(run, 1);
+    }
+}
+
+/// How many quads from the first on are a run.
+int TileFilm::run_length(const QuadCoverage* quads, int count) const {
+    const int x = quads->x, y = quads->y;
+    if (y < held_.y0 || y + 2 > held_.y1 || x < held_.x0) return 0;
+    int n = 0;
+    while (n < count && quads[n].y == y && quads[n].x == x + 2 * n && x + 2 * n + 2 <= held_.x1 &&
+           is_whole(quads[n]))
+        ++n;
+    return n;
+}
+
+void TileFilm::collect_run(const QuadCoverage* quads, int first, int count) {
+    const QuadCoverage& quad = quads[first];
+    runs_.push_back(
+        {first, count, target_.index(quad.x, quad.y), target_.index(quad.x, quad.y + 1)});
+    pixels_ += 4 * static_cast<std::uint64_t>(count);
+}
+
+void TileFilm::collect_fragments(const QuadCoverage& quad, int q, const TileBuffer& tile) {
+    for (int lane = 0; lane < 4; ++lane) {
+        if (!quad.samples[lane]) continue;
+        const int x = lane_x(quad, lane), y = lane_y(quad, lane);
+        const std::ptrdiff_t pixel = target_.index(x, y);
+        if (pixel < 0) continue;
+        int lowest = 0;
+        if (sample_count_ > 1)
             while (tile.triangle(x, y, lowest) == no_triangle) ++lowest;
-            const bool owns = (quad.samples[lane] >> lowest & 1) != 0;
-            pixels_ += owns;
-            fragments_.push_back({pixel, std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0),
-                                  4 * q + lane, std::countr_zero(quad.samples[lane]),
-                                  quad.samples[lane], owns, &quad});
-        }
+        const bool owns = (quad.samples[lane] >> lowest & 1) != 0;
+        pixels_ += owns;
+        fragments_.push_back({pixel, std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0),
+                              4 * q + lane, quad.samples[lane], owns});
     }
 }
 
@@ -74,55 +108,72 @@ void TileFilm::add_samples(const Batch& batch) {
     }
 }
 
-std::uint32_t TileFilm::fragment_bits(const ChannelSource& source, const Batch& batch,
-                                      const Fragment& fragment, const Geometry& geometry,
-                                      const TileBuffer& tile) const {
-    const QuadCoverage& quad = *fragment.quad;
-    const int lane = fragment.lane % 4;
-    switch (source.kind) {
-        case Kind::value:
-            return batch.bits(source)(fragment.lane);
-        case Kind::coverage:
-            return float_bits(1.0f);
-        case Kind::z:
-            return float_bits(-batch.real(slot_of(Value::hit_P) + 2, fragment.lane));
-        case Kind::depth:
-            return float_bits(
-                tile.depth(lane_x(quad, lane), lane_y(quad, lane), fragment.lowest_sample));
-        case Kind::object:
-            return geometry.triangles[quad.triangle].object;
-        case Kind::primitive:
-            return geometry.triangles[quad.triangle].primitive;
-        case Kind::lane:
-            return static_cast<std::uint32_t>(lane);
-        case Kind::quad_coverage:
-            return covered_lanes(quad);
-    }
-    return 0;
+/// An array of the batch as a plane: the common case.
+void TileFilm::add_values(const LaneBits& bits, std::uint32_t* plane) const {
+    for (const Run& run : runs_)
+        bits.rows(4 * run.first, run.quads, plane + run.even, plane + run.odd);
+    for (const Fragment& fragment : fragments_)
+        if (fragment.owns_pixel) plane[fragment.pixel] = bits(fragment.lane);
 }
 
-void TileFilm::add_plane(const ChannelSource& source, std::vector<std::uint32_t>& plane,
-                         const Batch& batch, const Geometry& geometry,
-                         const TileBuffer& tile) const {
-    if (source.kind == Kind::value) {  // the common case, without the switch
-        const LaneBits bits = batch.bits(source);
-        for (const Fragment& fragment : fragments_)
-            if (fragment.owns_pixel) plane[fragment.pixel] = bits(fragment.lane);
-        return;
-    }
+void TileFilm::add_constant(std::uint32_t bits, std::uint32_t* plane) const {
+    for (const Run& run : runs_)
+        for (const std::ptrdiff_t row : {run.even, run.odd})
+            std::fill_n(plane + row, 2 * run.quads, bits);
+    for (const Fragment& fragment : fragments_)
+        if (fragment.owns_pixel) plane[fragment.pixel] = bits;
+}
+
+/// bits(quad, lane of the quad, lowest sample that the fragment owns).
+template <class Bits>
+void TileFilm::add_fragments(const QuadCoverage* quads, std::uint32_t* plane,
+                             const Bits& bits) const {
+    for (const Run& run : runs_)
+        for (int q = 0; q < run.quads; ++q)
+            for (int lane = 0; lane < 4; ++lane)
+                plane[(lane < 2 ? run.even : run.odd) + 2 * q + lane % 2] =
+                    bits(quads[run.first + q], lane, 0);
     for (const Fragment& fragment : fragments_)
         if (fragment.owns_pixel)
-            plane[fragment.pixel] = fragment_bits(source, batch, fragment, geometry, tile);
+            plane[fragment.pixel] = bits(quads[fragment.lane / 4], fragment.lane % 4,
+                                         std::countr_zero(fragment.samples));
+}
+
+void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
+                         const QuadCoverage* quads, const Geometry& geometry,
+                         const TileBuffer& tile) const {
+    const auto add = [&](const auto& bits) { add_fragments(quads, plane, bits); };
+    switch (source.kind) {
+        case Kind::value:
+        case Kind::z:
+            return add_values(batch.bits(source), plane);
+        case Kind::coverage:
+            return add_constant(float_bits(1.0f), plane);
+        case Kind::depth:
+            return add([&](auto& quad, int lane, int sample) {
+                return float_bits(tile.depth(lane_x(quad, lane), lane_y(quad, lane), sample));
+            });
+        case Kind::object:
+            return add(
+                [&](auto& quad, int, int) { return geometry.triangles[quad.triangle].object; });
+        case Kind::primitive:
+            return add(
+                [&](auto& quad, int, int) { return geometry.triangles[quad.triangle].primitive; });
+        case Kind::lane:
+            return add([](auto&, int lane, int) { return static_cast<std::uint32_t>(lane); });
+        case Kind::quad_coverage:
+            return add([](auto& quad, int, int) { return covered_lanes(quad); });
+    }
 }
 
 void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
                    const TileBuffer& tile) {
-    collect_fragments(batch, quads, tile);
+    collect(quads, batch.quads(), tile);
     if (sample_count_ > 1) add_samples(batch);
     for (std::size_t c = 0; c < target_.channels->size(); ++c) {
         const ChannelSource& source = (*target_.channels)[c];
         if (sample_count_ > 1 && source.resolved()) continue;
-        add_plane(source, target_.film->planes[c].bits, batch, geometry, tile);
+        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile);
     }
 }
 

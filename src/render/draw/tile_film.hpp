@@ -26,7 +26,9 @@ struct FilmTarget {
 /// Collects what one tile shades.
 class TileFilm {
   public:
-    TileFilm(const FilmTarget& target, int samples) : target_(target), sample_count_(samples) {}
+    /// `rows`: whole quads side by side are written row by row, not lane by lane.
+    TileFilm(const FilmTarget& target, int samples, bool rows)
+        : target_(target), sample_count_(samples), rows_(rows && samples == 1) {}
 
     /// Starts a tile: every pixel of it becomes background.
     void begin(const PixelRect& rect);
@@ -47,25 +49,37 @@ class TileFilm {
         std::ptrdiff_t pixel;    ///< index in the film's planes
         std::size_t tile_pixel;  ///< index in `samples_`, in pixels
         int lane;                ///< in the batch
-        int lowest_sample;       ///< that the fragment owns
         std::uint16_t samples;
         bool owns_pixel;  ///< holds the pixel's lowest covered sample
-        const QuadCoverage* quad;
     };
 
-    void collect_fragments(const Batch& batch, const QuadCoverage* quads, const TileBuffer& tile);
+    /// Quads side by side, all of whose pixels are covered and in the film.
+    struct Run {
+        int first, quads;          ///< in the batch
+        std::ptrdiff_t even, odd;  ///< where their rows begin in the film's planes
+    };
+
+    void collect(const QuadCoverage* quads, int count, const TileBuffer& tile);
+    int run_length(const QuadCoverage* quads, int count) const;
+    void collect_run(const QuadCoverage* quads, int first, int count);
+    void collect_fragments(const QuadCoverage& quad, int q, const TileBuffer& tile);
     void add_samples(const Batch& batch);
-    void add_plane(const ChannelSource& source, std::vector<std::uint32_t>& plane,
-                   const Batch& batch, const Geometry& geometry, const TileBuffer& tile) const;
-    std::uint32_t fragment_bits(const ChannelSource& source, const Batch& batch,
-                                const Fragment& fragment, const Geometry& geometry,
-                                const TileBuffer& tile) const;
+    void add_values(const LaneBits& bits, std::uint32_t* plane) const;
+    void add_constant(std::uint32_t bits, std::uint32_t* plane) const;
+    template <class Bits>
+    void add_fragments(const QuadCoverage* quads, std::uint32_t* plane, const Bits& bits) const;
+    void add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
+                   const QuadCoverage* quads, const Geometry& geometry,
+                   const TileBuffer& tile) const;
     std::uint32_t resolved_bits(const ChannelSource& source, const ColorSample& pixel) const;
 
     const FilmTarget& target_;
     int sample_count_;
+    bool rows_;
     std::uint64_t pixels_ = 0;
     PixelRect rect_;
+    PixelRect held_;  ///< what the film holds of it
+    std::vector<Run> runs_;
     std::vector<Fragment> fragments_;
     std::vector<ColorSample> samples_;  ///< [pixel][sample], multisampling only
 };

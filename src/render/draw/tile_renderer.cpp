@@ -45,7 +45,7 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       plan_(plan),
       geometry_(geometry),
       buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
-      film_(target, scene.samples),
+      film_(target, scene.samples, plan.shortcuts.film_rows),
       command_(scene, *plan.kernels, plan.isa),
       batch_(plan.scalar_bytes, &command_),
       recording_(recording),

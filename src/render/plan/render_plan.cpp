@@ -59,6 +59,7 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     plan.hardware = scene_hardware(scene);
     plan.kernels = &kernels;
     plan.scalar_bytes = kernels.scalar_bytes;
+    if (!skip) plan.shortcuts = no_shortcuts;
     plan.frame = frame_uniforms(scene, plan.hardware);
     const Wanted wanted =
         skip ? wanted_values(channels) : Wanted{ValueSet().set(), LightSet().set()};

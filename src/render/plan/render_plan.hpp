@@ -5,6 +5,7 @@
 
 #include "render/draw/geometry.hpp"
 #include "render/plan/plan.hpp"
+#include "render/plan/shortcuts.hpp"
 #include "render/plan/textures.hpp"
 
 namespace quadrel {
@@ -15,6 +16,7 @@ struct RenderPlan {
     const KernelTable* kernels = nullptr;
     std::string isa = "auto";  ///< by which name the kernels were asked for
     int scalar_bytes = 4;
+    Shortcuts shortcuts;
     FrameUniforms frame{};
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
@@ -23,7 +25,8 @@ struct RenderPlan {
 };
 
 /// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
-/// `textures` are unbound. With `skip` off every stage of every material is planned.
+/// `textures` are unbound. With `skip` off every stage of every material is planned, and
+/// drawn without shortcuts.
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
                             const KernelTable& kernels, bool skip);
 

@@ -1,0 +1,13 @@
+// Shorter ways of drawing that give the same bits as the plain ones. A render without skipping
+// takes none of them, and tests take them one by one.
+#pragma once
+
+namespace quadrel {
+
+struct Shortcuts {
+    bool film_rows = true;    ///< runs of whole quads go into the film row by row
+};
+
+inline constexpr Shortcuts no_shortcuts{false};
+
+}  // namespace quadrel
