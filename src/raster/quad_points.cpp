@@ -1,6 +1,7 @@
 #include "quadrel/raster/quad_points.hpp"
 
 #include <bit>
+#include <cmath>
 
 #include "quadrel/raster/samples.hpp"
 
@@ -30,6 +31,41 @@ void snapped_edges(const ScreenTriangle& triangle, const QuadPoints& points, T* 
         for (int k = 0; k < 4; ++k) lanes[k] = static_cast<T>(edge(points.x[k], points.y[k]));
         for (int k = 0; k < 4; ++k) out[i][k] = lanes[k];
     }
+}
+
+/// An edge function at the pixel centres of a quad, and its step to the next quad.
+struct EdgeRun {
+    std::int64_t lane[4];
+    std::int64_t step;
+};
+
+EdgeRun edge_run(const EdgeFunction& edge, int x, int y) {
+    const Point centre = in_pixel(x, y, SamplePosition{});
+    const std::int64_t first = edge(centre.x, centre.y);
+    const std::int64_t right = edge.a * subpixel_units, up = edge.b * subpixel_units;
+    return {{first, first + right, first + up, first + right + up}, 2 * right};
+}
+
+/// Whether all values of so many quads are whole numbers that double has: then sums of them are
+/// exact.
+bool fits_double(const EdgeRun& run, int quads) {
+    const double reach = std::abs(static_cast<double>(run.step)) * quads;
+    for (const std::int64_t lane : run.lane)
+        if (std::abs(static_cast<double>(lane)) + reach >= 0x1p52) return false;
+    return true;
+}
+
+/// T is double where all values fit: four lanes take two instructions then. Else std::int64_t.
+template <class T>
+void step_edges(const EdgeRun& run, int quads, double* out) {
+    const T step = static_cast<T>(run.step);
+    T at[4];
+    for (int k = 0; k < 4; ++k) at[k] = static_cast<T>(run.lane[k]);
+    for (int q = 0; q < quads; ++q, out += 4)
+        for (int k = 0; k < 4; ++k) {
+            out[k] = static_cast<double>(at[k]);
+            at[k] += step;
+        }
 }
 
 template <class Place>
@@ -64,6 +100,18 @@ void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, d
                      double* e1, double* e2) {
     double* const out[3] = {e0, e1, e2};
     snapped_edges(triangle, points, out);
+}
+
+void attribute_edges(const ScreenTriangle& triangle, int x, int y, int quads, double* e0,
+                     double* e1, double* e2) {
+    double* const out[3] = {e0, e1, e2};
+    for (int i = 0; i < 3; ++i) {
+        const EdgeRun run = edge_run(triangle.edge[i], x, y);
+        if (fits_double(run, quads))
+            step_edges<double>(run, quads, out[i]);
+        else
+            step_edges<std::int64_t>(run, quads, out[i]);
+    }
 }
 
 }  // namespace quadrel

@@ -31,4 +31,9 @@ QuadEdges edge_values(const ScreenTriangle& triangle, const QuadPoints& points);
 void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, double* e0,
                      double* e1, double* e2);
 
+/// attribute_edges at the pixel centres of `quads` quads that lie side by side, from the one whose
+/// lane 0 is pixel (x, y) on: the same values, stepped from quad to quad.
+void attribute_edges(const ScreenTriangle& triangle, int x, int y, int quads, double* e0,
+                     double* e1, double* e2);
+
 }  // namespace quadrel

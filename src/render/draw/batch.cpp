@@ -20,6 +20,15 @@ void load_window(const QuadPoints& points, float* const (&window)[2], int lane) 
     }
 }
 
+/// How many quads from the first on lie side by side in one triangle.
+int run_length(const QuadCoverage* quads, int count) {
+    int n = 1;
+    while (n < count && quads[n].triangle == quads->triangle && quads[n].y == quads->y &&
+           quads[n].x == quads->x + 2 * n)
+        ++n;
+    return n;
+}
+
 /// Look-ups so far in the textures that the stage reads.
 std::uint64_t fetches_of(const PlannedStage& stage, const FetchCounters* counters) {
     std::uint64_t sum = 0;
@@ -78,23 +87,47 @@ void Batch::prepare(const MaterialPlan& plan) {
 }
 
 void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
-                 bool centroid) {
+                 bool centroid, bool runs) {
     quads_ = count;
     loaded_ = quads;
     lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
-    for (int q = 0; q < lanes_ / 4; ++q) {
-        // Padding repeats the last quad, inactive: every address that it computes is valid.
-        const QuadCoverage& quad = quads[std::min(q, count - 1)];
+    const auto load_one = [&](const QuadCoverage& quad, int q) {
         const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
-        const QuadPoints points = centroid ? quad_centroids(triangle, quad.x, quad.y, samples)
-                                           : quad_centres(quad.x, quad.y);
-        attribute_edges(triangle, points, edges_[0] + 4 * q, edges_[1] + 4 * q, edges_[2] + 4 * q);
-        if (!geometry.planes.empty()) load_window(points, window_, 4 * q);
-        for (int lane = 0; lane < 4; ++lane) {
-            primitive_[4 * q + lane] = static_cast<std::int32_t>(quad.triangle);
-            active_[4 * q + lane] = q < count ? 0xffffffffu : 0u;
-        }
+        load_quad(quad, q, geometry,
+                  centroid ? quad_centroids(triangle, quad.x, quad.y, samples)
+                           : quad_centres(quad.x, quad.y));
+    };
+    for (int q = 0; q < count;) {
+        const int run = runs && !centroid ? run_length(quads + q, count - q) : 1;
+        if (run > 1)
+            load_run(quads[q], q, run, geometry);
+        else
+            load_one(quads[q], q);
+        q += run;
     }
+    // Padding repeats the last quad, inactive: every address that it computes is valid.
+    for (int q = count; q < lanes_ / 4; ++q) load_one(quads[count - 1], q);
+    std::fill_n(active_, 4 * count, 0xffffffffu);
+    std::fill(active_ + 4 * count, active_ + lanes_, 0u);
+}
+
+void Batch::load_quad(const QuadCoverage& quad, int q, const Geometry& geometry,
+                      const QuadPoints& points) {
+    const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
+    attribute_edges(triangle, points, edges_[0] + 4 * q, edges_[1] + 4 * q, edges_[2] + 4 * q);
+    if (!geometry.planes.empty()) load_window(points, window_, 4 * q);
+    std::fill_n(primitive_ + 4 * q, 4, static_cast<std::int32_t>(quad.triangle));
+}
+
+/// `count` quads from the given one on, which is the batch's quad q.
+void Batch::load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry) {
+    const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
+    attribute_edges(triangle, quad.x, quad.y, count, edges_[0] + 4 * q, edges_[1] + 4 * q,
+                    edges_[2] + 4 * q);
+    if (!geometry.planes.empty())
+        for (int i = 0; i < count; ++i)
+            load_window(quad_centres(quad.x + 2 * i, quad.y), window_, 4 * (q + i));
+    std::fill_n(primitive_ + 4 * q, 4 * count, static_cast<std::int32_t>(quad.triangle));
 }
 
 void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,

@@ -27,9 +27,10 @@ class Batch {
     void prepare(const MaterialPlan& plan);
 
     /// Fills in up to batch_quads quads, which must stay until they have run, and pads with
-    /// inactive ones to a whole packet.
+    /// inactive ones to a whole packet. `runs`: quads of a triangle that lie side by side are
+    /// filled in together.
     void load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
-              bool centroid);
+              bool centroid, bool runs = false);
 
     /// Runs the plan's stages and checks what each stored. `call` comes with material, frame,
     /// textures and counters set. A `clock`, if given, times the stages.
@@ -52,6 +53,9 @@ class Batch {
         void operator()(std::byte* memory) const;
     };
 
+    void load_quad(const QuadCoverage& quad, int q, const Geometry& geometry,
+                   const QuadPoints& points);
+    void load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry);
     void check_border(const PlannedStage& stage) const;
 
     int scalar_bytes_;

@@ -183,7 +183,7 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
                               std::span<const QuadCoverage> quads) {
     batch_.prepare(plan);
     batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
-                scene_.centroid);
+                scene_.centroid, plan_.shortcuts.edge_runs);
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
     if (recording_ != Recording::nothing) call.counters = record_.fetches.data();

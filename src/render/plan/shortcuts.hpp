@@ -6,8 +6,9 @@ namespace quadrel {
 
 struct Shortcuts {
     bool film_rows = true;    ///< runs of whole quads go into the film row by row
+    bool edge_runs = true;    ///< edge functions are stepped along runs of quads
 };
 
-inline constexpr Shortcuts no_shortcuts{false};
+inline constexpr Shortcuts no_shortcuts{false, false};
 
 }  // namespace quadrel
