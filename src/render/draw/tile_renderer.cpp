@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "raster/solid_tile.hpp"
+
 namespace quadrel {
 namespace {
 
@@ -13,6 +15,13 @@ DepthCompare depth_compare(const Scene& scene) {
 /// Whether shading decides over coverage or depth.
 bool draws_in_order(const Material& material) {
     return material.discard_below >= 0 || clips(material) || writes_depth(material);
+}
+
+/// Whether a fragment's depth goes into the film.
+bool shows_depth(const std::vector<ChannelSource>& channels) {
+    return std::any_of(channels.begin(), channels.end(), [](const ChannelSource& channel) {
+        return channel.kind == ChannelSource::Kind::depth;
+    });
 }
 
 }  // namespace
@@ -49,7 +58,9 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       command_(scene, *plan.kernels, plan.isa),
       batch_(plan.scalar_bytes, &command_),
       recording_(recording),
-      touched_(touched) {}
+      touched_(touched),
+      solid_tiles_(plan.shortcuts.solid_tiles && scene.samples == 1 &&
+                   !shows_depth(*target.channels)) {}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
@@ -68,12 +79,35 @@ void TileRenderer::render(const Tile& tile) {
 }
 
 const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
+    if (const auto triangle = find_solid(tile)) {
+        quads_.clear();
+        append_whole_quads(tile.rect, *triangle, quads_);
+        return quads_;
+    }
     buffer_.reset(tile.rect);
     draw_opaque(tile);
     draw_in_order(tile);
     quads_.clear();
     collect_quads(buffer_, quads_);
     return quads_;
+}
+
+/// The only triangle in the tile, if it is seen at every pixel. Errs towards none.
+std::optional<std::uint32_t> TileRenderer::find_solid(const Tile& tile) const {
+    const PixelRect& rect = tile.rect;
+    if (!solid_tiles_ || rect.width() % 2 != 0 || rect.height() % 2 != 0) return {};
+    std::optional<std::uint32_t> only;
+    for (const std::uint32_t t : tile.triangles) {
+        const DrawnTriangle& triangle = geometry_.triangles[t];
+        const Cover cover = cover_of(triangle.screen, rect);
+        if (cover == Cover::none) continue;
+        if (cover == Cover::some || only || draws_in_order(scene_.materials[triangle.material]))
+            return {};
+        only = t;
+    }
+    if (only && passes_cleared(geometry_.triangles[*only].screen, rect, depth_compare(scene_)))
+        return only;
+    return {};
 }
 
 void TileRenderer::draw_opaque(const Tile& tile) {
@@ -181,7 +215,8 @@ void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const Q
 
 void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
                               std::span<const QuadCoverage> quads) {
-    batch_.prepare(plan);
+    if (prepared_ != &plan) batch_.prepare(plan);
+    prepared_ = &plan;
     batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
                 scene_.centroid, plan_.shortcuts.edge_runs);
     StageCall call = stage_call(plan_, material);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,7 @@ class TileRenderer {
     DrawRecord record() const;
 
   private:
+    std::optional<std::uint32_t> find_solid(const Tile& tile) const;
     void draw_opaque(const Tile& tile);
     void draw_in_order(const Tile& tile);
     void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
@@ -75,11 +77,13 @@ class TileRenderer {
     TileFilm film_;
     ProbeCommand command_;
     Batch batch_;
+    const MaterialPlan* prepared_ = nullptr;  ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;
     StageClock clock_;
     DrawRecord record_;
     std::vector<QuadCoverage> quads_;
+    bool solid_tiles_;  ///< nothing asks for what only the buffer has
 };
 
 }  // namespace quadrel

@@ -7,8 +7,9 @@ namespace quadrel {
 struct Shortcuts {
     bool film_rows = true;    ///< runs of whole quads go into the film row by row
     bool edge_runs = true;    ///< edge functions are stepped along runs of quads
+    bool solid_tiles = true;  ///< a tile inside of one triangle needs no depth test
 };
 
-inline constexpr Shortcuts no_shortcuts{false, false};
+inline constexpr Shortcuts no_shortcuts{false, false, false};
 
 }  // namespace quadrel

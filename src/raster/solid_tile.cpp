@@ -1,0 +1,61 @@
+#include "raster/solid_tile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace quadrel {
+namespace {
+
+struct Point {
+    std::int64_t x, y;
+};
+
+/// The centres of the pixels at the corners: what is linear has its extremes there.
+std::array<Point, 4> corner_centres(const PixelRect& rect) {
+    const auto centre = [](int pixel) {
+        return std::int64_t(pixel) * subpixel_units + subpixel_units / 2;
+    };
+    const std::int64_t x0 = centre(rect.x0), x1 = centre(rect.x1 - 1);
+    const std::int64_t y0 = centre(rect.y0), y1 = centre(rect.y1 - 1);
+    return {{{x0, y0}, {x1, y0}, {x0, y1}, {x1, y1}}};
+}
+
+}  // namespace
+
+Cover cover_of(const ScreenTriangle& triangle, const PixelRect& rect) {
+    const auto corners = corner_centres(rect);
+    Cover cover = Cover::all;
+    for (const EdgeFunction& edge : triangle.edge) {
+        const auto inside = std::count_if(corners.begin(), corners.end(), [&](const Point& p) {
+            return edge(p.x, p.y) >= edge.threshold;
+        });
+        if (inside == 0) return Cover::none;
+        if (inside < 4) cover = Cover::some;
+    }
+    return cover;
+}
+
+/// The depth of a fragment is linear in the window but for roundings. With z the depths of the
+/// vertices, and edges that are nowhere negative nor above twice the area, these are at most 2^-50
+/// (|z0| + |z1 - z0| + |z2 - z0|) in double and 2^-25 as float: less than half of the margin.
+bool passes_cleared(const ScreenTriangle& triangle, const PixelRect& rect, DepthCompare compare) {
+    constexpr double margin = 0x1p-20, largest = 0x1p20;
+    const auto& v = triangle.vertex;
+    const double size = std::abs(v[0].depth) + std::abs(v[1].depth - v[0].depth) +
+                        std::abs(v[2].depth - v[0].depth);
+    if (!(size <= largest)) return false;
+    for (const Point& p : corner_centres(rect)) {
+        const double depth = depth_at(triangle, p.x, p.y);
+        if (!(compare == DepthCompare::less ? depth < 1 - margin : depth > margin)) return false;
+    }
+    return true;
+}
+
+void append_whole_quads(const PixelRect& rect, std::uint32_t triangle,
+                        std::vector<QuadCoverage>& quads) {
+    for (int y = rect.y0; y < rect.y1; y += 2)
+        for (int x = rect.x0; x < rect.x1; x += 2) quads.push_back({x, y, triangle, {1, 1, 1, 1}});
+}
+
+}  // namespace quadrel
