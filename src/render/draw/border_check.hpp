@@ -15,10 +15,13 @@ struct BorderFault {
     std::string text;  ///< stage, value, what was found and what is allowed
 };
 
+/// The rules that the stage could break: about values that it stores and that are among `planned`.
+/// Variants as published, whose mistakes are theirs, are held to codes alone.
+BorderChecks border_checks(const PlannedStage& stage, const ValueSet& planned);
+
 /// Looks at the first `lanes` lanes of the arrays that `stage` stored (`values` by slot, null where
-/// not planned): codes, flags and counts within their ranges, no negative depth, and no hit without
-/// a ray parameter unless its ray was no number either. Variants as published, whose mistakes are
-/// theirs, are held to the codes alone.
+/// not planned), by the rules in `stage.checks`: codes, flags and counts within their ranges, no
+/// negative depth, and no hit without a ray parameter unless its ray was no number either.
 std::optional<BorderFault> find_border_fault(const PlannedStage& stage, void* const* values,
                                              int lanes, int scalar_bytes);
 

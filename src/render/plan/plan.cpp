@@ -9,6 +9,7 @@
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/default_stage.hpp"
+#include "render/draw/border_check.hpp"
 #include "render/registry/added_stages.hpp"
 #include "text/suggest.hpp"
 
@@ -157,6 +158,7 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
         plan.stages.push_back(std::move(*stage));
     }
     std::reverse(plan.stages.begin(), plan.stages.end());
+    for (PlannedStage& stage : plan.stages) stage.checks = border_checks(stage, plan.values);
     return plan;
 }
 

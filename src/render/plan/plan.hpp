@@ -14,12 +14,18 @@
 
 namespace quadrel {
 
+/// A bit for each rule about what stages store.
+using BorderChecks = std::bitset<9>;
+
 /// One call per batch.
 struct PlannedStage {
     const StageInfo* info = nullptr;
     StageFunction run = nullptr;
     std::vector<std::max_align_t> params;
     int light = -1;  ///< which light, for stages that serve one at a time
+    /// What of its outputs is to be looked at (render/draw/border_check.hpp), settled with the
+    /// plan.
+    BorderChecks checks;
 };
 
 /// Whether the stage has that output.

@@ -6,6 +6,7 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/quad/interpolate.hpp"
+#include "render/draw/border_check.hpp"
 #include "render/plan/height_bounds.hpp"
 
 namespace quadrel {
@@ -115,10 +116,13 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
 RenderPlan plan_with_steps(const RenderPlan& plan) {
     RenderPlan counting = plan;
     for (auto* const list : {&counting.materials, &counting.discard})
-        for (MaterialPlan& material : *list)
+        for (MaterialPlan& material : *list) {
             for (const Value v : {Value::hit_steps, Value::shadow_steps})
                 if (material.produced[static_cast<std::size_t>(v)])
                     material.values.set(static_cast<std::size_t>(v));
+            for (PlannedStage& stage : material.stages)
+                stage.checks = border_checks(stage, material.values);
+        }
     return counting;
 }
 
