@@ -66,6 +66,12 @@ std::vector<Preset> make_presets() {
     add(playcanvas, "playcanvas-occlusion", "PlayCanvas, the same: parallaxMode occlusion",
         {{"mode", "occlusion"}});
 
+    const Engine jmonkey{"jMonkeyEngine, Common/ShaderLib/Parallax.glsllib at 7277b5d8", red_height,
+                         "frame-vertex", "jmonkey"};
+    add(jmonkey, "jmonkey-classic", "jMonkeyEngine, Lighting, PBRLighting: ParallaxMap",
+        {{"steep", 0}});
+    add(jmonkey, "jmonkey-steep", "jMonkeyEngine, the same: SteepParallax", {{"steep", 1}});
+
     const Engine unity_offset{"Unity, UnityCG.cginc and ParallaxMapping.hlsl at 467b5fea",
                               green_height, "frame-vertex", "offset-limit-042@published"};
     add(unity_offset, "unity-standard", "Unity, Standard and URP Lit: height map");

@@ -7,8 +7,6 @@
 namespace quadrel::test {
 namespace {
 
-using Stage = StageUnderTest<float>;
-
 // ---- Any heights --------------------------------------------------------------------------------
 
 TEST(BabylonO3de, FollowTheirListingsOverAnyHeights) {
@@ -112,26 +110,6 @@ TEST(BabylonO3de, BabylonStopsShortOfTheBottom) {
 }
 
 // ---- Special views and ranges -------------------------------------------------------------------
-
-/// Exactly along the normal: one quad, whose frame is that of the axes.
-testing::AssertionResult is_nan_seen_along_the_normal(const Stage& stage,
-                                                      const Parameters& parameters) {
-    Inputs inputs(2);
-    Batch<float>& b = inputs.batch;
-    for (int lane = 0; lane < b.lanes; ++lane) {
-        b.set(Value::T, lane, dvec3(1, 0, 0));
-        b.set(Value::B, lane, dvec3(0, 1, 0));
-        b.set(Value::frame_normal, lane, dvec3(0, 0, 1));
-        b.set(Value::P, lane, dvec3(0, 0, -2));
-    }
-    stage.run(b, parameters);
-    for (int lane = 0; lane < b.lanes; ++lane) {
-        const Vec2 uv = b.vector2(Value::hit_uv, lane);
-        if (uv.x == uv.x || b.integer(Value::hit_status, lane) != static_cast<int>(Status::nan))
-            return testing::AssertionFailure() << "lane " << lane;
-    }
-    return testing::AssertionSuccess();
-}
 
 TEST(BabylonO3de, BabylonsOcclusionIsLostAlongTheNormal) {
     EXPECT_TRUE(is_nan_seen_along_the_normal({"babylon"}, {{"parallax_occlusion", 1}}));

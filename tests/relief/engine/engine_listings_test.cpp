@@ -5,6 +5,7 @@
 #include "relief/engine/engine_listings_babylon.hpp"
 #include "relief/engine/engine_listings_bevy.hpp"
 #include "relief/engine/engine_listings_godot.hpp"
+#include "relief/engine/engine_listings_jmonkey.hpp"
 #include "relief/engine/engine_listings_learnopengl.hpp"
 #include "relief/engine/engine_listings_o3de.hpp"
 #include "relief/engine/engine_listings_playcanvas.hpp"
@@ -30,9 +31,9 @@ Listing unreal(float ratio, float plane) {
 
 std::vector<Listing> engine_listings() {
     std::vector<Listing> all = {unreal(0.05f, 0.5f), unreal(-0.1f, 0.2f)};
-    for (const auto& engine :
-         {godot_listings(), bevy_listings(), learnopengl_listings(), babylon_listings(),
-          o3de_listings(), playcanvas_listings(), three_listings(), unity_listings()})
+    for (const auto& engine : {godot_listings(), bevy_listings(), learnopengl_listings(),
+                               babylon_listings(), o3de_listings(), playcanvas_listings(),
+                               three_listings(), unity_listings(), jmonkey_listings()})
         all.insert(all.end(), engine.begin(), engine.end());
     return all;
 }

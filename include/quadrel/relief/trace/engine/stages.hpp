@@ -6,6 +6,7 @@
 #include "quadrel/relief/trace/engine/babylon.hpp"
 #include "quadrel/relief/trace/engine/bevy.hpp"
 #include "quadrel/relief/trace/engine/godot.hpp"
+#include "quadrel/relief/trace/engine/jmonkey.hpp"
 #include "quadrel/relief/trace/engine/learnopengl.hpp"
 #include "quadrel/relief/trace/engine/o3de.hpp"
 #include "quadrel/relief/trace/engine/playcanvas.hpp"
@@ -16,7 +17,7 @@
 
 namespace quadrel {
 
-using EngineStages = StageList<Babylon, Bevy, Godot, LearnOpenGl, O3de, PlayCanvas, ThreeParallax,
-                               ThreeParallaxUv, UnityPom, UnrealBumpOffset>;
+using EngineStages = StageList<Babylon, Bevy, Godot, JMonkey, LearnOpenGl, O3de, PlayCanvas,
+                               ThreeParallax, ThreeParallaxUv, UnityPom, UnrealBumpOffset>;
 
 }  // namespace quadrel
