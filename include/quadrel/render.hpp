@@ -40,6 +40,10 @@ struct RenderOptions {
 /// cannot be read, UsageError for options that make no sense.
 Film render(const Scene& scene, const RenderOptions& options);
 
+/// The same into a film, for one frame after another: what it held is lost, the memory of its
+/// planes is used again where it is large enough. Unspecified, but valid, after an exception.
+void render_into(Film& film, const Scene& scene, const RenderOptions& options);
+
 /// The plan of a render, for people; loads and renders nothing. Throws as `render` does.
 std::string explain(const Scene& scene, const RenderOptions& options);
 

@@ -64,21 +64,27 @@ void check_film_size(const Scene& scene, const Window& window, std::size_t chann
         "at most 2^31 values in all, or a window of it");
 }
 
-/// Every plane as if nothing were drawn.
-Film empty_film(const Scene& scene, const Window& window,
+/// The bits of a channel where nothing is drawn.
+std::uint32_t background_bits(const Scene& scene, const ChannelSource& channel) {
+    if (channel.kind != ChannelSource::Kind::value || channel.value != Value::color)
+        return uncovered_bits(channel.name);
+    return canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));
+}
+
+/// Makes every plane as if nothing were drawn, on the arena's threads, in the memory that the film
+/// has where it is large enough.
+void clear_film(Film& film, const Scene& scene, const Window& window,
                 const std::vector<ChannelSource>& channels) {
     check_film_size(scene, window, channels.size());
-    Film film;
     film.frame = {0, 0, scene.width, scene.height};
     film.window = window;
-    for (const ChannelSource& channel : channels) {
-        std::uint32_t fill = uncovered_bits(channel.name);
-        if (channel.kind == ChannelSource::Kind::value && channel.value == Value::color)
-            fill =
-                canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));
-        film.add(channel.name, channel.type, fill);
-    }
-    return film;
+    film.planes.resize(channels.size());
+    tbb::parallel_for(std::size_t(0), channels.size(), [&](std::size_t c) {
+        Plane& plane = film.planes[c];
+        plane.name = channels[c].name;
+        plane.type = channels[c].type;
+        plane.bits.assign(window.area(), background_bits(scene, channels[c]));
+    });
 }
 
 /// The window in window coordinates, grown to whole quads.
@@ -131,6 +137,7 @@ class Stopwatch {
     PhaseTime last_ = so_far();
 };
 
+<<<<<<< HEAD
 /// Runs f, whose parallel loops then take as many threads as the options say.
 template <class F>
 void in_threads(const RenderOptions& options, const F& f) {
@@ -143,6 +150,10 @@ void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
         load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
                            {options.baking, options.not_kept});
     });
+=======
+tbb::task_arena task_arena(const RenderOptions& options) {
+    return tbb::task_arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+>>>>>>> bab271b (render_into: frames one after another in the memory of one film, its planes cleared on all threads)
 }
 
 /// Renders all tiles, each thread with a renderer that `make` makes, and gathers the records.
@@ -154,7 +165,11 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     const std::vector<Tile> tiles =
         bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
     Progress progress(options.progress, tiles.size());
+<<<<<<< HEAD
     in_threads(options, [&] {
+=======
+    task_arena(options).execute([&] {
+>>>>>>> bab271b (render_into: frames one after another in the memory of one film, its planes cleared on all threads)
         tbb::enumerable_thread_specific<TileRenderer> renderers(make);
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
@@ -223,10 +238,11 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
     return prepared;
 }
 
-Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawRecord* record,
-          Recording recording) {
+void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& options,
+               DrawRecord* record, Recording recording) {
     const Scene& scene = *prepared.scene;
-    Film film = empty_film(scene, prepared.window, prepared.channels);
+    task_arena(options).execute(
+        [&] { clear_film(film, scene, prepared.window, prepared.channels); });
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
     if (record == nullptr) recording = Recording::nothing;
@@ -234,6 +250,12 @@ Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawReco
         prepared, options,
         [&] { return TileRenderer(scene, prepared.plan, prepared.geometry, target, recording); },
         record);
+}
+
+Film draw(const PreparedRender& prepared, const RenderOptions& options, DrawRecord* record,
+          Recording recording) {
+    Film film;
+    draw_into(film, prepared, options, record, recording);
     return film;
 }
 
@@ -277,7 +299,7 @@ std::string explain(const Scene& scene, const RenderOptions& options) {
     return explain(prepared);
 }
 
-Film render(const Scene& scene, const RenderOptions& options) {
+void render_into(Film& film, const Scene& scene, const RenderOptions& options) {
     const KernelTable& kernels = select_kernels(options);
     const AllowedThreads allowed(std::max(options.threads, 0));
     Phases phases;
@@ -287,11 +309,16 @@ Film render(const Scene& scene, const RenderOptions& options) {
     load_textures_of(prepared, options);
     phases.load = watch.lap();
     DrawRecord record;
-    Film film = draw(prepared, options, &record,
-                     options.stats != nullptr ? Recording::counts : Recording::nothing);
+    draw_into(film, prepared, options, &record,
+              options.stats != nullptr ? Recording::counts : Recording::nothing);
     phases.draw = watch.lap();
     if (options.summary != nullptr) *options.summary = summarize(prepared, record, phases);
     if (options.stats != nullptr) *options.stats = count_all(prepared, options, record, phases);
+}
+
+Film render(const Scene& scene, const RenderOptions& options) {
+    Film film;
+    render_into(film, scene, options);
     return film;
 }
 

@@ -33,6 +33,11 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 Film draw(const PreparedRender& prepared, const RenderOptions& options,
           DrawRecord* record = nullptr, Recording recording = Recording::counts);
 
+/// The same into `film`, in the memory of its planes where they are large enough. What it held is
+/// lost.
+void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& options,
+               DrawRecord* record = nullptr, Recording recording = Recording::counts);
+
 /// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
 /// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.
 TouchedTexels mark_touched(const PreparedRender& prepared, const RenderOptions& options,
