@@ -101,17 +101,22 @@ inline testing::AssertionResult meets_flat_maps(const StageUnderTest<float>& sta
     return testing::AssertionSuccess();
 }
 
-/// Exactly along the normal: one quad, whose frame is that of the axes.
-inline testing::AssertionResult is_nan_seen_along_the_normal(const StageUnderTest<float>& stage,
-                                                             const Parameters& parameters) {
-    Inputs inputs(2);
-    Batch<float>& b = inputs.batch;
+/// All lanes at `P`, with the frame of the axes.
+inline void place_all_at(Batch<float>& b, const dvec3& P) {
     for (int lane = 0; lane < b.lanes; ++lane) {
         b.set(Value::T, lane, dvec3(1, 0, 0));
         b.set(Value::B, lane, dvec3(0, 1, 0));
         b.set(Value::frame_normal, lane, dvec3(0, 0, 1));
-        b.set(Value::P, lane, dvec3(0, 0, -2));
+        b.set(Value::P, lane, P);
     }
+}
+
+/// Exactly along the normal.
+inline testing::AssertionResult is_nan_seen_along_the_normal(const StageUnderTest<float>& stage,
+                                                             const Parameters& parameters) {
+    Inputs inputs(2);
+    Batch<float>& b = inputs.batch;
+    place_all_at(b, dvec3(0, 0, -2));
     stage.run(b, parameters);
     for (int lane = 0; lane < b.lanes; ++lane) {
         const Vec2 uv = b.vector2(Value::hit_uv, lane);

@@ -34,6 +34,28 @@ TEST(JMonkey, SteepIsLostAlongTheNormal) {
     EXPECT_FALSE(is_nan_seen_along_the_normal({"jmonkey"}, classic));
 }
 
+/// A flat map at the very height that the ray has at the first sample: the second one ends it.
+testing::AssertionResult passes_a_height_on_the_ray(const StageUnderTest<float>& stage) {
+    Inputs inputs(2);
+    Batch<float>& b = inputs.batch;
+    place_all_at(b, dvec3(-1, 0.5, -2));
+    const float samples =
+        mix(6.0f, 1000.0f * (0.05f * 0.3f), 1.0f - normalize(tangent_view(b, 0)).z);
+    const Map map = flat_map(1.0f - 1.0f / samples);
+    b.bind(TextureSlot::height, map.sampled);
+    stage.run(b, steep);
+    for (int lane = 0; lane < b.lanes; ++lane) {
+        const int fetches = b.integer(Value::hit_fetches, lane);
+        if (fetches != 2) return testing::AssertionFailure() << fetches << " look-ups";
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(JMonkey, SteepPassesHeightsOnTheRay) {
+    EXPECT_TRUE(passes_a_height_on_the_ray({"jmonkey"}));
+    EXPECT_FALSE(passes_a_height_on_the_ray(flawed_behind("jmonkey", Planted::fetch_not_counted)));
+}
+
 // ---- Flat maps ----------------------------------------------------------------------------------
 
 /// Towards the viewer by the height above 0.6, times z.
