@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bake/allowed_threads.hpp"
 #include "bake/kinds.hpp"
 #include "bake/wrap_names.hpp"
 #include "quadrel/error.hpp"
-#include "bake/allowed_threads.hpp"
 #include "text/hash.hpp"
 #include "text/suggest.hpp"
 

@@ -9,7 +9,7 @@ namespace quadrel {
 namespace {
 
 // Seconds of one core where the heights are easy: about half of what the walls of data/textures
-// take (bench/bake has harder fields).
+// take (bench/bake_bench.cpp has harder fields).
 double linear_time(double texels) { return 2e-8 * texels; }
 double logarithmic_time(double texels) { return 4e-7 * texels; }
 double layered_time(double texels) { return 2e-6 * texels; }
