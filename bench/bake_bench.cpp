@@ -1,6 +1,7 @@
 // Baking maps on one thread: fields that are easy and fields that are hard for a search.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <random>
 
 #include "quadrel/bake/bake.hpp"
@@ -56,12 +57,13 @@ void bake_field(benchmark::State& state, const Field& field, BakeKind kind, int 
     state.counters["estimate_ms"] = 1e3 * bake_seconds_estimate(kind, side, side);
 }
 
-/// Kinds whose time grows faster than the map are measured at the largest side that is quick enough
-/// to repeat: hard fields take up to a hundred times as long as the estimate says.
+/// Kinds whose time grows faster than the map, or that are slow, are measured at the largest side
+/// that is quick enough to repeat: hard fields take up to a hundred times as long as the estimate
+/// says.
 int side_of(BakeKind kind) {
     int side = 1024;
     const auto seconds = [&](int n) { return bake_seconds_estimate(kind, n, n); };
-    if (seconds(1024) < 5 * seconds(512)) return side;
+    if (seconds(1024) < std::min(5 * seconds(512), 3.0)) return side;
     while (seconds(side) > 0.425) side /= 2;
     return side;
 }
