@@ -45,7 +45,9 @@ Level source_level(const Case& of, std::vector<double>& unit) {
                 if (entry.source >= 0) {
                     value = image.values[index];
                     if (codes != 0) value = std::floor(value * codes + 0.5);
-                    if (decoded) value = srgb_decode(codes != 0 ? value / codes : value);
+                    if (decoded)  // Values that are no codes are decoded in float.
+                        value = codes != 0 ? srgb_decode(value / codes)
+                                           : srgb_decode(image.values[index]);
                     if (entry.complement) value = one - value;
                 }
                 level.values.push_back(value);
@@ -112,7 +114,10 @@ testing::AssertionResult follows_the_rules(const Case& of, const Make& make) {
         if (made.width != level.width || made.height != level.height ||
             !equal_bits(made.values, stored(level, unit, texture->format())))
             return testing::AssertionFailure()
-                   << of.image.width << "x" << of.image.height << " level " << i;
+                   << of.image.width << "x" << of.image.height << " level " << i << " of "
+                   << format_name(of.image.format) << " as " << format_name(texture->format())
+                   << (of.options.srgb ? " srgb" : "") << (of.options.flip_v ? " flipped" : "")
+                   << " swizzle \"" << of.options.swizzle << "\"";
     }
     return testing::AssertionSuccess();
 }
@@ -148,7 +153,8 @@ std::vector<Case> all_cases() {
                     next.image = random_image(width, height, 4, source, random);
                     next.options.swizzle = swizzle;
                     next.options.mip_rule = rule;
-                    next.options.srgb = random() % 3 == 0;
+                    // Tables of 16 bits take long.
+                    next.options.srgb = source != TexelFormat::unorm16 && random() % 3 == 0;
                     next.options.flip_v = random() % 2 == 0;
                     if (random() % 4 != 0)
                         next.options.format = static_cast<TexelFormat>(random() % 5);

@@ -60,8 +60,8 @@ void write_with(FilmError error, const std::filesystem::path& file, Film film) {
 }
 
 TEST(Exr, RoundTripKeepsEveryBit) {
-    EXPECT_TRUE(round_trips([](const auto& file, const Film& film, const Attributes& attributes) {
-        write_exr(file, film, attributes);
+    EXPECT_TRUE(round_trips([](const auto& file, const Film& film, const Attributes& of_file) {
+        write_exr(file, film, of_file);
     }));
     for (const FilmError error :
          {FilmError::half_pixels, FilmError::nan_dropped, FilmError::window_shifted})

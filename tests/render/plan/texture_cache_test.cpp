@@ -24,7 +24,7 @@ std::uint64_t bytes_read() {
     return name == "rchar:" ? count : 0;
 }
 
-constexpr int side = 64;
+constexpr int side = 192;
 
 void write_heights(const std::filesystem::path& file, int seed) {
     Film film{{0, 0, side, side}, {0, 0, side, side}, {}};
