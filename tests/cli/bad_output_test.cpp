@@ -107,9 +107,9 @@ TEST_F(BadOutputs, AFullDiskLeavesTheOldFile) {
         getrlimit(RLIMIT_FSIZE, &free);
         const rlimit full{room, free.rlim_max};
         setrlimit(RLIMIT_FSIZE, &full);
-        const pid_t child = start({"render", "s.json", "-o", "a.exr", "--size", "128x128", "-t",
-                                   "3", "--compression", "none"},
-                                  folder.path(), logs.path());
+        const pid_t child =
+            start({"render", "s.json", "-o", "a.exr", "--size", "128x128", "--compression", "none"},
+                  folder.path(), logs.path());
         setrlimit(RLIMIT_FSIZE, &free);
         const int code = wait_for(child);
         EXPECT_TRUE(

@@ -87,7 +87,7 @@ TEST(Usage, UnknownChannelNamesTheNearest) {
 }
 
 TEST(Usage, UnknownCompressionNamesTheNearest) {
-    const Outcome outcome = run({"render", "a", "--compression", "zipp"});
+    const Outcome outcome = run({"render", "a", "--compression", "sip"});
     EXPECT_NE(outcome.err.find("\"zip\", or one of none, rle, zips, zip, piz"), std::string::npos)
         << outcome.err;
 }

@@ -33,7 +33,7 @@ inline constexpr std::pair<std::string_view, ExrCompression> exr_compressions[] 
 /// How a film is written.
 struct ExrWriting {
     ExrCompression compression = ExrCompression::zip;
-    int threads = 0;  ///< that compress; 0: as many as the process may use
+    int threads = 0;  ///< that compress; 0 or too many: as many as the process may use
 };
 
 /// Writes the film whole or not at all: to a temporary name that is synced and renamed. NaNs are

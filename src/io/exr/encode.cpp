@@ -1,6 +1,7 @@
 #include "io/exr/encode.hpp"
 
 #include <OpenEXR/openexr.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
@@ -232,6 +233,13 @@ void write_part(const ExrWriteContext& file, int part, const Film& film) {
                   tbb::make_filter<std::shared_ptr<Band>, void>(Mode::serial_in_order, write));
 }
 
+/// More threads than there can be are no help here, and TBB would complain.
+int arena_size(int threads) {
+    constexpr auto most = tbb::global_control::max_allowed_parallelism;
+    if (threads <= 0) return tbb::task_arena::automatic;
+    return std::min(threads, static_cast<int>(tbb::global_control::active_value(most)));
+}
+
 }  // namespace
 
 void encode_exr(std::span<const ExrPartView> parts, const ExrWriting& writing,
@@ -244,7 +252,7 @@ void encode_exr(std::span<const ExrPartView> parts, const ExrWriting& writing,
         add_part(file, part, writing.compression);
     }
     file.check(exr_write_header(file.get()));
-    tbb::task_arena arena(writing.threads > 0 ? writing.threads : tbb::task_arena::automatic);
+    tbb::task_arena arena(arena_size(writing.threads));
     arena.execute([&] {
         for (std::size_t i = 0; i < parts.size(); ++i)
             write_part(file, static_cast<int>(i), *parts[i].film);
