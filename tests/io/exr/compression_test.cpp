@@ -124,19 +124,21 @@ TEST(Compression, IsTheOneAskedFor) {
               Imf::ZIP_COMPRESSION);
 }
 
-/// A chunk that is as long compressed as it was must be stored as it was: of so many small ones
-/// some are (without that, a few of these films come back as others).
+/// A chunk that is as long compressed as it was must be stored as it was. Of such films, an opaque
+/// 2x2 image of few values, one in five has one by zip.
 TEST(Compression, OfChunksThatDoNotShrink) {
     const TemporaryFolder folder;
     std::mt19937 random(1);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 40; ++i) {
         Film film{{0, 0, 2, 2}, {0, 0, 2, 2}, {}};
         for (const char* name : {"A", "B", "G", "R"})
             for (std::uint32_t& bits : film.add(name, ChannelType::float32).bits)
-                bits = 0x3c000000u + (static_cast<std::uint32_t>(random() % 4096) << 13);
+                bits = *name == 'A'
+                           ? 0x3f800000u
+                           : 0x3c000000u + (static_cast<std::uint32_t>(random() % 64) << 13);
         for (const auto& [name, compression] : exr_compressions) {
             testing_films::write_bytes(folder / "a.exr", exr_bytes(film, {}, {compression, 1}));
-            ASSERT_EQ(read_exr(folder / "a.exr").film, film) << name << " " << i;
+            ASSERT_TRUE(read_exr(folder / "a.exr").film == film) << name << " " << i;
         }
     }
 }
