@@ -55,17 +55,16 @@ bool fits_double(const EdgeRun& run, int quads) {
     return true;
 }
 
-/// T is double where all values fit: four lanes take two instructions then. Else std::int64_t.
+/// T is double where all values fit, for which there are wide instructions; else std::int64_t.
 template <class T>
 void step_edges(const EdgeRun& run, int quads, double* out) {
     const T step = static_cast<T>(run.step);
-    T at[4];
-    for (int k = 0; k < 4; ++k) at[k] = static_cast<T>(run.lane[k]);
-    for (int q = 0; q < quads; ++q, out += 4)
-        for (int k = 0; k < 4; ++k) {
-            out[k] = static_cast<double>(at[k]);
-            at[k] += step;
-        }
+    T first[4];
+    for (int k = 0; k < 4; ++k) first[k] = static_cast<T>(run.lane[k]);
+    for (int q = 0; q < quads; ++q, out += 4) {
+        const T way = static_cast<T>(q) * step;
+        for (int k = 0; k < 4; ++k) out[k] = static_cast<double>(first[k] + way);
+    }
 }
 
 template <class Place>
