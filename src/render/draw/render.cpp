@@ -71,11 +71,28 @@ std::uint32_t background_bits(const Scene& scene, const ChannelSource& channel) 
     return canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));
 }
 
-/// Makes every plane as if nothing were drawn, on the arena's threads, in the memory that the film
-/// has where it is large enough.
-void clear_film(Film& film, const Scene& scene, const Window& window,
-                const std::vector<ChannelSource>& channels) {
+/// Bits of each plane where nothing is drawn.
+std::vector<std::uint32_t> undrawn_bits(const Scene& scene,
+                                        const std::vector<ChannelSource>& channels) {
+    std::vector<std::uint32_t> bits;
+    for (const ChannelSource& channel : channels) bits.push_back(background_bits(scene, channel));
+    return bits;
+}
+
+bool has_planes_of(const Film& film, const Window& window, std::size_t count) {
+    return film.planes.size() == count &&
+           std::all_of(film.planes.begin(), film.planes.end(),
+                       [&](const Plane& plane) { return plane.bits.size() == window.area(); });
+}
+
+/// Makes the planes, in the memory that the film has where it is large enough. Where it has as many
+/// planes of that size already they keep what they hold, for tiles to clear; else they become
+/// `undrawn`, on the arena's threads. Whether they did.
+bool make_planes(Film& film, const Scene& scene, const Window& window,
+                 const std::vector<ChannelSource>& channels,
+                 const std::vector<std::uint32_t>& undrawn) {
     check_film_size(scene, window, channels.size());
+    const bool clear = !has_planes_of(film, window, channels.size());
     film.frame = {0, 0, scene.width, scene.height};
     film.window = window;
     film.planes.resize(channels.size());
@@ -83,8 +100,9 @@ void clear_film(Film& film, const Scene& scene, const Window& window,
         Plane& plane = film.planes[c];
         plane.name = channels[c].name;
         plane.type = channels[c].type;
-        plane.bits.assign(window.area(), background_bits(scene, channels[c]));
+        if (clear) plane.bits.assign(window.area(), undrawn[c]);
     });
+    return clear;
 }
 
 /// The window in window coordinates, grown to whole quads.
@@ -241,10 +259,12 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& options,
                DrawRecord* record, Recording recording) {
     const Scene& scene = *prepared.scene;
-    task_arena(options).execute(
-        [&] { clear_film(film, scene, prepared.window, prepared.channels); });
+    const std::vector<std::uint32_t> undrawn = undrawn_bits(scene, prepared.channels);
+    const bool cleared = task_arena(options).execute(
+        [&] { return make_planes(film, scene, prepared.window, prepared.channels, undrawn); });
     const Viewport viewport{scene.width, scene.height, scene.conventions};
-    const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
+    const FilmTarget target{&film, &prepared.channels, viewport, scene.background,
+                            cleared ? nullptr : &undrawn};
     if (record == nullptr) recording = Recording::nothing;
     render_tiles(
         prepared, options,

@@ -33,14 +33,23 @@ std::ptrdiff_t FilmTarget::index(int x, int y) const {
     return static_cast<std::ptrdiff_t>(row - w.y0) * w.width() + (x - w.x0);
 }
 
-void TileFilm::begin(const PixelRect& rect) {
+void TileFilm::begin(const PixelRect& rect, bool covered) {
     rect_ = rect;
     const Window& w = target_.film->window;
     held_ = intersect(rect, flip_rect(target_.viewport, {w.x0, w.y0, w.x1, w.y1}));
-    if (sample_count_ == 1) return;  // the film's planes start as background
+    if (target_.undrawn != nullptr && !covered) clear_tile();
+    if (sample_count_ == 1) return;
     ColorSample background{target_.background.r, target_.background.g, target_.background.b, 0,
                            std::numeric_limits<float>::infinity()};
     samples_.assign(std::size_t(rect.width()) * rect.height() * sample_count_, background);
+}
+
+void TileFilm::clear_tile() const {
+    if (held_.empty()) return;
+    for (std::size_t c = 0; c < target_.film->planes.size(); ++c)
+        for (int y = held_.y0; y < held_.y1; ++y)
+            std::fill_n(target_.film->planes[c].bits.data() + target_.index(held_.x0, y),
+                        held_.width(), (*target_.undrawn)[c]);
 }
 
 void TileFilm::collect(const QuadCoverage* quads, int count, const TileBuffer& tile) {

@@ -18,6 +18,9 @@ struct FilmTarget {
     const std::vector<ChannelSource>* channels;  ///< parallel to the film's planes
     Viewport viewport;
     glm::vec4 background;
+    /// Bits of each plane where nothing is drawn, for planes that hold what was there before; null
+    /// where they hold these bits everywhere.
+    const std::vector<std::uint32_t>* undrawn = nullptr;
 
     /// Index of a window pixel in the planes, or -1 outside of the film's window.
     std::ptrdiff_t index(int x, int y) const;
@@ -30,8 +33,8 @@ class TileFilm {
     TileFilm(const FilmTarget& target, int samples, bool rows)
         : target_(target), sample_count_(samples), rows_(rows && samples == 1) {}
 
-    /// Starts a tile: every pixel of it becomes background.
-    void begin(const PixelRect& rect);
+    /// Starts a tile: every pixel of it becomes background. `covered`: each will be written.
+    void begin(const PixelRect& rect, bool covered);
 
     /// Stores the shaded quads of a batch.
     void add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
@@ -59,6 +62,7 @@ class TileFilm {
         std::ptrdiff_t even, odd;  ///< where their rows begin in the film's planes
     };
 
+    void clear_tile() const;
     void collect(const QuadCoverage* quads, int count, const TileBuffer& tile);
     int run_length(const QuadCoverage* quads, int count) const;
     void collect_run(const QuadCoverage* quads, int first, int count);

@@ -69,17 +69,19 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 void TileRenderer::render(const Tile& tile) {
     const bool writes = recording_ != Recording::marks, times = recording_ == Recording::counts;
     if (times) clock_.begin();
-    if (writes) film_.begin(tile.rect);
-    if (!tile.triangles.empty()) {
-        find_visible(tile);
-        shade();
-    }
+    quads_.clear();
+    solid_ = false;
+    if (!tile.triangles.empty()) find_visible(tile);
+    if (writes) film_.begin(tile.rect, solid_);
+    shade();
     if (writes) film_.end();
     if (times) clock_.end();
 }
 
 const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
-    if (const auto triangle = find_solid(tile)) {
+    const auto triangle = find_solid(tile);
+    solid_ = triangle.has_value();
+    if (triangle) {
         quads_.clear();
         append_whole_quads(tile.rect, *triangle, quads_);
         return quads_;

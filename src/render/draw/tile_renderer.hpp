@@ -83,7 +83,8 @@ class TileRenderer {
     StageClock clock_;
     DrawRecord record_;
     std::vector<QuadCoverage> quads_;
-    bool solid_tiles_;  ///< nothing asks for what only the buffer has
+    bool solid_ = false;  ///< the quads are all those of the tile, and whole
+    bool solid_tiles_;    ///< nothing asks for what only the buffer has
 };
 
 }  // namespace quadrel
