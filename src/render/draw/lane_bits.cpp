@@ -31,9 +31,14 @@ void LaneBits::rows(int first, int quads, std::uint32_t* even, std::uint32_t* od
     const auto real = [sign](auto x) {
         return masked_canonical(std::bit_cast<std::uint32_t>(static_cast<float>(x)) ^ sign);
     };
+    const auto resolved = [this, &real](auto x) { return real(mean(static_cast<float>(x))); };
     if (element_ == Element::integer)
         write_rows(static_cast<const std::uint32_t*>(array_) + first, quads, even, odd,
                    [](std::uint32_t x) { return x; });
+    else if (element_ == Element::single && samples_ > 1)
+        write_rows(static_cast<const float*>(array_) + first, quads, even, odd, resolved);
+    else if (samples_ > 1)
+        write_rows(static_cast<const double*>(array_) + first, quads, even, odd, resolved);
     else if (element_ == Element::single)
         write_rows(static_cast<const float*>(array_) + first, quads, even, odd, real);
     else

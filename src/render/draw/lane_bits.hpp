@@ -22,7 +22,14 @@ class LaneBits {
         const float x = element_ == Element::single
                             ? static_cast<const float*>(array_)[lane]
                             : static_cast<float>(static_cast<const double*>(array_)[lane]);
-        return canonical_bits(std::bit_cast<std::uint32_t>(x) ^ sign_);
+        return canonical_bits(std::bit_cast<std::uint32_t>(mean(x)) ^ sign_);
+    }
+
+    /// The same, resolved over so many equal samples, as film/resolve.hpp does. Not for integers.
+    LaneBits resolved(int samples) const {
+        LaneBits bits = *this;
+        bits.samples_ = samples;
+        return bits;
     }
 
     /// The same of `quads` quads that lie side by side, from lane `first` on: lanes 0 and 1 of each
@@ -30,9 +37,17 @@ class LaneBits {
     void rows(int first, int quads, std::uint32_t* even, std::uint32_t* odd) const;
 
   private:
+    /// Of equal samples, added one after another: it overflows where that does.
+    float mean(float x) const {
+        float sum = x;
+        for (int s = 1; s < samples_; ++s) sum += x;
+        return sum * (1.0f / static_cast<float>(samples_));
+    }
+
     const void* array_;
     Element element_;
     std::uint32_t sign_;
+    int samples_ = 1;
 };
 
 }  // namespace quadrel

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "quadrel/film/channels.hpp"
 
@@ -19,9 +18,10 @@ std::uint32_t covered_lanes(const QuadCoverage& quad) {
     return mask;
 }
 
-/// Whether all four pixels are covered, by one sample each.
-bool is_whole(const QuadCoverage& quad) {
-    return std::bit_cast<std::uint64_t>(quad.samples) == 0x0001'0001'0001'0001u;
+/// Whether all samples of all four pixels are the fragment's.
+bool is_whole(const QuadCoverage& quad, int samples) {
+    const std::uint64_t all = (1u << samples) - 1;
+    return std::bit_cast<std::uint64_t>(quad.samples) == all * 0x0001'0001'0001'0001u;
 }
 
 }  // namespace
@@ -39,9 +39,21 @@ void TileFilm::begin(const PixelRect& rect, bool covered) {
     held_ = intersect(rect, flip_rect(target_.viewport, {w.x0, w.y0, w.x1, w.y1}));
     if (target_.undrawn != nullptr && !covered) clear_tile();
     if (sample_count_ == 1) return;
-    ColorSample background{target_.background.r, target_.background.g, target_.background.b, 0,
-                           std::numeric_limits<float>::infinity()};
-    samples_.assign(std::size_t(rect.width()) * rect.height() * sample_count_, background);
+    const std::size_t pixels = std::size_t(rect.width()) * rect.height();
+    states_.assign(pixels, State::untouched);
+    samples_.resize(pixels * sample_count_);
+}
+
+std::size_t TileFilm::tile_pixel(int x, int y) const {
+    return std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0);
+}
+
+/// The samples of a pixel that a fragment has a part of; background until one is written.
+ColorSample* TileFilm::samples_of(std::size_t pixel) {
+    ColorSample* const samples = samples_.data() + pixel * sample_count_;
+    if (states_[pixel] == State::untouched) std::fill_n(samples, sample_count_, background_);
+    states_[pixel] = State::sampled;
+    return samples;
 }
 
 void TileFilm::clear_tile() const {
@@ -71,7 +83,7 @@ int TileFilm::run_length(const QuadCoverage* quads, int count) const {
     if (y < held_.y0 || y + 2 > held_.y1 || x < held_.x0) return 0;
     int n = 0;
     while (n < count && quads[n].y == y && quads[n].x == x + 2 * n && x + 2 * n + 2 <= held_.x1 &&
-           is_whole(quads[n]))
+           is_whole(quads[n], sample_count_))
         ++n;
     return n;
 }
@@ -81,6 +93,8 @@ void TileFilm::collect_run(const QuadCoverage* quads, int first, int count) {
     runs_.push_back(
         {first, count, target_.index(quad.x, quad.y), target_.index(quad.x, quad.y + 1)});
     pixels_ += 4 * static_cast<std::uint64_t>(count);
+    for (int y = quad.y; sample_count_ > 1 && y < quad.y + 2; ++y)
+        std::fill_n(states_.data() + tile_pixel(quad.x, y), 2 * count, State::written);
 }
 
 void TileFilm::collect_fragments(const QuadCoverage& quad, int q, const TileBuffer& tile) {
@@ -94,8 +108,7 @@ void TileFilm::collect_fragments(const QuadCoverage& quad, int q, const TileBuff
             while (tile.triangle(x, y, lowest) == no_triangle) ++lowest;
         const bool owns = (quad.samples[lane] >> lowest & 1) != 0;
         pixels_ += owns;
-        fragments_.push_back({pixel, std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0),
-                              4 * q + lane, quad.samples[lane], owns});
+        fragments_.push_back({pixel, tile_pixel(x, y), 4 * q + lane, quad.samples[lane], owns});
     }
 }
 
@@ -111,9 +124,9 @@ void TileFilm::add_samples(const Batch& batch) {
         }
         sample.a = 1;
         if (batch.has(hit)) sample.z = -batch.real(hit + 2, lane);
+        ColorSample* const samples = samples_of(fragment.tile_pixel);
         for (int s = 0; s < sample_count_; ++s)
-            if (fragment.samples >> s & 1)
-                samples_[fragment.tile_pixel * sample_count_ + s] = sample;
+            if (fragment.samples >> s & 1) samples[s] = sample;
     }
 }
 
@@ -155,7 +168,10 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
     switch (source.kind) {
         case Kind::value:
         case Kind::z:
-            return add_values(batch.bits(source), plane);
+            return add_values(source.value == Value::color && source.kind == Kind::value
+                                  ? batch.bits(source).resolved(sample_count_)
+                                  : batch.bits(source),
+                              plane);
         case Kind::coverage:
             return add_constant(float_bits(1.0f), plane);
         case Kind::depth:
@@ -181,7 +197,7 @@ void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry
     if (sample_count_ > 1) add_samples(batch);
     for (std::size_t c = 0; c < target_.channels->size(); ++c) {
         const ChannelSource& source = (*target_.channels)[c];
-        if (sample_count_ > 1 && source.resolved()) continue;
+        // Of pixels that are resolved in the end, too: it writes over them.
         add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile);
     }
 }
@@ -195,20 +211,24 @@ std::uint32_t TileFilm::resolved_bits(const ChannelSource& source, const ColorSa
 
 void TileFilm::end() {
     if (sample_count_ == 1) return;
-    for (int y = rect_.y0; y < rect_.y1; ++y) {
-        for (int x = rect_.x0; x < rect_.x1; ++x) {
-            const std::ptrdiff_t pixel = target_.index(x, y);
-            if (pixel < 0) continue;
-            const std::size_t first =
-                (std::size_t(y - rect_.y0) * rect_.width() + (x - rect_.x0)) * sample_count_;
-            const ColorSample resolved = resolve(std::span<const ColorSample>(
-                samples_.data() + first, static_cast<std::size_t>(sample_count_)));
-            for (std::size_t c = 0; c < target_.channels->size(); ++c) {
-                const ChannelSource& source = (*target_.channels)[c];
-                if (source.resolved())
-                    target_.film->planes[c].bits[pixel] = resolved_bits(source, resolved);
-            }
+    const std::vector<ColorSample> nothing(static_cast<std::size_t>(sample_count_), background_);
+    const ColorSample background = resolve(nothing);
+    for (int y = held_.y0; y < held_.y1; ++y)
+        for (int x = held_.x0; x < held_.x1; ++x) {
+            const std::size_t pixel = tile_pixel(x, y);
+            if (states_[pixel] == State::written) continue;
+            const bool sampled = states_[pixel] == State::sampled;
+            put_resolved(target_.index(x, y),
+                         sampled ? resolve({samples_of(pixel), nothing.size()}) : background);
         }
+}
+
+void TileFilm::put_resolved(std::ptrdiff_t pixel, const ColorSample& resolved) const {
+    for (std::size_t c = 0; c < target_.channels->size(); ++c) {
+        const ChannelSource& source = (*target_.channels)[c];
+        if (source.resolved())
+            target_.film->planes[c].bits[static_cast<std::size_t>(pixel)] =
+                resolved_bits(source, resolved);
     }
 }
 

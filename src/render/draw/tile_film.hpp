@@ -1,7 +1,8 @@
-// Where the fragments of one tile go: straight into the film's planes, or, under multisampling,
-// first into per-sample planes that are resolved when the tile is done.
+// Where the fragments of one tile go: straight into the film's planes, or, where several fragments
+// share a pixel's samples, first into per-sample planes that are resolved when the tile is done.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "quadrel/film/film.hpp"
@@ -31,7 +32,11 @@ class TileFilm {
   public:
     /// `rows`: whole quads side by side are written row by row, not lane by lane.
     TileFilm(const FilmTarget& target, int samples, bool rows)
-        : target_(target), sample_count_(samples), rows_(rows && samples == 1) {}
+        : target_(target),
+          background_{target.background.r, target.background.g, target.background.b, 0,
+                      std::numeric_limits<float>::infinity()},
+          sample_count_(samples),
+          rows_(rows) {}
 
     /// Starts a tile: every pixel of it becomes background. `covered`: each will be written.
     void begin(const PixelRect& rect, bool covered);
@@ -50,19 +55,29 @@ class TileFilm {
     /// A covered lane whose pixel the film holds.
     struct Fragment {
         std::ptrdiff_t pixel;    ///< index in the film's planes
-        std::size_t tile_pixel;  ///< index in `samples_`, in pixels
+        std::size_t tile_pixel;  ///< index in `states_`
         int lane;                ///< in the batch
         std::uint16_t samples;
         bool owns_pixel;  ///< holds the pixel's lowest covered sample
     };
 
-    /// Quads side by side, all of whose pixels are covered and in the film.
+    /// Quads side by side, all samples of whose pixels are covered and in the film.
     struct Run {
         int first, quads;          ///< in the batch
         std::ptrdiff_t even, odd;  ///< where their rows begin in the film's planes
     };
 
+    /// What a pixel of the tile has got, under multisampling.
+    enum class State : std::uint8_t {
+        untouched,
+        sampled,  ///< samples, to be resolved
+        written,  ///< all that it gets: one fragment has all samples
+    };
+
     void clear_tile() const;
+    std::size_t tile_pixel(int x, int y) const;
+    ColorSample* samples_of(std::size_t pixel);
+    void put_resolved(std::ptrdiff_t pixel, const ColorSample& resolved) const;
     void collect(const QuadCoverage* quads, int count, const TileBuffer& tile);
     int run_length(const QuadCoverage* quads, int count) const;
     void collect_run(const QuadCoverage* quads, int first, int count);
@@ -78,6 +93,7 @@ class TileFilm {
     std::uint32_t resolved_bits(const ChannelSource& source, const ColorSample& pixel) const;
 
     const FilmTarget& target_;
+    ColorSample background_;
     int sample_count_;
     bool rows_;
     std::uint64_t pixels_ = 0;
@@ -85,7 +101,8 @@ class TileFilm {
     PixelRect held_;  ///< what the film holds of it
     std::vector<Run> runs_;
     std::vector<Fragment> fragments_;
-    std::vector<ColorSample> samples_;  ///< [pixel][sample], multisampling only
+    std::vector<State> states_;         ///< [pixel], multisampling only
+    std::vector<ColorSample> samples_;  ///< [pixel][sample], likewise; of sampled pixels
 };
 
 }  // namespace quadrel

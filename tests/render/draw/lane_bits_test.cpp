@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "quadrel/film/resolve.hpp"
+
 namespace quadrel::render_tests {
 namespace {
 
@@ -39,7 +41,9 @@ testing::AssertionResult same_as_lanes(const Rows& rows) {
                                {words.data(), Element::single},
                                {words.data(), Element::single, true},
                                {wide.data(), Element::wide},
-                               {wide.data(), Element::wide, true}};
+                               {wide.data(), Element::wide, true},
+                               LaneBits(words.data(), Element::single).resolved(4),
+                               LaneBits(wide.data(), Element::wide).resolved(16)};
     constexpr std::uint32_t untouched = 0xabcdef01u;
     for (std::size_t a = 0; a < std::size(arrays); ++a)
         for (const int first : {0, 4, 92})
@@ -61,6 +65,31 @@ testing::AssertionResult same_as_lanes(const Rows& rows) {
 }
 
 TEST(LaneBits, RowsHaveTheBitsOfTheirLanes) { EXPECT_TRUE(same_as_lanes(real_rows)); }
+
+using Resolved = std::function<std::uint32_t(const LaneBits&, int samples, int lane)>;
+
+/// A pixel of which one fragment has all samples, against resolving them.
+testing::AssertionResult same_as_resolving(const Resolved& resolved) {
+    std::vector<std::uint32_t> words(lanes);
+    for (int i = 0; i < lanes; ++i) words[std::size_t(i)] = pattern(i);
+    for (const int samples : {1, 2, 4, 8, 16})
+        for (int i = 0; i < lanes; ++i) {
+            const ColorSample sample{std::bit_cast<float>(pattern(i)), 0, 0, 1, 0};
+            const ColorSample pixel =
+                resolve(std::vector<ColorSample>(static_cast<std::size_t>(samples), sample));
+            const std::uint32_t expected = canonical_bits(std::bit_cast<std::uint32_t>(pixel.r));
+            if (resolved({words.data(), Element::single}, samples, i) != expected || pixel.a != 1)
+                return testing::AssertionFailure() << samples << " samples, lane " << i;
+        }
+    return testing::AssertionSuccess();
+}
+
+TEST(LaneBits, ResolveEqualSamples) {
+    EXPECT_TRUE(same_as_resolving(
+        [](const LaneBits& bits, int samples, int lane) { return bits.resolved(samples)(lane); }));
+    EXPECT_FALSE(same_as_resolving([](const LaneBits& bits, int, int lane) { return bits(lane); }))
+        << "sums that overflow";
+}
 
 TEST(LaneBits, ErrorsAreNoticed) {
     EXPECT_FALSE(same_as_lanes([](const LaneBits& bits, int first, int quads, auto* even,
