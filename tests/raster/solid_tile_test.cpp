@@ -1,6 +1,8 @@
 // Tiles that one triangle fills: told from its edges and depths, they hold what drawing gives.
 #include "raster/solid_tile.hpp"
 
+#include <bit>
+
 #include "raster/support.hpp"
 
 namespace quadrel::test {
@@ -10,10 +12,10 @@ constexpr int size = 40;
 
 /// What is told without drawing, real or with an error planted.
 struct Teller {
-    std::function<Cover(const ScreenTriangle&, const PixelRect&)> cover = cover_of;
-    std::function<bool(const ScreenTriangle&, const PixelRect&, DepthCompare)> passes =
+    std::function<Cover(const ScreenTriangle&, const PixelRect&, int)> cover = cover_of;
+    std::function<bool(const ScreenTriangle&, const PixelRect&, int, DepthCompare)> passes =
         passes_cleared;
-    std::function<void(const PixelRect&, std::uint32_t, std::vector<QuadCoverage>&)> list =
+    std::function<void(const PixelRect&, std::uint32_t, int, std::vector<QuadCoverage>&)> list =
         append_whole_quads;
 };
 
@@ -49,35 +51,38 @@ PixelRect random_rect(Random& random) {
     return {x, y, x + 2 + 2 * random.below(most_x), y + 2 + 2 * random.below(most_y)};
 }
 
-int covered(const ScreenTriangle& triangle, const PixelRect& rect) {
+int covered(const ScreenTriangle& triangle, const PixelRect& rect, int samples) {
     int count = 0;
     for (int y = rect.y0; y < rect.y1; ++y)
-        for (int x = rect.x0; x < rect.x1; ++x) count += coverage_mask(triangle, x, y, 1);
+        for (int x = rect.x0; x < rect.x1; ++x)
+            count += std::popcount(coverage_mask(triangle, x, y, samples));
     return count;
 }
 
-/// Against pixels one by one, and the quads against those of a buffer. Some tiles must be filled.
-testing::AssertionResult tells_what_drawing_gives(const Teller& teller, DepthCompare compare) {
+/// Against samples one by one, and the quads against those of a buffer. Some tiles must be filled.
+testing::AssertionResult tells_what_drawing_gives(const Teller& teller, DepthCompare compare,
+                                                  int samples = 1) {
     Random random;
     int filled = 0, seen = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const ScreenTriangle triangle = random_triangle(random);
         const PixelRect rect = random_rect(random);
-        const int pixels = rect.width() * rect.height(), inside = covered(triangle, rect);
-        const Cover cover = teller.cover(triangle, rect);
-        if ((cover == Cover::all) != (inside == pixels))
-            return testing::AssertionFailure() << inside << " of " << pixels << " are covered";
+        const int there = rect.width() * rect.height() * samples;
+        const int inside = covered(triangle, rect, samples);
+        const Cover cover = teller.cover(triangle, rect, samples);
+        if (cover == Cover::all ? inside != there : samples == 1 && inside == there)
+            return testing::AssertionFailure() << inside << " of " << there << " are covered";
         if (cover == Cover::none && inside > 0)
-            return testing::AssertionFailure() << inside << " pixels are forgotten";
+            return testing::AssertionFailure() << inside << " samples are forgotten";
         if (cover != Cover::all) continue;
         ++filled;
-        if (!teller.passes(triangle, rect, compare)) continue;
+        if (!teller.passes(triangle, rect, samples, compare)) continue;
         ++seen;
-        TileBuffer tile(rect, 1, compare);
+        TileBuffer tile(rect, samples, compare);
         rasterize(triangle, 7, tile);
         std::vector<QuadCoverage> expected, found;
         collect_quads(tile, expected);
-        teller.list(rect, 7, found);
+        teller.list(rect, 7, samples, found);
         if (found != expected) return testing::AssertionFailure() << "other quads";
     }
     if (seen < 100 || seen == filled)
@@ -87,7 +92,8 @@ testing::AssertionResult tells_what_drawing_gives(const Teller& teller, DepthCom
 
 TEST(SolidTiles, HoldWhatDrawingGives) {
     for (const DepthCompare compare : {DepthCompare::less, DepthCompare::greater})
-        EXPECT_TRUE(tells_what_drawing_gives({}, compare));
+        for (const int samples : {1, 2, 4, 8, 16})
+            EXPECT_TRUE(tells_what_drawing_gives({}, compare, samples)) << samples;
 }
 
 /// Cover by edge values at two corners, `threshold` being what is inside.
@@ -108,23 +114,24 @@ TEST(SolidTiles, ErrorsAreNoticed) {
             {r.x0, r.y0}, {r.x1 - 1, r.y0}, {r.x0, r.y1 - 1}, {r.x1 - 1, r.y1 - 1}};
     };
     Teller two_corners, no_fill_rule, one_edge, no_depth, wrong_side, by_columns;
-    two_corners.cover = [&](const auto& triangle, const PixelRect& r) {
+    two_corners.cover = [&](const auto& triangle, const PixelRect& r, int) {
         return cover_at(triangle, {{r.x0, r.y0}, {r.x1 - 1, r.y1 - 1}}, true);
     };
-    no_fill_rule.cover = [&](const auto& triangle, const PixelRect& r) {
+    no_fill_rule.cover = [&](const auto& triangle, const PixelRect& r, int) {
         return cover_at(triangle, corners(r), false);
     };
-    one_edge.cover = [&](ScreenTriangle triangle, const PixelRect& r) {
+    one_edge.cover = [&](ScreenTriangle triangle, const PixelRect& r, int samples) {
         triangle.edge[1] = triangle.edge[2] = triangle.edge[0];
-        return cover_of(triangle, r);
+        return cover_of(triangle, r, samples);
     };
-    no_depth.passes = [](const auto&, const auto&, DepthCompare) { return true; };
-    wrong_side.passes = [](const auto& triangle, const auto& rect, DepthCompare compare) {
+    no_depth.passes = [](const auto&, const auto&, int, DepthCompare) { return true; };
+    wrong_side.passes = [](const auto& triangle, const auto& rect, int samples,
+                           DepthCompare compare) {
         return passes_cleared(
-            triangle, rect,
+            triangle, rect, samples,
             compare == DepthCompare::less ? DepthCompare::greater : DepthCompare::less);
     };
-    by_columns.list = [](const PixelRect& r, std::uint32_t triangle, auto& quads) {
+    by_columns.list = [](const PixelRect& r, std::uint32_t triangle, int, auto& quads) {
         for (int x = r.x0; x < r.x1; x += 2)
             for (int y = r.y0; y < r.y1; y += 2) quads.push_back({x, y, triangle, {1, 1, 1, 1}});
     };
@@ -132,6 +139,11 @@ TEST(SolidTiles, ErrorsAreNoticed) {
     for (const Teller& planted : all)
         EXPECT_FALSE(tells_what_drawing_gives(planted, DepthCompare::less))
             << "error " << &planted - all;
+    Teller centres;
+    centres.cover = [](const auto& triangle, const PixelRect& r, int) {
+        return cover_of(triangle, r, 1);
+    };
+    EXPECT_FALSE(tells_what_drawing_gives(centres, DepthCompare::less, 4));
 }
 
 /// No depths, or such that their roundings are no longer small: never told, whatever they are.
@@ -142,8 +154,8 @@ TEST(SolidTiles, DepthsOutOfBoundsAreDrawn) {
     for (const double depth : {std::numeric_limits<double>::quiet_NaN(), 0x1p30, -0x1p30}) {
         for (ScreenVertex& vertex : triangle.vertex) vertex.depth = depth;
         triangle.depth1 = triangle.depth2 = 0;
-        EXPECT_FALSE(passes_cleared(triangle, rect, DepthCompare::less)) << depth;
-        EXPECT_FALSE(passes_cleared(triangle, rect, DepthCompare::greater)) << depth;
+        EXPECT_FALSE(passes_cleared(triangle, rect, 1, DepthCompare::less)) << depth;
+        EXPECT_FALSE(passes_cleared(triangle, rect, 1, DepthCompare::greater)) << depth;
     }
 }
 

@@ -18,6 +18,8 @@ std::uint32_t covered_lanes(const QuadCoverage& quad) {
     return mask;
 }
 
+bool has_all(std::uint16_t mask, int samples) { return mask == (1u << samples) - 1; }
+
 /// Whether all samples of all four pixels are the fragment's.
 bool is_whole(const QuadCoverage& quad, int samples) {
     const std::uint64_t all = (1u << samples) - 1;
@@ -104,7 +106,7 @@ void TileFilm::collect_fragments(const QuadCoverage& quad, int q, const TileBuff
         const std::ptrdiff_t pixel = target_.index(x, y);
         if (pixel < 0) continue;
         int lowest = 0;
-        if (sample_count_ > 1)
+        if (!has_all(quad.samples[lane], sample_count_))  // a tile that was drawn
             while (tile.triangle(x, y, lowest) == no_triangle) ++lowest;
         const bool owns = (quad.samples[lane] >> lowest & 1) != 0;
         pixels_ += owns;

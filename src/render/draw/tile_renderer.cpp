@@ -59,8 +59,7 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       batch_(plan.scalar_bytes, &command_),
       recording_(recording),
       touched_(touched),
-      solid_tiles_(plan.shortcuts.solid_tiles && scene.samples == 1 &&
-                   !shows_depth(*target.channels)) {}
+      solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
@@ -83,7 +82,7 @@ const std::vector<QuadCoverage>& TileRenderer::find_visible(const Tile& tile) {
     solid_ = triangle.has_value();
     if (triangle) {
         quads_.clear();
-        append_whole_quads(tile.rect, *triangle, quads_);
+        append_whole_quads(tile.rect, *triangle, scene_.samples, quads_);
         return quads_;
     }
     buffer_.reset(tile.rect);
@@ -101,13 +100,14 @@ std::optional<std::uint32_t> TileRenderer::find_solid(const Tile& tile) const {
     std::optional<std::uint32_t> only;
     for (const std::uint32_t t : tile.triangles) {
         const DrawnTriangle& triangle = geometry_.triangles[t];
-        const Cover cover = cover_of(triangle.screen, rect);
+        const Cover cover = cover_of(triangle.screen, rect, scene_.samples);
         if (cover == Cover::none) continue;
         if (cover == Cover::some || only || draws_in_order(scene_.materials[triangle.material]))
             return {};
         only = t;
     }
-    if (only && passes_cleared(geometry_.triangles[*only].screen, rect, depth_compare(scene_)))
+    if (only && passes_cleared(geometry_.triangles[*only].screen, rect, scene_.samples,
+                               depth_compare(scene_)))
         return only;
     return {};
 }

@@ -105,7 +105,8 @@ int solid_tiles(const Scene& scene, const RenderOptions& options) {
          bin_triangles(prepared.geometry, {0, 0, scene.width, scene.height}, options.tile)) {
         int touching = 0, filling = 0;
         for (const std::uint32_t t : tile.triangles) {
-            const Cover cover = cover_of(prepared.geometry.triangles[t].screen, tile.rect);
+            const Cover cover =
+                cover_of(prepared.geometry.triangles[t].screen, tile.rect, scene.samples);
             touching += cover != Cover::none;
             filling += cover == Cover::all;
         }
