@@ -1,3 +1,3 @@
-#include "plugin/stages/stages.hpp"
+#include "stages.hpp"
 
 QUADREL_STAGES(plugin_tests::Tilt, plugin_tests::Stripes);
