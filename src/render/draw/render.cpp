@@ -155,23 +155,15 @@ class Stopwatch {
     PhaseTime last_ = so_far();
 };
 
-<<<<<<< HEAD
-/// Runs f, whose parallel loops then take as many threads as the options say.
-template <class F>
-void in_threads(const RenderOptions& options, const F& f) {
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute(f);
+tbb::task_arena task_arena(const RenderOptions& options) {
+    return tbb::task_arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
 }
 
 void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
-    in_threads(options, [&] {
+    task_arena(options).execute([&] {
         load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
                            {options.baking, options.not_kept});
     });
-=======
-tbb::task_arena task_arena(const RenderOptions& options) {
-    return tbb::task_arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
->>>>>>> bab271b (render_into: frames one after another in the memory of one film, its planes cleared on all threads)
 }
 
 /// Renders all tiles, each thread with a renderer that `make` makes, and gathers the records.
@@ -183,11 +175,7 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     const std::vector<Tile> tiles =
         bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
     Progress progress(options.progress, tiles.size());
-<<<<<<< HEAD
-    in_threads(options, [&] {
-=======
     task_arena(options).execute([&] {
->>>>>>> bab271b (render_into: frames one after another in the memory of one film, its planes cleared on all threads)
         tbb::enumerable_thread_specific<TileRenderer> renderers(make);
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
