@@ -172,9 +172,9 @@ DrawRecord TileRenderer::record() const {
 }
 
 void TileRenderer::count_quads() {
-    std::uint64_t covered = 0;
-    for (const QuadCoverage& quad : quads_)
-        for (const std::uint16_t samples : quad.samples) covered += samples != 0;
+    std::uint64_t covered = solid_ ? 4 * quads_.size() : 0;
+    for (std::size_t q = 0; !solid_ && q < quads_.size(); ++q)
+        for (const std::uint16_t samples : quads_[q].samples) covered += samples != 0;
     record_.quads += quads_.size();
     record_.covered_lanes += covered;
     record_.helper_lanes += 4 * quads_.size() - covered;
