@@ -90,18 +90,18 @@ TEST(BakedMaps, TellHowFarTheyAre) {
 
 using Slots = std::vector<TextureSlot>;
 using Load = std::function<MaterialTextures(const Scene&, const Slots&, TextureCache&,
-                                            const BakingProgress&)>;
+                                            const BakingListener&)>;
 
 MaterialTextures load_at_once(const Scene& scene, const Slots& slots, TextureCache& cache,
-                              const BakingProgress& baking) {
+                              const BakingListener& baking) {
     SlotSet set;
     for (const TextureSlot slot : slots) set.set(static_cast<std::size_t>(slot));
-    return load_textures(scene, scene.materials.at(0), set, cache, baking);
+    return load_textures(scene, {set}, cache, baking).at(0);
 }
 
 /// Each map for itself.
 MaterialTextures load_apart(const Scene& scene, const Slots& slots, TextureCache& cache,
-                            const BakingProgress& baking) {
+                            const BakingListener& baking) {
     MaterialTextures all;
     for (const TextureSlot slot : slots) all = load_at_once(scene, {slot}, cache, baking);
     return all;
@@ -117,7 +117,7 @@ testing::AssertionResult reads_heights_once(const Slots& slots, const Load& load
     TextureCache cache;
     try {
         load(scene, slots, cache,
-             [&](const std::string&, double) { std::filesystem::remove(folder / "h.exr"); });
+             {[&](const std::string&, double) { std::filesystem::remove(folder / "h.exr"); }, {}});
     } catch (const InputError& error) {
         return testing::AssertionFailure() << error.what();
     }
