@@ -1,4 +1,4 @@
-#include "io/image/oiio_request.hpp"
+#include "texture/oiio_request.hpp"
 
 #include <OpenImageIO/imageio.h>
 

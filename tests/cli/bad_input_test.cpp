@@ -125,7 +125,8 @@ TEST_F(BadInputs, NumbersThatAreNone) {
     EXPECT_TRUE(set("material.relief.steps=NaN", "material.relief.steps: found NaN ("));
     EXPECT_TRUE(set("material.relief.trace={\"id\": \"linear\", \"steps\": NaN}",
                     "material.relief.trace.steps: found NaN ("));
-    EXPECT_TRUE(set("material.relief.steps=many", "expected a number, as parameters"));
+    EXPECT_TRUE(set("material.relief.trace={\"id\": \"linear\", \"steps\": \"many\"}",
+                    "material.relief.trace.steps: found the string \"many\" ("));
     EXPECT_TRUE(set("material.relief.trce=steep", "found an unknown key ("));
     EXPECT_TRUE(set("camera.eye=[NaN,0,1]", "camera.eye[0]: found NaN ("));
     EXPECT_TRUE(

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <set>
 
-#include "io/image/readers.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/comparable.hpp"
 #include "quadrel/texture/image.hpp"
 #include "text/suggest.hpp"
+#include "texture/stored_image.hpp"
 
 namespace quadrel {
 namespace {

@@ -9,11 +9,11 @@
 #include <mutex>
 
 #include "file/module_path.hpp"
-#include "io/image/oiio_request.hpp"
 #include "io/image/orient.hpp"
 #include "io/image/readers.hpp"
 #include "quadrel/error.hpp"
 #include "text/out_of_memory.hpp"
+#include "texture/oiio_request.hpp"
 
 namespace quadrel {
 

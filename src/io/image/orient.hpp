@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/image/stored_image.hpp"
+#include "texture/stored_image.hpp"
 
 namespace quadrel {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "io/image/stored_image.hpp"
+#include "texture/stored_image.hpp"
 
 namespace quadrel {
 
@@ -19,11 +19,6 @@ std::optional<Image> read_packed_bitmap(const std::string& file, const std::stri
 /// Everything that OpenImageIO reads, through its module, turned as the file says that it stands.
 /// Throws InputError.
 StoredImage read_other_image(const std::string& file, const std::string& key);
-
-/// An image other than EXR as its file stores it, for who needs its channels one by one; nothing
-/// for those that load_image alone reads. Throws InputError as that does.
-std::optional<StoredImage> open_stored_image(const std::filesystem::path& file,
-                                             const ImageSelection& selection);
 
 /// Throws InputError unless an image of that size can become a texture.
 void check_image_size(std::int64_t width, std::int64_t height, std::int64_t channels,

@@ -1,6 +1,7 @@
 #include "io/scene/read.hpp"
 #include "quadrel/scene/presets.hpp"
 #include "quadrel/scene/transform.hpp"
+#include "text/not_finite.hpp"
 
 namespace quadrel {
 namespace {
@@ -12,7 +13,7 @@ constexpr const char* texture_slots[] = {"color", "height", "gloss", "emissive",
 void read_parameters(Fields& fields, StageChoice& stage) {
     for (const std::string& name : fields.rest()) {
         const Value value = fields.value().member(name);
-        if (value.json().is_string())
+        if (value.json().is_string() && !spells_not_finite(value.string()))
             stage.parameters[name] = value.string();
         else
             stage.parameters[name] = value.number();

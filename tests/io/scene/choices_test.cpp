@@ -104,8 +104,8 @@ TEST_F(ChoicesOfFiles, OtherNamesAreRefused) {
     // Of another stage, and of none.
     EXPECT_TRUE(refuses(R"("relief": {"trace": {"id": "babylon", "right_handed": "down"}})",
                         {"material.relief.trace.right_handed", "down", "one of off, on"}));
-    EXPECT_TRUE(
-        refuses(trace + R"(, "mood": "steep"})", {"material.relief.mood", "unknown key", "trace"}));
+    EXPECT_TRUE(refuses(trace + R"(, "mood": "steep"})",
+                        {"material.relief.mood", "the string \"steep\"", "another key", "trace"}));
     EXPECT_FALSE(refuses(trace + R"(, "mode": "steep"})", {mode, "", ""}));
 }
 

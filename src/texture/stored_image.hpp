@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
-#include "io/image/oiio_request.hpp"
 #include "quadrel/texture/image.hpp"
+#include "texture/oiio_request.hpp"
 
 namespace quadrel {
 
@@ -33,6 +35,11 @@ class StoredImage {
     QuadrelOiioInfo info_;
     std::vector<unsigned char> pixels_;
 };
+
+/// An image other than EXR as its file stores it, for who needs its channels one by one; nothing
+/// for those that load_image alone reads. Throws InputError as that does.
+std::optional<StoredImage> open_stored_image(const std::filesystem::path& file,
+                                             const ImageSelection& selection);
 
 /// The bytes of a value.
 std::size_t value_size(QuadrelOiioType type);

@@ -1,4 +1,4 @@
-#include "io/image/stored_image.hpp"
+#include "texture/stored_image.hpp"
 
 #include <Imath/half.h>
 
