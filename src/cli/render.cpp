@@ -71,7 +71,10 @@ void check_kinds(const Arguments& arguments) {
 
 void add_outputs(CommandFiles& files, const Arguments& arguments) {
     if (arguments.explain) return;
-    if (!arguments.streams()) files.add_output("-o", output_name(arguments));
+    if (arguments.streams())
+        files.add_standard_output("-o -");
+    else
+        files.add_output("-o", output_name(arguments));
     files.add_output("--preview", arguments.preview);
     files.add_output("--stats", arguments.stats);
 }

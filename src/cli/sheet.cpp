@@ -62,6 +62,9 @@ std::vector<std::filesystem::path> expand(const std::vector<std::string>& inputs
              i.increment(error))
             if (i->path().extension() == ".json") files.push_back(i->path());
         if (error) throw InputError(input.string(), "", error.message(), "a readable folder");
+        if (files.size() == first)
+            throw InputError(input.string(), "", "a folder without scenes",
+                             "a folder with .json files");
         std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
     }
     return files;

@@ -155,8 +155,8 @@ TEST_F(BadInputs, FilesThatAreNoImages) {
         EXPECT_TRUE(refuses(bad));
     }
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-    for (const std::vector<std::string>& line :
-         std::vector<std::vector<std::string>>{{"info", "pipe"}, {"mips", "pipe", "-o", "m"}})
+    for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{
+             {"info", "pipe"}, {"mips", "pipe", "-o", "m"}, {"compare", "pipe", "pipe"}})
         EXPECT_TRUE(refuses({line[0], line, 3, {"pipe: ", "a pipe"}}));
     for (const char* name : {"pipe", "."})
         EXPECT_TRUE(refuses({"plugin",

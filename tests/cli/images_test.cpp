@@ -59,6 +59,13 @@ TEST_F(ImageFiles, EveryVerbAsksWhichPart) {
               0);
 }
 
+TEST_F(ImageFiles, SheetsOfNothingAreRefused) {
+    std::filesystem::create_directory(folder / "empty");
+    EXPECT_TRUE(
+        complains(quadrel({"sheet", "empty", "-o", "s.png"}), 3, "a folder without scenes"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "s.png"));
+}
+
 TEST_F(ImageFiles, SheetsTakeAPartOfEveryImage) {
     EXPECT_TRUE(complains(quadrel({"sheet", "parts.exr", "-o", "s.png"}), 3, "2 parts"));
     const auto sheet = [&](const std::vector<std::string>& more) {

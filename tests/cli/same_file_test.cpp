@@ -1,5 +1,8 @@
 // Outputs are never inputs of the command, and never one file twice, by whatever names.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 #include <functional>
 
@@ -149,6 +152,28 @@ TEST_F(SameFile, InputsOfARender) {
 TEST_F(SameFile, TheOutputThatIsNotGiven) {
     fs::copy_file(folder / "s.json", folder / "t.json");
     EXPECT_TRUE(refuses({"render", "t.json"}, {"-o t.exr", "input"}));
+}
+
+/// Standard output is a file like others where a shell has led it into one, and a pipe takes one
+/// output. Exit codes stand in a file, since a pipe line has that of its end.
+TEST_F(SameFile, StandardOutputLedElsewhere) {
+    const auto code = [&](const std::string& options, const std::string& end) {
+        const std::string line =
+            fmt::format("cd '{}' && ('{}' render s.json {} 2>err; echo $? >code) {}",
+                        folder.path().string(), QUADREL_EXECUTABLE, options, end);
+        EXPECT_EQ(std::system(line.c_str()), 0) << line;
+        return std::stoi(file_bytes(folder / "code"));
+    };
+    const std::string texture = file_bytes(folder / "t.exr");
+    EXPECT_EQ(code("-o -", ">>t.exr"), 2);
+    EXPECT_NE(file_bytes(folder / "err").find("-o - /dev/stdout is the input"), std::string::npos);
+    EXPECT_EQ(file_bytes(folder / "t.exr"), texture);
+    EXPECT_EQ(code("-o - --preview /dev/stdout", "| cat >both"), 2);
+    EXPECT_EQ(code("-o - --stats /dev/stdout", ">both"), 2);
+    EXPECT_EQ(file_bytes(folder / "both"), "");
+    EXPECT_EQ(code("-o - --preview p.png", "| cat >one"), 0);
+    EXPECT_EQ(code("-o -", ">one"), 0);
+    EXPECT_EQ(code("-o - --preview /dev/null", ">/dev/null"), 0);
 }
 
 TEST_F(SameFile, PluginsAreInputs) {

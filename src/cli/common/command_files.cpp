@@ -1,6 +1,7 @@
 #include "cli/common/command_files.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <map>
 
@@ -8,6 +9,20 @@
 #include "quadrel/error.hpp"
 
 namespace quadrel::cli {
+namespace {
+
+constexpr const char* standard_output = "/dev/stdout";
+
+/// Two outputs in one pipe are as mixed up as in one file.
+std::optional<FileIdentity> identity_of_output(const std::filesystem::path& file) {
+    if (const auto identity = identity_of(file)) return identity;
+    struct stat status = {};
+    if (stat(file.c_str(), &status) != 0) return std::nullopt;
+    if (!S_ISFIFO(status.st_mode) && !S_ISSOCK(status.st_mode)) return std::nullopt;
+    return FileIdentity{status.st_dev, status.st_ino, ""};
+}
+
+}  // namespace
 
 void CommandFiles::add_output(const std::string& option, const std::filesystem::path& file) {
     // Standard output is render's alone, which does not name it here.
@@ -15,10 +30,14 @@ void CommandFiles::add_output(const std::string& option, const std::filesystem::
     if (!file.empty()) outputs_.push_back({option, file});
 }
 
+void CommandFiles::add_standard_output(const std::string& option) {
+    outputs_.push_back({option, standard_output});
+}
+
 void CommandFiles::check() const {
     std::map<FileIdentity, const Output*> seen;
     for (const Output& output : outputs_) {
-        const auto identity = identity_of(output.file);
+        const auto identity = identity_of_output(output.file);
         if (!identity) continue;
         const auto [other, is_new] = seen.emplace(*identity, &output);
         if (!is_new)
@@ -38,7 +57,8 @@ void CommandFiles::check_inputs(const Output& output, const FileIdentity& identi
 
 void CommandFiles::check_writable() const {
     check();
-    for (const Output& output : outputs_) quadrel::check_writable(output.file);
+    for (const Output& output : outputs_)
+        if (output.file != standard_output) quadrel::check_writable(output.file);
 }
 
 }  // namespace quadrel::cli

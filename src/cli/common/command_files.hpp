@@ -16,9 +16,11 @@ class CommandFiles {
     void add_input(const std::filesystem::path& file) { note_input(file); }
     /// `option` as in messages, such as "-o". An empty name is none.
     void add_output(const std::string& option, const std::filesystem::path& file);
+    /// Standard output, which may have been led into a file.
+    void add_standard_output(const std::string& option);
 
-    /// Before the first output is made. Devices, pipes and terminals never clash. Throws UsageError
-    /// that names both.
+    /// Before the first output is made. Devices and terminals never clash, pipes with one another.
+    /// Throws UsageError that names both.
     void check() const;
     /// check(), and whether the outputs can be written. Throws OutputError.
     void check_writable() const;

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <set>
 
+#include "file/read_file.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/comparable.hpp"
 #include "quadrel/texture/image.hpp"
@@ -182,6 +183,8 @@ const char* storage_name(Storage storage) {
 
 ComparableImage read_comparable(const std::filesystem::path& file,
                                 const ImageSelection& selection) {
+    if (const char* const reason = reason_not_to_read(file))
+        throw InputError(file.string(), "", reason, "an image file");
     if (begins_as_exr(file)) return from_exr(file, selection);
     if (const auto stored = open_stored_image(file, selection)) return from_stored(file, *stored);
     return from_image(load_image(file, NotFinite::count, "", selection));
