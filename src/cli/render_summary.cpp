@@ -53,10 +53,11 @@ std::optional<std::string> nothing_in_view(const RenderSummary& summary) {
     const PrimitiveCounts& counts = summary.primitives;
     if (counts.submitted == 0) return "nothing is in view: the scene has no visible triangle";
     return fmt::format(
-        "nothing is in view: of {} triangles {} are outside, {} culled, {} off the frame, {} "
-        "without area, {} not finite; {} drawn cover no pixel of the window",
-        counts.submitted, counts.outside, counts.culled, counts.off_frame, counts.zero_area,
-        counts.non_finite, counts.drawn);
+        "nothing is in view: of {} triangles {} are outside, {} not finite, {} clipped; of what is "
+        "left, in pieces, {} are culled, {} off the frame, {} without area; {} drawn cover no "
+        "pixel of the window",
+        counts.submitted, counts.outside, counts.non_finite, counts.clipped, counts.culled,
+        counts.off_frame, counts.zero_area, counts.drawn);
 }
 
 }  // namespace quadrel::cli

@@ -162,10 +162,10 @@ std::string explain(const PreparedRender& prepared) {
                     scene.width, scene.height, scene.samples, scene.samples > 1 ? "s" : "");
     const PrimitiveCounts& counts = prepared.geometry.counts;
     out += fmt::format(
-        "triangles: {} submitted, {} to draw; left out: {} outside, {} culled, {} "
-        "without area, {} off the frame, {} not finite\n",
-        counts.submitted, counts.drawn, counts.outside, counts.culled, counts.zero_area,
-        counts.off_frame, counts.non_finite);
+        "triangles: {} submitted, {} outside, {} not finite, {} clipped; of what is left, in "
+        "pieces: {} to draw, {} culled, {} without area, {} off the frame\n",
+        counts.submitted, counts.outside, counts.non_finite, counts.clipped, counts.drawn,
+        counts.culled, counts.zero_area, counts.off_frame);
     for (const std::string& line : hidden_objects(scene))
         out += "leaves out " + printable(line) + "\n";
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
