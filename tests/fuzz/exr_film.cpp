@@ -1,5 +1,5 @@
 // The reader of EXR files as films, for comparisons.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/film/exr.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

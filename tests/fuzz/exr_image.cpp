@@ -1,5 +1,5 @@
 // The reader of EXR files as textures.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/texture/image.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

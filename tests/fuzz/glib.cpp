@@ -1,5 +1,5 @@
 // The reader of glman's scenes.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/scene/load.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {

@@ -1,5 +1,5 @@
 // The reader of glTF meshes, as text and as binary: the content says which.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {

@@ -1,5 +1,5 @@
 // The reader of Wavefront OBJ meshes.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

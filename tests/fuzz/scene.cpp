@@ -1,5 +1,5 @@
 // The reader of scenes in JSON.
-#include "fuzz/fuzz.hpp"
+#include "fuzz.hpp"
 #include "quadrel/scene/load.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
