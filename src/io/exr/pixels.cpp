@@ -69,8 +69,10 @@ class ChunkPixels : public ExrPixels {
         });
         FirstError error;
         tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t i) {
-            const auto& [info, x, y] = chunks[i];
-            error.run(i, [&] { hand_out(decode(info), x, y, info.width, info.height, sink); });
+            const Chunk& at = chunks[i];
+            error.run(i, [&] {
+                hand_out(decode(at.info), at.x, at.y, at.info.width, at.info.height, sink);
+            });
         });
         error.rethrow();
     }
