@@ -6,5 +6,6 @@
 #include "quadrel/num/common.hpp"
 #include "quadrel/num/componentwise.hpp"
 #include "quadrel/num/geometric.hpp"
+#include "quadrel/num/loop.hpp"
 #include "quadrel/num/matrix.hpp"
 #include "quadrel/num/mixed.hpp"
