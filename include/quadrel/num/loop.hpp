@@ -16,7 +16,7 @@
 namespace quadrel {
 
 /// The number of a step, the same in all lanes.
-class Step {
+class [[maybe_unused]] Step {
   public:
     explicit constexpr Step(int k) : k_(k) {}
     constexpr operator int() const { return k_; }
