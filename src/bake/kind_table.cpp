@@ -32,7 +32,7 @@ const BakeParameter azimuths{"azimuths", 8, 4, 64, true, "directions"};
 const BakeParameter reach{
     "reach", 4,     0,
     64,      false, "tiles to look at, at least, towards other than multiples of 45 degrees"};
-const BakeParameter depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
+const BakeParameter relief_depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
 
 /// How lengths in the plane and values are to be read.
 struct Units {
@@ -108,13 +108,13 @@ std::vector<BakeKindRow> other_rows() {
                  {"texels", "tile", "nearest"}, {azimuths, reach}, bake_horizon_sampled,
                  Heights::finite, sampled_ray_time),
         make_row(BakeKind::normal_gather, "normal-gather", "normals by forward differences",
-                 {"texels", "tile", "nearest"}, {depth}, bake_normal_gather, Heights::finite,
+                 {"texels", "tile", "nearest"}, {relief_depth}, bake_normal_gather, Heights::finite,
                  linear_time),
         make_row(BakeKind::normal_4tap, "normal-4tap", "normals by central differences",
-                 {"texels", "tile", "nearest"}, {depth}, bake_normal_4tap, Heights::finite,
+                 {"texels", "tile", "nearest"}, {relief_depth}, bake_normal_4tap, Heights::finite,
                  linear_time),
         make_row(BakeKind::normal_sobel, "normal-sobel", "normals by Sobel's kernel",
-                 {"texels", "tile", "nearest"}, {depth}, bake_normal_sobel, Heights::finite,
+                 {"texels", "tile", "nearest"}, {relief_depth}, bake_normal_sobel, Heights::finite,
                  linear_time),
         make_row(BakeKind::rmq, "rmq", "range-maximum tables of dual cells",
                  {"bilinear", "none", "exact"}, {}, bake_rmq, Heights::any, table_time),

@@ -26,7 +26,7 @@
 namespace quadrel::cli {
 namespace {
 
-struct Arguments {
+struct BakeArguments {
     std::string image, kind, output, channel = "r", wrap_u = "repeat", wrap_v = "repeat", wrap;
     std::string format, packed, packing = "dummer", rounding = "conservative";
     std::vector<std::string> parameters;
@@ -37,7 +37,7 @@ struct Arguments {
     bool flip_v = false, no_cache = false;
 };
 
-std::shared_ptr<const Texture> load_heights(const Arguments& arguments) {
+std::shared_ptr<const Texture> load_heights(const BakeArguments& arguments) {
     TextureOptions options;
     options.swizzle = arguments.channel;
     for (const auto& [name, format] : named_formats)
@@ -48,7 +48,7 @@ std::shared_ptr<const Texture> load_heights(const Arguments& arguments) {
                         options);
 }
 
-SamplerState make_sampler(const Arguments& arguments) {
+SamplerState make_sampler(const BakeArguments& arguments) {
     SamplerState sampler;
     const bool both = !arguments.wrap.empty();
     sampler.wrap_u = wrap_modes().at(both ? arguments.wrap : arguments.wrap_u);
@@ -69,7 +69,7 @@ std::pair<std::string, double> parse_parameter(const std::string& text) {
     throw UsageError(fmt::format("--param: found \"{}\", expected NAME=NUMBER", text));
 }
 
-BakedTextureOptions make_options(const Arguments& arguments) {
+BakedTextureOptions make_options(const BakeArguments& arguments) {
     BakedTextureOptions options;
     for (const std::string& text : arguments.parameters)
         options.parameters.insert(parse_parameter(text));
@@ -81,7 +81,7 @@ BakedTextureOptions make_options(const Arguments& arguments) {
 }
 
 /// Before long work.
-void check_arguments(const Arguments& arguments, BakeKind kind, Packing packing) {
+void check_arguments(const BakeArguments& arguments, BakeKind kind, Packing packing) {
     check_output_kinds({{"-o", ".exr", arguments.output}});
     const bool png = std::filesystem::path(arguments.packed).extension() == ".png";
     check_output_kinds({{"--packed", png ? ".png" : ".exr", arguments.packed}});
@@ -94,7 +94,7 @@ void check_arguments(const Arguments& arguments, BakeKind kind, Packing packing)
             fmt::format("{} maps have no packing \"{}\"", arguments.kind, arguments.packing));
 }
 
-void check_files(const Arguments& arguments) {
+void check_files(const BakeArguments& arguments) {
     CommandFiles files;
     files.add_input(arguments.image);
     files.add_output("-o", arguments.output);
@@ -111,7 +111,7 @@ std::shared_ptr<const Texture> bake_with_bar(const Texture& height, BakeKind kin
     return baked_texture(height, kind, sampler, options);
 }
 
-ExitCode run_bake(const Arguments& arguments) {
+ExitCode run_bake(const BakeArguments& arguments) {
     const BakeKind kind = bake_kind_from_name(arguments.kind);
     const BakedTextureOptions options = make_options(arguments);
     if (const auto hint = threads_hint(arguments.threads)) tell("quadrel: " + *hint);
@@ -147,7 +147,7 @@ std::string describe_kinds() {
     return text;
 }
 
-void add_field(CLI::App& verb, Arguments& a) {
+void add_field(CLI::App& verb, BakeArguments& a) {
     const CLI::IsMember modes(wrap_modes());
     verb.add_option("heights", a.image, "image of any format that textures may have")->required();
     add_selection_options(verb, a.selection);
@@ -172,7 +172,7 @@ void add_field(CLI::App& verb, Arguments& a) {
     verb.add_flag("--flip-v", a.flip_v, "last row first");
 }
 
-void add_outputs(CLI::App& verb, Arguments& a) {
+void add_outputs(CLI::App& verb, BakeArguments& a) {
     verb.add_option("-o,--output", a.output, "EXR to write (without it the map is cached only)")
         ->type_name("OUT.exr");
     verb.add_option("--packed", a.packed,
@@ -192,7 +192,7 @@ void add_outputs(CLI::App& verb, Arguments& a) {
 
 void add_bake(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("bake", "derive a map from a height field");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<BakeArguments>();
     add_field(*verb, *a);
     verb->add_option("--kind", a->kind, "what to derive, see below")->required();
     verb->add_option("--param", a->parameters, "of the kind; repeatable")

@@ -28,14 +28,14 @@ const std::map<std::string, TexelFormat> formats = [] {
 }();
 const std::map<std::string, MipRule> rules{{"box", MipRule::box}, {"area", MipRule::area}};
 
-struct Arguments {
+struct MipsArguments {
     std::string image, prefix, format, rule = "box", swizzle;
     ImageSelection selection;
     ExrCompression compression = ExrCompression::zip;
     bool srgb = false, flip_v = false;
 };
 
-TextureOptions texture_options(const Arguments& arguments) {
+TextureOptions texture_options(const MipsArguments& arguments) {
     TextureOptions options;
     options.swizzle = arguments.swizzle;
     options.srgb = arguments.srgb;
@@ -59,14 +59,14 @@ Film to_film(const Image& level) {
     return film;
 }
 
-std::vector<std::string> level_files(const Arguments& arguments, int levels) {
+std::vector<std::string> level_files(const MipsArguments& arguments, int levels) {
     std::vector<std::string> files;
     for (int level = 0; level < levels; ++level)
         files.push_back(fmt::format("{}.{}.exr", arguments.prefix, level));
     return files;
 }
 
-ExitCode run_mips(const Arguments& arguments) {
+ExitCode run_mips(const MipsArguments& arguments) {
     CommandFiles all;
     const auto texture =
         make_texture(load_image(arguments.image, NotFinite::refuse, "", arguments.selection),
@@ -90,7 +90,7 @@ ExitCode run_mips(const Arguments& arguments) {
 
 void add_mips(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("mips", "write the mip levels of an image as EXR");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<MipsArguments>();
     verb->add_option("image", a->image, "image of any format that textures may have")->required();
     verb->add_option("-o,--output", a->prefix, "levels go to PREFIX.0.exr, PREFIX.1.exr, ...")
         ->type_name("PREFIX")

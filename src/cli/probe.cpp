@@ -13,13 +13,13 @@
 namespace quadrel::cli {
 namespace {
 
-struct Arguments {
+struct ProbeArguments {
     std::string scene, pixel, size, number = "float", isa = "scalar";
     std::vector<std::string> overrides, plugins;
     bool json = false;
 };
 
-ExitCode run_probe(const Arguments& arguments) {
+ExitCode run_probe(const ProbeArguments& arguments) {
     load_plugins(arguments.plugins);
     const Pixel pixel = parse_pixel("--pixel", arguments.pixel);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
@@ -34,7 +34,7 @@ ExitCode run_probe(const Arguments& arguments) {
 void add_probe(CLI::App& app, Action& action) {
     CLI::App* verb =
         app.add_subcommand("probe", "re-run one pixel's quad and print all that it goes through");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<ProbeArguments>();
     verb->add_option("scene", a->scene, "scene file, or the name of an installed scene")
         ->required();
     verb->add_option("--pixel", a->pixel, "image coordinates from the top-left")

@@ -26,7 +26,7 @@
 namespace quadrel::cli {
 namespace {
 
-struct Arguments {
+struct RenderArguments {
     std::string scene, output, preview, stats, channels, size, window;
     std::vector<std::string> overrides, plugins;
     bool explain = false, no_skip = false;
@@ -36,7 +36,7 @@ struct Arguments {
 };
 
 /// The output's name unless it is given: the scene's, in the current directory.
-std::filesystem::path output_name(const Arguments& arguments) {
+std::filesystem::path output_name(const RenderArguments& arguments) {
     if (!arguments.output.empty()) return arguments.output;
     return std::filesystem::path(arguments.scene).stem().string() + ".exr";
 }
@@ -45,7 +45,7 @@ void tell_hint(const std::optional<std::string>& hint) {
     if (hint) tell("quadrel: " + *hint);
 }
 
-RenderOptions parse_options(const Arguments& arguments) {
+RenderOptions parse_options(const RenderArguments& arguments) {
     RenderOptions options = arguments.options;
     if (!arguments.channels.empty()) {
         const std::vector<std::string> requests = parse_list("--channels", arguments.channels);
@@ -59,7 +59,7 @@ RenderOptions parse_options(const Arguments& arguments) {
 }
 
 /// What the names of the outputs say.
-void check_kinds(const Arguments& arguments) {
+void check_kinds(const RenderArguments& arguments) {
     check_output_kinds({{"-o", ".exr", arguments.output},
                         {"--preview", ".png", arguments.preview},
                         {"--stats", ".json", arguments.stats}});
@@ -69,7 +69,7 @@ void check_kinds(const Arguments& arguments) {
         throw UsageError("-o -: expected standard output to be a file or a pipe, not a terminal");
 }
 
-void add_outputs(CommandFiles& files, const Arguments& arguments) {
+void add_outputs(CommandFiles& files, const RenderArguments& arguments) {
     if (arguments.explain) return;
     if (arguments.streams())
         files.add_standard_output("-o -");
@@ -105,8 +105,8 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     out.commit();
 }
 
-void write_outputs(const Arguments& arguments, const Scene& scene, const RenderOptions& options,
-                   const Film& film) {
+void write_outputs(const RenderArguments& arguments, const Scene& scene,
+                   const RenderOptions& options, const Film& film) {
     const std::filesystem::path output = output_name(arguments);
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
@@ -129,7 +129,7 @@ void say_summary(const RenderSummary& summary) {
     if (const auto warning = nothing_in_view(summary)) say("quadrel: warning: " + *warning);
 }
 
-ExitCode run_render(const Arguments& arguments) {
+ExitCode run_render(const RenderArguments& arguments) {
     CommandFiles files;
     add_outputs(files, arguments);
     load_plugins(arguments.plugins);
@@ -154,7 +154,7 @@ ExitCode run_render(const Arguments& arguments) {
     return ExitCode::ok;
 }
 
-void add_values(CLI::App& verb, Arguments& a) {
+void add_values(CLI::App& verb, RenderArguments& a) {
     verb.add_option("scene", a.scene, "scene file, or the name of an installed scene")->required();
     verb.add_option("-o,--output", a.output,
                     "EXR to write (default: the scene's name in the current directory); "
@@ -198,7 +198,7 @@ void add_execution(CLI::App& verb, RenderOptions& options) {
 
 void add_render(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("render", "render a scene to an EXR of named channels");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<RenderArguments>();
     add_values(*verb, *arguments);
     add_plugin_option(*verb, arguments->plugins);
     verb->add_flag("--no-skip", arguments->no_skip,

@@ -23,7 +23,7 @@
 namespace quadrel::cli {
 namespace {
 
-struct Arguments {
+struct SheetArguments {
     std::vector<std::string> inputs;
     std::string output, size, each;
     std::vector<std::string> overrides, plugins;
@@ -79,7 +79,7 @@ struct SheetInput {
 
 /// Everything that is to be seen; scenes are loaded, so that their inputs are known and their
 /// errors come before the first render.
-std::vector<SheetInput> open_inputs(const Arguments& arguments, const Variants& variants,
+std::vector<SheetInput> open_inputs(const SheetArguments& arguments, const Variants& variants,
                                     CommandFiles& command) {
     std::vector<SheetInput> inputs;
     for (const std::filesystem::path& file : expand(arguments.inputs)) {
@@ -135,7 +135,7 @@ std::vector<SheetEntry> make_entries(const std::vector<SheetInput>& inputs,
     return entries;
 }
 
-ExitCode run_sheet(const Arguments& arguments) {
+ExitCode run_sheet(const SheetArguments& arguments) {
     CommandFiles files;
     const Variants variants = parse_variants(arguments.each);
     check_output_kinds({{"-o", ".png", arguments.output}});
@@ -158,7 +158,7 @@ ExitCode run_sheet(const Arguments& arguments) {
 void add_sheet(CLI::App& app, Action& action) {
     CLI::App* verb =
         app.add_subcommand("sheet", "put EXR images and renders of scenes on one labelled PNG");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<SheetArguments>();
     verb->add_option("inputs", a->inputs, "EXR images, scenes, or folders of scenes, row by row")
         ->required();
     verb->add_option("-o,--output", a->output, "PNG to write")->type_name("OUT.png")->required();

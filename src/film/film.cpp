@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "quadrel/check.hpp"
 
@@ -18,6 +19,10 @@ const Plane* Film::find(const std::string& name) const {
     const auto found = std::find_if(planes.begin(), planes.end(),
                                     [&](const Plane& plane) { return plane.name == name; });
     return found == planes.end() ? nullptr : &*found;
+}
+
+Plane* Film::find(const std::string& name) {
+    return const_cast<Plane*>(std::as_const(*this).find(name));
 }
 
 Plane& Film::add(const std::string& name, ChannelType type, std::uint32_t fill) {

@@ -108,7 +108,7 @@ bool has_kind(HeatKind kind, const Film& reference, const Film& test) {
     });
 }
 
-constexpr int margin = 4, bar_height = 8, least_width = 222;
+constexpr int panel_margin = 4, bar_height = 8, least_width = 222;
 
 /// The scale from its low end to its high one.
 Picture scale_bar(HeatKind kind, int width) {
@@ -137,13 +137,14 @@ std::vector<std::string> captions(const HeatPanel& panel, int width) {
 Picture with_legend(const HeatPanel& panel) {
     const int width = std::max(panel.picture.width, least_width);
     const std::vector<std::string> lines = captions(panel, width);
-    const int below = panel.picture.height + margin;
-    Picture whole(width,
-                  below + bar_height + margin + static_cast<int>(lines.size()) * text_line_height,
-                  paper);
+    const int below = panel.picture.height + panel_margin;
+    Picture whole(
+        width,
+        below + bar_height + panel_margin + static_cast<int>(lines.size()) * text_line_height,
+        paper);
     draw_picture(whole, 0, 0, panel.picture);
     draw_picture(whole, 0, below, scale_bar(panel.kind, least_width));
-    int top = below + bar_height + margin;
+    int top = below + bar_height + panel_margin;
     for (const std::string& line : lines) {
         draw_label(whole, 0, top, width, line);
         top += text_line_height;
@@ -176,16 +177,16 @@ Picture heatmap(const Film& reference, const Film& test) {
     std::vector<Picture> pictures;
     for (const HeatPanel& panel : heat_panels(reference, test))
         pictures.push_back(with_legend(panel));
-    int width = margin, height = 0;
+    int width = panel_margin, height = 0;
     for (const Picture& picture : pictures) {
-        width += picture.width + margin;
+        width += picture.width + panel_margin;
         height = std::max(height, picture.height);
     }
-    Picture all(width, height + 2 * margin, paper);
-    int left = margin;
+    Picture all(width, height + 2 * panel_margin, paper);
+    int left = panel_margin;
     for (const Picture& picture : pictures) {
-        draw_picture(all, left, margin, picture);
-        left += picture.width + margin;
+        draw_picture(all, left, panel_margin, picture);
+        left += picture.width + panel_margin;
     }
     return all;
 }

@@ -9,12 +9,12 @@
 namespace quadrel {
 namespace {
 
-struct Point {
+struct Corner {
     std::int64_t x, y;
 };
 
 /// The corners of the smallest rectangle around all samples: what is linear has its extremes there.
-std::array<Point, 4> corners_of(const PixelRect& rect, int samples) {
+std::array<Corner, 4> corners_of(const PixelRect& rect, int samples) {
     const auto positions = sample_positions(samples);
     const auto [left, right] = std::ranges::minmax(positions, {}, &SamplePosition::x);
     const auto [low, high] = std::ranges::minmax(positions, {}, &SamplePosition::y);
@@ -32,7 +32,7 @@ Cover cover_of(const ScreenTriangle& triangle, const PixelRect& rect, int sample
     const auto corners = corners_of(rect, samples);
     Cover cover = Cover::all;
     for (const EdgeFunction& edge : triangle.edge) {
-        const auto inside = std::count_if(corners.begin(), corners.end(), [&](const Point& p) {
+        const auto inside = std::count_if(corners.begin(), corners.end(), [&](const Corner& p) {
             return edge(p.x, p.y) >= edge.threshold;
         });
         if (inside == 0) return Cover::none;
@@ -51,7 +51,7 @@ bool passes_cleared(const ScreenTriangle& triangle, const PixelRect& rect, int s
     const double size = std::abs(v[0].depth) + std::abs(v[1].depth - v[0].depth) +
                         std::abs(v[2].depth - v[0].depth);
     if (!(size <= largest)) return false;
-    for (const Point& p : corners_of(rect, samples)) {
+    for (const Corner& p : corners_of(rect, samples)) {
         const double depth = depth_at(triangle, p.x, p.y);
         if (!(compare == DepthCompare::less ? depth < 1 - margin : depth > margin)) return false;
     }

@@ -9,8 +9,6 @@
 namespace quadrel::test {
 namespace {
 
-SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
-
 using BakeWith = std::function<Texels(const Texture&, BakeKind, const BakeOptions&)>;
 
 Texels bake_repeating(const Texture& field, BakeKind kind, const BakeOptions& options) {

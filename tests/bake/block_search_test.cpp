@@ -102,8 +102,8 @@ Ratios by_all_texels(const Field& field, int i, int j) {
     return best;
 }
 
-/// Smooth hills: where blocks are passed.
-Texels hills(int width, int height) {
+/// Smooth hill_field: where blocks are passed.
+Texels hill_field(int width, int height) {
     return make_field(width, height, [=](int i, int j) {
         const double u = 2.0 * i / width - 0.7, v = 2.0 * j / height - 1.1;
         return std::max(0.0, 0.9 - u * u - 0.7 * v * v);
@@ -129,7 +129,7 @@ testing::AssertionResult finds_the_same(const Texels& heights, const SamplerStat
 testing::AssertionResult finds_the_same_everywhere(Planted planted) {
     std::vector<Texels> fields = small_fields();
     for (const auto& [width, height] : {std::pair(24, 20), {40, 3}, {2, 33}})
-        fields.push_back(hills(width, height));
+        fields.push_back(hill_field(width, height));
     int turn = 0;
     for (const Texels& field : fields) {
         const auto samplers = all_samplers();
@@ -189,7 +189,7 @@ testing::AssertionResult bounds_falls(const Texels& heights, const SamplerState&
 
 TEST(RelaxedFalls, AreNoGentlerThanTheField) {
     int turn = 0;
-    for (const Texels& field : {random_field(6, 5, 31), hills(12, 5), hills(3, 14)}) {
+    for (const Texels& field : {random_field(6, 5, 31), hill_field(12, 5), hill_field(3, 14)}) {
         for (const SamplerState& sampler : all_samplers()) {
             if (turn++ % 4 != 0) continue;
             EXPECT_TRUE(bounds_falls(field, sampler, 1));

@@ -18,8 +18,6 @@
 namespace quadrel::test {
 namespace {
 
-SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
-
 /// A folder that the environment names as the user's cache.
 class UserCache {
   public:

@@ -10,8 +10,6 @@ namespace {
 
 using listings::ConeMapImage;
 
-SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
-
 /// The shader over a whole image. Its invocations only read red, which none of them changes.
 ConeMapImage run_shader(const Texture& field) {
     const TextureView& view = field.view();

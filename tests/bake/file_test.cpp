@@ -9,8 +9,6 @@
 namespace quadrel::test {
 namespace {
 
-SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
-
 TEST(BakedFile, RoundTripsEveryKind) {
     const TemporaryFolder folder;
     const Texels field = random_field(9, 5, 81);

@@ -138,6 +138,8 @@ inline std::vector<Texels> small_fields() {
 using MapCheck = std::function<testing::AssertionResult(const Texture& map, const Texture& field,
                                                         const SamplerState& sampler)>;
 
+inline SamplerState repeat() { return sampler_with(Wrap::repeat, Wrap::repeat); }
+
 inline testing::AssertionResult holds_for_small_fields(const Baker& baked, const MapCheck& check) {
     for (const Texels& field : small_fields()) {
         for (const SamplerState& sampler : all_samplers()) {

@@ -76,7 +76,7 @@ TEST(OutputGroup, CommitAloneDoesNotWait) {
 }
 
 /// The code that a process with our handlers ends with.
-int exit_code_of(const std::function<void()>& body) {
+int exit_code_with_handlers(const std::function<void()>& body) {
     const pid_t child = fork();
     if (child == 0) {
         for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
@@ -91,7 +91,7 @@ int exit_code_of(const std::function<void()>& body) {
 
 TEST(OutputGroup, ASignalBeforeRemovesAll) {
     const TemporaryFolder folder;
-    EXPECT_EQ(exit_code_of([&] {
+    EXPECT_EQ(exit_code_with_handlers([&] {
                   OutputGroup group;
                   for (int i = 0; i < 20; ++i) write_whole(folder / std::to_string(i), "x");
                   std::raise(SIGTERM);
@@ -102,7 +102,7 @@ TEST(OutputGroup, ASignalBeforeRemovesAll) {
 
 TEST(OutputGroup, ASignalWhileOneHoldsWaits) {
     const TemporaryFolder folder;
-    EXPECT_EQ(exit_code_of([&] {
+    EXPECT_EQ(exit_code_with_handlers([&] {
                   {
                       const SignalHold hold;
                       std::raise(SIGINT);

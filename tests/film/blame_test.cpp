@@ -15,10 +15,9 @@ namespace {
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
+using testing_films::bits;
 using FindBlame = std::function<std::optional<Blame>(const Film&, const Film&, const CompareRules&,
                                                      const CompareReport&)>;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// Channels of every stage, in the order in which a file holds them: by name.
 Film staged_film() {

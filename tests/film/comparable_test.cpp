@@ -23,11 +23,10 @@ using planted::FilmError;
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
+using testing_films::bits;
 using testing_films::TemporaryFolder;
 using Flip = std::function<void(Film&)>;
 using Map = std::function<void(ComparableImage&, std::span<const ChannelMapping>)>;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 ComparableImage as_comparable(Film film, Storage storage = Storage::float32) {
     ComparableImage image{"memory", std::move(film), {}, {}};

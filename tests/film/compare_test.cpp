@@ -18,9 +18,8 @@ using planted::FilmError;
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
+using testing_films::bits;
 using Compare = std::function<CompareReport(const Film&, const Film&, const Tolerance&)>;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
 /// Every single change to a film must be seen, from both sides.
 AssertionResult sees_every_change(const Compare& compare_) {

@@ -14,6 +14,8 @@
 
 namespace quadrel::testing_films {
 
+inline std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+
 /// Random bits: every class of float appears, NaNs with payloads included.
 inline Film random_film(unsigned seed, Window frame = {0, 0, 17, 13},
                         Window window = {3, 2, 12, 11}) {

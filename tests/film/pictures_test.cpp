@@ -13,8 +13,7 @@ namespace {
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+using testing_films::bits;
 
 Film film_of(const std::vector<std::string>& floats, const std::vector<std::string>& integers) {
     Film film{{0, 0, 4, 2}, {0, 0, 4, 2}, {}};
@@ -139,16 +138,15 @@ TEST(Preview, GroupsOfTheFirstChannel) {
     const auto shown = [](const std::vector<std::string>& names) {
         return preview_channels(film_of(names, {}));
     };
-    using Names = std::vector<std::string>;
-    EXPECT_EQ(shown({"Z", "B", "G", "R"}), (Names{"R", "G", "B"}));
+    EXPECT_EQ(shown({"Z", "B", "G", "R"}), (std::vector<std::string>{"R", "G", "B"}));
     EXPECT_EQ(shown({"light.diffuse.B", "light.diffuse.G", "light.diffuse.R"}),
-              (Names{"light.diffuse.R", "light.diffuse.G", "light.diffuse.B"}));
+              (std::vector<std::string>{"light.diffuse.R", "light.diffuse.G", "light.diffuse.B"}));
     EXPECT_EQ(shown({"hit.P.Z", "hit.P.Y", "hit.P.X", "hit.U"}),
-              (Names{"hit.P.X", "hit.P.Y", "hit.P.Z"}));
-    EXPECT_EQ(shown({"hit.U", "hit.V", "hit.s"}), (Names{"hit.U", "hit.V"}));
+              (std::vector<std::string>{"hit.P.X", "hit.P.Y", "hit.P.Z"}));
+    EXPECT_EQ(shown({"hit.U", "hit.V", "hit.s"}), (std::vector<std::string>{"hit.U", "hit.V"}));
     EXPECT_EQ(shown({"bary.0", "bary.1", "bary.2"}).size(), 3u);
-    EXPECT_EQ(shown({"N.X", "N.Y"}), Names{"N.X"});
-    EXPECT_EQ(shown({"Z", "N.X", "N.Y", "N.Z"}), Names{"Z"});
+    EXPECT_EQ(shown({"N.X", "N.Y"}), std::vector<std::string>{"N.X"});
+    EXPECT_EQ(shown({"Z", "N.X", "N.Y", "N.Z"}), std::vector<std::string>{"Z"});
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ namespace {
 using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
-
-std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+using testing_films::bits;
 
 using Crop = std::function<void(Film&, const Window&)>;
 

@@ -23,14 +23,14 @@ SampledTexture sized(int size) {
     return texture;
 }
 
-constexpr std::array outputs = {Value::lod_rho, Value::lod_lambda, Value::lod_level,
-                                Value::lod_frac};
+constexpr std::array lod_values = {Value::lod_rho, Value::lod_lambda, Value::lod_level,
+                                   Value::lod_frac};
 
 /// A footprint of (3, 4) and (0, 0) texels of a map of 256 texels: rho 5, log2 5 = 2.3219...
 template <class T>
 void run(StageBench<T>& bench, StageFunction stage, const SampledTexture* height,
          const SampledTexture* color) {
-    for (const Value v : outputs) bench.want(v);
+    for (const Value v : lod_values) bench.want(v);
     bench.want(Value::dUVdx);
     bench.want(Value::dUVdy);
     for (int lane = 0; lane < 16; ++lane) {
@@ -50,9 +50,9 @@ testing::AssertionResult follows_the_height_map(StageFunction stage) {
         StageBench<T> bench;
         run(bench, stage, h, c);
         for (std::size_t i = 0; i < 4; ++i)
-            if (std::abs(static_cast<double>(bench.at(outputs[i], 0, 5)) - expected[i]) > 1e-6)
+            if (std::abs(static_cast<double>(bench.at(lod_values[i], 0, 5)) - expected[i]) > 1e-6)
                 return testing::AssertionFailure()
-                       << info(outputs[i]).name << " is " << bench.at(outputs[i], 0, 5)
+                       << info(lod_values[i]).name << " is " << bench.at(lod_values[i], 0, 5)
                        << ", expected " << expected[i];
         return testing::AssertionSuccess();
     };

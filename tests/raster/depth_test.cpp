@@ -6,13 +6,13 @@
 namespace quadrel::test {
 namespace {
 
-constexpr int size = 32;
+constexpr int depth_size = 32;
 
 Corners random_corners(Random& random, double low, double high) {
     Corners corners;
     for (Corner& c : corners)
-        c = {random.uniform(-4, size + 4), random.uniform(-4, size + 4), random.uniform(0.2, 5),
-             random.uniform(low, high)};
+        c = {random.uniform(-4, depth_size + 4), random.uniform(-4, depth_size + 4),
+             random.uniform(0.2, 5), random.uniform(low, high)};
     return corners;
 }
 
@@ -28,7 +28,7 @@ long double plane_depth(const ScreenTriangle& t, int x, int y) {
 
 /// Depth is linear in the window, clamped, right to a float rounding; whatever the vertices' w.
 testing::AssertionResult is_linear_and_clamped(const FrontEnd& front) {
-    const RasterState state = y_down(size, size);
+    const RasterState state = y_down(depth_size, depth_size);
     Random random;
     for (int i = 0; i < 300; ++i) {
         const bool leaves = i % 2;
@@ -36,10 +36,10 @@ testing::AssertionResult is_linear_and_clamped(const FrontEnd& front) {
         ScreenTriangle t;
         if (set_up_triangle(to_clip(corners, state.viewport), state, t) != SetupOutcome::drawn)
             continue;
-        TileBuffer tile({0, 0, size, size}, 1);
+        TileBuffer tile({0, 0, depth_size, depth_size}, 1);
         front.draw(t, 0, tile);
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x) {
+        for (int y = 0; y < depth_size; ++y)
+            for (int x = 0; x < depth_size; ++x) {
                 if (tile.triangle(x, y, 0) != 0) continue;
                 const float z = tile.depth(x, y, 0);
                 const long double exact = std::min(1.0L, std::max(0.0L, plane_depth(t, x, y)));
@@ -53,7 +53,7 @@ testing::AssertionResult is_linear_and_clamped(const FrontEnd& front) {
 
 /// The nearest triangle is seen, and of several at one depth the first.
 testing::AssertionResult nearest_then_first(const FrontEnd& front) {
-    const RasterState state = y_down(size, size);
+    const RasterState state = y_down(depth_size, depth_size);
     Random random;
     std::vector<ScreenTriangle> triangles;
     for (int i = 0; i < 30; ++i) {
@@ -64,11 +64,11 @@ testing::AssertionResult nearest_then_first(const FrontEnd& front) {
         if (set_up_triangle(to_clip(corners, state.viewport), state, t) == SetupOutcome::drawn)
             triangles.push_back(t);
     }
-    TileBuffer tile({0, 0, size, size}, 1);
+    TileBuffer tile({0, 0, depth_size, depth_size}, 1);
     for (std::size_t i = 0; i < triangles.size(); ++i)
         front.draw(triangles[i], std::uint32_t(i), tile);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < depth_size; ++y)
+        for (int x = 0; x < depth_size; ++x) {
             std::uint32_t first = no_triangle;
             float nearest = 1;
             for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -8,7 +8,7 @@
 namespace quadrel::test {
 namespace {
 
-constexpr int size = 40;
+constexpr int tile_size = 40;
 
 /// What is told without drawing, real or with an error planted.
 struct Teller {
@@ -22,15 +22,15 @@ struct Teller {
 /// Large triangles and slivers, half of them with a right angle; corners at half pixels put pixel
 /// centres onto edges.
 ScreenTriangle random_triangle(Random& random) {
-    const RasterState state = y_down(size, size);
-    const double reach = random.below(2) == 0 ? size : 3 * size;
+    const RasterState state = y_down(tile_size, tile_size);
+    const double reach = random.below(2) == 0 ? tile_size : 3 * tile_size;
     const double flatness = random.below(3) == 0 ? 0 : 1;
     const double middle = random.uniform(-0.1, 1.1);
     for (;;) {
         Corners corners;
         for (Corner& c : corners) {
             const auto place = [&] {
-                return random.below(int(4 * reach)) / 2.0 - reach + size / 2;
+                return random.below(int(4 * reach)) / 2.0 - reach + tile_size / 2;
             };
             c = {place(), place(), 1, middle + flatness * random.uniform(-0.6, 0.6)};
         }
@@ -46,8 +46,8 @@ ScreenTriangle random_triangle(Random& random) {
 }
 
 PixelRect random_rect(Random& random) {
-    const int x = 2 * random.below(size / 2), y = 2 * random.below(size / 2);
-    const int most_x = (size - x) / 2, most_y = (size - y) / 2;
+    const int x = 2 * random.below(tile_size / 2), y = 2 * random.below(tile_size / 2);
+    const int most_x = (tile_size - x) / 2, most_y = (tile_size - y) / 2;
     return {x, y, x + 2 + 2 * random.below(most_x), y + 2 + 2 * random.below(most_y)};
 }
 

@@ -10,14 +10,14 @@
 namespace quadrel::test {
 namespace {
 
-constexpr int size = 50;
+constexpr int buffer_size = 50;
 
 std::vector<ScreenTriangle> random_triangles(Random& random, int n, double reach) {
-    RasterState state = y_down(size, size);
+    RasterState state = y_down(buffer_size, buffer_size);
     std::vector<ScreenTriangle> triangles;
     while (int(triangles.size()) < n) {
         Corners corners;
-        const double x = random.uniform(0, size), y = random.uniform(0, size);
+        const double x = random.uniform(0, buffer_size), y = random.uniform(0, buffer_size);
         for (Corner& c : corners)
             c = {x + random.uniform(-reach, reach), y + random.uniform(-reach, reach),
                  random.uniform(0.5, 3), random.uniform(-0.2, 1.2)};
@@ -66,7 +66,7 @@ std::vector<PixelRect> tiling(const PixelRect& window, int width, int height) {
     return tiles;
 }
 
-const PixelRect whole{0, 0, size, size};
+const PixelRect whole{0, 0, buffer_size, buffer_size};
 
 /// Tiles of several sizes and a crop window show the same samples and the same quads.
 testing::AssertionResult tiling_is_invisible(const FrontEnd& front, int samples) {
@@ -254,10 +254,10 @@ TEST(Tile, BlocksAgreeWithSingleSamples) {
     Random random;
     for (double reach : {1.0, 10.0, 100.0, 1e5})
         for (const ScreenTriangle& t : random_triangles(random, 100, reach)) {
-            TileBuffer tile({0, 0, size, size}, 4);
+            TileBuffer tile({0, 0, buffer_size, buffer_size}, 4);
             rasterize(t, 0, tile);
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x)
+            for (int y = 0; y < buffer_size; ++y)
+                for (int x = 0; x < buffer_size; ++x)
                     for (int s = 0; s < 4; ++s) {
                         const bool covered = coverage_mask(t, x, y, 4) >> s & 1;
                         const SamplePosition p = sample_positions(4)[s];
@@ -279,8 +279,9 @@ TEST(Tile, BothArithmeticsGiveTheSameBits) {
         detail::rasterize(triangles[i], i, fast, detail::EdgeArithmetic::automatic);
         detail::rasterize(triangles[i], i, exact, detail::EdgeArithmetic::int64);
     }
-    for (int i = 0; i < size * size * 8; ++i) {
-        const int x = i % size, y = i / size % size, s = i / (size * size);
+    for (int i = 0; i < buffer_size * buffer_size * 8; ++i) {
+        const int x = i % buffer_size, y = i / buffer_size % buffer_size,
+                  s = i / (buffer_size * buffer_size);
         ASSERT_EQ(fast.depth(x, y, s), exact.depth(x, y, s));
         ASSERT_EQ(fast.triangle(x, y, s), exact.triangle(x, y, s));
     }
@@ -296,10 +297,10 @@ TEST(Tile, OrderOfTrianglesDoesNotMatter) {
     TileBuffer forward(whole, 4), backward(whole, 4);
     for (std::uint32_t i = 0; i < 40; ++i) rasterize(triangles[i], i, forward);
     for (std::uint32_t i = 40; i-- > 0;) rasterize(triangles[i], i, backward);
-    for (int i = 0; i < size * size; ++i)
+    for (int i = 0; i < buffer_size * buffer_size; ++i)
         for (int s = 0; s < 4; ++s)
-            ASSERT_EQ(forward.triangle(i % size, i / size, s),
-                      backward.triangle(i % size, i / size, s));
+            ASSERT_EQ(forward.triangle(i % buffer_size, i / buffer_size, s),
+                      backward.triangle(i % buffer_size, i / buffer_size, s));
 }
 
 TEST(Tile, InOrderEqualsVisibility) {
@@ -310,7 +311,7 @@ TEST(Tile, InOrderEqualsVisibility) {
 
 TEST(Tile, TheFarPlaneItselfIsNotNearer) {
     const Corners far{Corner{0, 0, 1, 1}, Corner{9, 0, 1, 1}, Corner{0, 9, 1, 1}};
-    const ScreenTriangle t = set_up(far, y_down(size, size));
+    const ScreenTriangle t = set_up(far, y_down(buffer_size, buffer_size));
     TileBuffer tile(whole, 1);
     rasterize(t, 0, tile);
     EXPECT_EQ(tile.triangle(1, 1, 0), no_triangle);

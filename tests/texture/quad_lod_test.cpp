@@ -34,7 +34,7 @@ Lanes4 read(const Float& v) { return {v.lane[0], v.lane[1], v.lane[2], v.lane[3]
 /// exp2(lane) / 32 times gl_FragCoord.x.
 const Float bent = lanes(0.5f / 32, 2 * 1.5f / 32, 4 * 0.5f / 32, 8 * 1.5f / 32);
 
-using LookUp = std::function<Float(const SampledTexture&, const vec2<Float>& uv, Float bias)>;
+using LodLookUp = std::function<Float(const SampledTexture&, const vec2<Float>& uv, Float bias)>;
 
 Float with_bias(const SampledTexture& t, const vec2<Float>& uv, Float bias) {
     return texture_bias(t, SampleContext<Float>(), uv, bias).x;
@@ -49,7 +49,7 @@ Float bias_of_lane_0(const SampledTexture& t, const vec2<Float>& uv, Float bias)
 }
 
 /// texture(map, (bent, 0)) and texture(map, (x / 16, 0.3), lane / 2).
-testing::AssertionResult has_llvmpipes_levels(const LookUp& look_up) {
+testing::AssertionResult has_llvmpipes_levels(const LodLookUp& look_up) {
     const LevelTexture texture;
     const Lanes4 plain = read(look_up(texture.sampled, {bent, Float(0)}, Float(0)));
     const vec2<Float> straight(lanes(0.5f / 16, 1.5f / 16, 0.5f / 16, 1.5f / 16), Float(0.3f));

@@ -50,7 +50,8 @@ struct Film {
     Window window;  ///< the part that the planes hold
     std::vector<Plane> planes;
 
-    const Plane* find(const std::string& name) const;
+    const Plane* find(const std::string& name) const;  ///< null if there is none
+    Plane* find(const std::string& name);
     /// Adds a plane of `window`'s size, every value `fill` (its bits). The name must be free.
     Plane& add(const std::string& name, ChannelType type, std::uint32_t fill = 0);
     /// Index of the pixel at image coordinates (x, y), which must lie in the window.

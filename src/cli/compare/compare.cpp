@@ -36,7 +36,7 @@ constexpr const char* details =
     "Codes of an 8-bit file stay as they are; --ulp counts codes. half: every float becomes the\n"
     "nearest half, ties to even; --ulp counts halves.";
 
-struct Arguments {
+struct CompareArguments {
     std::string reference, test, channels, heatmap, encode, blame, ignored_flags;
     std::vector<std::string> mappings, overrides, plugins;
     ToleranceArguments tolerances;
@@ -89,7 +89,7 @@ void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& l
     }
 }
 
-Images prepare(const Arguments& arguments) {
+Images prepare(const CompareArguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
     const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
@@ -115,7 +115,7 @@ Images prepare(const Arguments& arguments) {
     return images;
 }
 
-ExitCode run_compare(const Arguments& arguments) {
+ExitCode run_compare(const CompareArguments& arguments) {
     if (arguments.blame.empty() && !arguments.overrides.empty())
         throw UsageError("-D: expected with --blame only");
     if (arguments.blame.empty() && !arguments.plugins.empty())
@@ -171,7 +171,7 @@ void add_tolerances(CLI::App& verb, ToleranceArguments& tolerances) {
     add("--fraction", tolerances.fraction, "share of pixels, 0 to 1, that may exceed");
 }
 
-void add_preparation(CLI::App& verb, Arguments& a) {
+void add_preparation(CLI::App& verb, CompareArguments& a) {
     verb.add_option("--encode", a.encode, "round both to what 8 bits or half can hold")
         ->type_name("srgb8|unorm8|half");
     verb.add_flag("--flip-y", a.flip_y, "the test image's first row is its bottom");
@@ -192,7 +192,7 @@ void add_preparation(CLI::App& verb, Arguments& a) {
 
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<CompareArguments>();
     verb->add_option("reference", a->reference, "the image that is right")->required();
     verb->add_option("test", a->test, "the image to be judged, of any format")->required();
     verb->footer(details);

@@ -12,7 +12,7 @@
 namespace quadrel::cli {
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
     std::vector<std::string> words, plugins;
 };
 
@@ -31,7 +31,7 @@ std::string nearest_name(const std::string& word) {
                      (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"));
 }
 
-ExitCode run_explain(const Arguments& arguments) {
+ExitCode run_explain(const ExplainArguments& arguments) {
     load_plugins(arguments.plugins);
     std::string text;
     for (const std::string& word : arguments.words) {
@@ -48,7 +48,7 @@ ExitCode run_explain(const Arguments& arguments) {
 void add_explain(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand(
         "explain", "document a scene key, channel, stage, parameter, preset or exit code");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<ExplainArguments>();
     verb->add_option("names", a->words, "as material.relief.depth, hit.status, linear, 75")
         ->required();
     add_plugin_option(*verb, a->plugins);

@@ -30,7 +30,7 @@ struct Row {
 };
 using Rows = std::vector<Row>;
 
-Json value_names(std::span<const Value> values) {
+Json names_of(std::span<const Value> values) {
     Json names = Json::array();
     for (const Value value : values) names.push_back(std::string(info(value).name));
     return names;
@@ -61,13 +61,13 @@ Json stage_json(const StageInfo& stage) {
             {"source", stage.text.source},
             {"not_reproduced", stage.not_reproduced},
             {"number_types", numbers},
-            {"inputs", value_names(stage.inputs)},
-            {"outputs", value_names(stage.outputs)},
+            {"inputs", names_of(stage.inputs)},
+            {"outputs", names_of(stage.outputs)},
             {"textures", textures},
             {"parameters", parameters}};
 }
 
-std::string stage_text(const StageInfo& stage) {
+std::string stage_paragraph(const StageInfo& stage) {
     std::string text =
         fmt::format("{:<9}{:<26} {}\n", stage.text.room, stage.text.id, stage.text.summary);
     if (!stage.not_reproduced.empty())
@@ -82,7 +82,7 @@ Rows algorithm_rows() {
     for (const StageInfo& stage : all_stages())
         rows.push_back({fmt::format("{} {} {} {}", stage.text.id, stage.text.room,
                                     stage.text.summary, stage.text.source),
-                        stage_text(stage), stage_json(stage)});
+                        stage_paragraph(stage), stage_json(stage)});
     return rows;
 }
 
@@ -172,12 +172,12 @@ void print_rows(const Rows& rows, bool json) {
     print_json(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-struct Arguments {
+struct ListArguments {
     bool json = false;
     std::vector<std::string> filter, plugins;
 };
 
-ExitCode run_list(const Arguments& arguments, Rows (*make)()) {
+ExitCode run_list(const ListArguments& arguments, Rows (*make)()) {
     load_plugins(arguments.plugins);
     Rows rows = make();
     std::erase_if(rows, [&](const Row& row) { return !passes(row, arguments.filter); });
@@ -186,10 +186,10 @@ ExitCode run_list(const Arguments& arguments, Rows (*make)()) {
     return ExitCode::ok;
 }
 
-std::shared_ptr<Arguments> add_kind(CLI::App& list, const char* name, const char* meaning,
-                                    Rows (*make)(), Action& action) {
+std::shared_ptr<ListArguments> add_kind(CLI::App& list, const char* name, const char* meaning,
+                                        Rows (*make)(), Action& action) {
     CLI::App* kind = list.add_subcommand(name, meaning);
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ListArguments>();
     kind->add_option("words", arguments->filter, "only what has all of these words in its texts");
     kind->add_flag("--json", arguments->json, "machine-readable, on standard output");
     kind->callback([=, &action] { action = [=] { return run_list(*arguments, make); }; });

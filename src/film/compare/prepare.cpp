@@ -125,12 +125,6 @@ std::vector<Renaming> all_renamings(const ComparableImage& image,
     return all;
 }
 
-Plane* find_plane(Film& film, const std::string& name) {
-    const auto found = std::find_if(film.planes.begin(), film.planes.end(),
-                                    [&](const Plane& plane) { return plane.name == name; });
-    return found == film.planes.end() ? nullptr : &*found;
-}
-
 bool has_8_bits(Encoding encoding) {
     return encoding == Encoding::unorm8 || encoding == Encoding::srgb8;
 }
@@ -209,7 +203,7 @@ void map_channels(ComparableImage& image, std::span<const ChannelMapping> mappin
     const std::map<std::string, Storage> stored = image.stored;
     std::vector<Plane> renamed;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        Plane& from = *find_plane(image.film, all[i].from);
+        Plane& from = *image.film.find(all[i].from);
         const bool again = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(),
                                        [&](const Renaming& r) { return r.from == all[i].from; });
         Plane& plane = renamed.emplace_back(Plane{all[i].to, from.type, {}});

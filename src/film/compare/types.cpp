@@ -6,12 +6,6 @@
 namespace quadrel {
 namespace {
 
-Plane* find_plane(Film& film, const std::string& name) {
-    for (Plane& plane : film.planes)
-        if (plane.name == name) return &plane;
-    return nullptr;
-}
-
 void integers_to_floats(Plane& plane) {
     if (plane.type == ChannelType::float32) return;
     plane.type = ChannelType::float32;
@@ -30,7 +24,7 @@ void drop_zero_signs(Plane& plane) {
 std::vector<std::string> compare_by_value(Film& reference, Film& test) {
     std::vector<std::string> names;
     for (Plane& plane : reference.planes) {
-        Plane* other = find_plane(test, plane.name);
+        Plane* other = test.find(plane.name);
         if (other == nullptr || other->type == plane.type) continue;
         for (Plane* one : {&plane, other}) {
             integers_to_floats(*one);

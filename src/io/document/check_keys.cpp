@@ -6,10 +6,11 @@
 namespace quadrel {
 namespace {
 
-void check_section(const Value& value, std::string_view section);
+void check_section(const SceneValue& value, std::string_view section);
 
 /// Where stages have their parameters, a name that is near no key is one of these.
-[[noreturn]] void refuse_key(const Value& value, const std::string& key, std::string_view section) {
+[[noreturn]] void refuse_key(const SceneValue& value, const std::string& key,
+                             std::string_view section) {
     const std::vector<std::string_view> known = keys_of_section(section);
     if (takes_parameters(section) && nearest_word(key, known).empty())
         value.reject("a number or a name, as parameters of stages are, or another key: " +
@@ -17,7 +18,7 @@ void check_section(const Value& value, std::string_view section);
     value.fail("an unknown key", one_of(key, known));
 }
 
-void check_below(const Value& value, const SceneKey& row) {
+void check_below(const SceneValue& value, const SceneKey& row) {
     const Json& json = value.json();
     if (row.below == Below::object) check_section(value, row.below_section);
     if (row.below == Below::list && json.is_array())
@@ -29,10 +30,10 @@ void check_below(const Value& value, const SceneKey& row) {
 }
 
 // Values that are not objects are left to whoever reads them.
-void check_section(const Value& value, std::string_view section) {
+void check_section(const SceneValue& value, std::string_view section) {
     if (!value.json().is_object()) return;
     for (const auto& [key, member] : value.json().items()) {
-        const Value here = value.member(key);
+        const SceneValue here = value.member(key);
         if (const SceneKey* row = find_scene_key(section, key))
             check_below(here, *row);
         else if (!(takes_parameters(section) && (member.is_number() || is_parameter(key))))
@@ -43,7 +44,7 @@ void check_section(const Value& value, std::string_view section) {
 }  // namespace
 
 void check_scene_keys(const SceneDocument& document) {
-    const Value root(document, document.root, "");
+    const SceneValue root(document, document.root, "");
     if (!root.json().is_object()) root.reject("a scene: an object { \"quadrel\": 1, ... }");
     if (root.json().empty()) root.fail("an empty object", "the first key to be \"quadrel\"");
     const std::string first = root.json().begin().key();

@@ -65,7 +65,7 @@ class Namer {
         if (!name.empty()) number = std::string(name);
     }
 
-    static void check_name(const ParameterText& parameter, const Value& value) {
+    static void check_name(const ParameterText& parameter, const SceneValue& value) {
         const bool named = value.json().is_string();
         const ParameterValue given = named ? ParameterValue(value.string()) : ParameterValue();
         if (!named || !number_of(parameter, given)) value.reject(expected_of(parameter, given));

@@ -12,7 +12,7 @@
 namespace quadrel {
 namespace {
 
-using Step = std::variant<std::string, std::size_t>;  // a key, or an index
+using PathPart = std::variant<std::string, std::size_t>;  // a key, or an index
 
 [[noreturn]] void malformed(const std::string& assignment) {
     constexpr std::size_t most = 80;
@@ -29,7 +29,7 @@ std::size_t parse_index(const std::string& digits, const std::string& assignment
 }
 
 // One dotted part: "name", "name[1]", "name[1][2]".
-void parse_part(std::string part, const std::string& assignment, std::vector<Step>& steps) {
+void parse_part(std::string part, const std::string& assignment, std::vector<PathPart>& steps) {
     const auto bracket = part.find('[');
     const std::string name = part.substr(0, bracket);
     if (name.empty()) malformed(assignment);
@@ -43,8 +43,8 @@ void parse_part(std::string part, const std::string& assignment, std::vector<Ste
     }
 }
 
-std::vector<Step> parse_path(const std::string& path, const std::string& assignment) {
-    std::vector<Step> steps;
+std::vector<PathPart> parse_path(const std::string& path, const std::string& assignment) {
+    std::vector<PathPart> steps;
     std::size_t start = 0;
     while (true) {
         const auto dot = path.find('.', start);
@@ -60,7 +60,7 @@ class Walker {
   public:
     explicit Walker(SceneDocument& document) : document_(document), at_(&document.root) {}
 
-    void descend(const Step& step) {
+    void descend(const PathPart& step) {
         if (const auto* index = std::get_if<std::size_t>(&step))
             into_element(*index);
         else
@@ -148,7 +148,7 @@ class Walker {
 };
 
 // `material` stands for the first of `materials` in a scene that has only those.
-void resolve_material(const Json& root, std::vector<Step>& steps) {
+void resolve_material(const Json& root, std::vector<PathPart>& steps) {
     if (std::get<std::string>(steps[0]) != "material" || root.contains("material")) return;
     if (!root.contains("materials") || !root["materials"].is_object() || root["materials"].empty())
         return;
@@ -157,9 +157,9 @@ void resolve_material(const Json& root, std::vector<Step>& steps) {
 }
 
 /// Whether the whole path is there already.
-bool exists(const Json& root, const std::vector<Step>& steps) {
+bool exists(const Json& root, const std::vector<PathPart>& steps) {
     const Json* at = &root;
-    for (const Step& step : steps) {
+    for (const PathPart& step : steps) {
         const auto* key = std::get_if<std::string>(&step);
         const bool there = key ? at->is_object() && at->contains(*key)
                                : at->is_array() && std::get<std::size_t>(step) < at->size();
@@ -169,13 +169,13 @@ bool exists(const Json& root, const std::vector<Step>& steps) {
     return true;
 }
 
-void remove_key(SceneDocument& document, const std::vector<Step>& steps) {
+void remove_key(SceneDocument& document, const std::vector<PathPart>& steps) {
     // Where there is nothing to remove, nothing is made on the way; the path must be right, though.
     SceneDocument copy;
     const bool there = exists(document.root, steps);
     if (!there) copy = document;
     Walker walker(there ? document : copy);
-    for (const Step& step : steps) walker.descend(step);
+    for (const PathPart& step : steps) walker.descend(step);
     walker.remove();
 }
 
@@ -195,12 +195,12 @@ Json option_value(const SceneDocument& document, const std::string& path, const 
 void apply_override(SceneDocument& document, const std::string& assignment) {
     const auto equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0) malformed(assignment);
-    std::vector<Step> steps = parse_path(assignment.substr(0, equals), assignment);
+    std::vector<PathPart> steps = parse_path(assignment.substr(0, equals), assignment);
     resolve_material(document.root, steps);
     const std::string text = assignment.substr(equals + 1);
     if (text == "null") return remove_key(document, steps);
     Walker walker(document);
-    for (const Step& step : steps) walker.descend(step);
+    for (const PathPart& step : steps) walker.descend(step);
     walker.set(option_value(document, walker.path(), text));
 }
 

@@ -42,14 +42,14 @@ std::string describe(const Json& json) {
     return (json.is_string() ? "the string " : json.is_number() ? "the number " : "") + text;
 }
 
-void Value::fail(const std::string& found, const std::string& expected) const {
+void SceneValue::fail(const std::string& found, const std::string& expected) const {
     const bool from_option = document_->set_by_option(path_);
     const TextPosition at = from_option ? TextPosition{} : document_->position_of(path_);
     throw InputError(document_->file.string(), path_, found + (from_option ? " (set by -D)" : ""),
                      expected, at.line, at.column);
 }
 
-void Value::reject(const std::string& expected) const {
+void SceneValue::reject(const std::string& expected) const {
     // What -D cannot read as JSON it takes for a string.
     if (json_->is_string() && document_->set_by_option(path_)) {
         const std::string text = json_->get<std::string>();
@@ -59,21 +59,21 @@ void Value::reject(const std::string& expected) const {
     fail(describe(*json_), expected);
 }
 
-double Value::number(Range range) const {
+double SceneValue::number(Range range) const {
     if (!json_->is_number()) reject(range.text("a number"));
     const double value = json_->get<double>();
     if (!std::isfinite(value) || !range.contains(value)) reject(range.text("a number"));
     return value;
 }
 
-float Value::real(Range range) const {
+float SceneValue::real(Range range) const {
     const double value = number(range);
     if (std::abs(value) > std::numeric_limits<float>::max())
         reject("a number within the range of float32");
     return static_cast<float>(value);
 }
 
-int Value::integer(int low, int high) const {
+int SceneValue::integer(int low, int high) const {
     const std::string expected = fmt::format("an integer in [{}, {}]", low, high);
     if (!json_->is_number()) reject(expected);
     const double value = json_->get<double>();
@@ -81,17 +81,17 @@ int Value::integer(int low, int high) const {
     return static_cast<int>(value);
 }
 
-bool Value::boolean() const {
+bool SceneValue::boolean() const {
     if (!json_->is_boolean()) reject("true or false");
     return json_->get<bool>();
 }
 
-std::string Value::string() const {
+std::string SceneValue::string() const {
     if (!json_->is_string()) reject("a string");
     return json_->get<std::string>();
 }
 
-std::vector<double> Value::numbers(std::size_t least, std::size_t most, Range range) const {
+std::vector<double> SceneValue::numbers(std::size_t least, std::size_t most, Range range) const {
     if (!json_->is_array() || json_->size() < least || json_->size() > most)
         reject(least == most ? fmt::format("an array of {} numbers", least)
                              : fmt::format("an array of {} to {} numbers", least, most));
@@ -103,17 +103,17 @@ std::vector<double> Value::numbers(std::size_t least, std::size_t most, Range ra
     return values;
 }
 
-glm::vec3 Value::vector3(Range range) const {
+glm::vec3 SceneValue::vector3(Range range) const {
     const auto values = numbers(3, 3, range);
     return {static_cast<float>(values[0]), static_cast<float>(values[1]),
             static_cast<float>(values[2])};
 }
 
-Fields::Fields(const Value& value) : value_(value) {
+Fields::Fields(const SceneValue& value) : value_(value) {
     if (!value.json().is_object()) value.reject("an object { ... }");
 }
 
-Value Fields::get(const std::string& key) {
+SceneValue Fields::get(const std::string& key) {
     if (!has(key)) value_.fail("no \"" + key + "\"", "it, since it has no default");
     taken_.insert(key);
     return value_.member(key);

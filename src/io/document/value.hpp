@@ -31,7 +31,7 @@ struct Range {
 
 inline constexpr Range any_number{};
 inline constexpr Range not_negative{.low = 0};
-inline constexpr Range positive{.low = 0, .open = true};
+inline constexpr Range above_zero{.low = 0, .open = true};
 inline constexpr Range unit_interval{.low = 0, .high = 1};
 
 /// A word of the scene format and what it means.
@@ -39,9 +39,9 @@ template <class T>
 using Word = std::pair<std::string_view, T>;
 
 /// One JSON value and where it stands.
-class Value {
+class SceneValue {
   public:
-    Value(const SceneDocument& document, const Json& json, std::string path)
+    SceneValue(const SceneDocument& document, const Json& json, std::string path)
         : document_(&document), json_(&json), path_(std::move(path)) {}
 
     const Json& json() const { return *json_; }
@@ -63,10 +63,10 @@ class Value {
                                 Range range = any_number) const;
     glm::vec3 vector3(Range range = any_number) const;
 
-    Value element(std::size_t index) const {
+    SceneValue element(std::size_t index) const {
         return {*document_, (*json_)[index], join_index(path_, index)};
     }
-    Value member(const std::string& key) const {
+    SceneValue member(const std::string& key) const {
         return {*document_, (*json_)[key], join_key(path_, key)};
     }
 
@@ -94,11 +94,11 @@ std::string describe(const Json& json);
 /// `read` functions leave their target (the default) alone when the key is absent.
 class Fields {
   public:
-    explicit Fields(const Value& value);
+    explicit Fields(const SceneValue& value);
 
-    const Value& value() const { return value_; }
+    const SceneValue& value() const { return value_; }
     bool has(const std::string& key) const { return value_.json().contains(key); }
-    Value get(const std::string& key);  ///< throws InputError if absent
+    SceneValue get(const std::string& key);  ///< throws InputError if absent
 
     void read(const std::string& key, float& out, Range range = any_number);
     void read(const std::string& key, double& out, Range range = any_number);
@@ -119,7 +119,7 @@ class Fields {
     void finish(const std::string& owner);
 
   private:
-    Value value_;
+    SceneValue value_;
     std::set<std::string> taken_;
 };
 

@@ -19,7 +19,7 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
-constexpr int units = 32;
+constexpr int texture_units = 32;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ GlibNumber GlibArguments::positive_number(std::string_view meaning) {
 
 int GlibArguments::unit() {
     const GlibNumber here = number("a texture unit");
-    if (!(here.value >= 0 && here.value < units) || here.value != std::floor(here.value))
+    if (!(here.value >= 0 && here.value < texture_units) || here.value != std::floor(here.value))
         fail(here.at, quoted(command_.arguments[next_ - 1].text),
              "a texture unit: a whole number from 0 to 31");
     return static_cast<int>(here.value);

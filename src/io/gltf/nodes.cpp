@@ -81,9 +81,9 @@ class NodeReader {
         const tinygltf::Node& node = nodes_[i];
         check_index(node_key(i) + ".mesh", node.mesh, file_.model.meshes.size());
         check_index(node_key(i) + ".skin", node.skin, file_.model.skins.size());
-        const nlohmann::json& json = file_.json["nodes"][i];
+        const nlohmann::json& values = file_.json["nodes"][i];
         for (const char* part : {"translation", "rotation", "scale"})
-            if (json.contains("matrix") && json.contains(part))
+            if (values.contains("matrix") && values.contains(part))
                 file_.fail(node_key(i), std::string("both a matrix and a ") + part,
                            "one way to say it");
     }

@@ -17,11 +17,11 @@ namespace quadrel {
 
 namespace {
 
-struct Window {
+struct PixelBox {
     std::int64_t min_x, min_y, width, height;
 };
 
-Window to_window(const Imath::Box2i& box) {
+PixelBox to_box(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, std::int64_t(box.max.x) - box.min.x + 1,
             std::int64_t(box.max.y) - box.min.y + 1};
 }
@@ -74,7 +74,7 @@ std::vector<bool> integer_channels(const Imf::ChannelList& list,
 }
 
 /// Copies what the display window shows of a run.
-void place(const ExrRun& run, bool integers, const Window& display, Image& image) {
+void place(const ExrRun& run, bool integers, const PixelBox& display, Image& image) {
     if (run.y < display.min_y || run.y >= display.min_y + display.height) return;
     const std::int64_t x0 = std::max<std::int64_t>(run.x, display.min_x);
     const std::int64_t x1 =
@@ -107,8 +107,8 @@ ChannelSet require_channels(const Imf::Header& header, const ExrChoice& choice,
 
 void check_sizes(const Imf::Header& header, std::int64_t channels, const std::string& file,
                  const std::string& key) {
-    const Window data = to_window(header.dataWindow());
-    const Window display = to_window(header.displayWindow());
+    const PixelBox data = to_box(header.dataWindow());
+    const PixelBox display = to_box(header.displayWindow());
     constexpr std::int64_t far = std::int64_t(1) << 30;
     for (const std::int64_t corner : {data.min_x, data.min_y, display.min_x, display.min_y})
         if (std::abs(corner) > far)
@@ -130,7 +130,7 @@ Image read_chosen(const std::string& file, const ImageSelection& selection,
     const ChannelSet set = require_channels(header, choice, file, key);
     const auto channels = static_cast<std::int64_t>(set.names.size());
     check_sizes(header, channels, file, key);
-    const Window display = to_window(header.displayWindow());
+    const PixelBox display = to_box(header.displayWindow());
     std::vector<std::string> names;
     for (const std::string& name : set.names) names.push_back(choice.prefix + name);
     Image image;

@@ -26,8 +26,8 @@ glm::mat4 read_view(Fields& camera) {
     return view_matrix(eye, target, up);
 }
 
-double read_far(const Value& value, Lens lens) {
-    if (!value.json().is_string()) return value.number(positive);
+double read_far(const SceneValue& value, Lens lens) {
+    if (!value.json().is_string()) return value.number(above_zero);
     if (value.string() != "infinite" || lens != Lens::perspective)
         value.reject(lens == Lens::perspective ? "a number > 0 or \"infinite\"" : "a number > 0");
     return std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ double read_far(const Value& value, Lens lens) {
 
 DepthAndShift read_depth_and_shift(Fields& camera, Lens lens) {
     DepthAndShift out;
-    camera.read("near", out.near, positive);
+    camera.read("near", out.near, above_zero);
     if (camera.has("far")) out.far = read_far(camera.get("far"), lens);
     if (!(out.near < out.far)) {
         const std::string key = camera.has("near") ? "near" : "far";
@@ -49,7 +49,7 @@ DepthAndShift read_depth_and_shift(Fields& camera, Lens lens) {
     return out;
 }
 
-glm::dmat4 read_regular_matrix(const Value& value) {
+glm::dmat4 read_regular_matrix(const SceneValue& value) {
     const glm::dmat4 matrix = read_matrix(value);
     if (glm::determinant(matrix) == 0) value.fail("a singular matrix", "one with an inverse");
     return matrix;
@@ -57,7 +57,7 @@ glm::dmat4 read_regular_matrix(const Value& value) {
 
 }  // namespace
 
-Camera read_camera(const Value& value, const Scene& scene) {
+Camera read_camera(const SceneValue& value, const Scene& scene) {
     Fields fields(value);
     Camera camera;
     Lens lens = Lens::perspective;
@@ -80,7 +80,7 @@ Camera read_camera(const Value& value, const Scene& scene) {
         fields.finish("a perspective camera");
     } else {
         double height = 2;
-        fields.read("height", height, positive);
+        fields.read("height", height, above_zero);
         camera.projection = orthographic_matrix(height, aspect, depth, scene.conventions);
         fields.finish("an orthographic camera");
     }

@@ -14,12 +14,12 @@ void read_place(Fields& fields, Light& light) {
         fields.read("position", light.position);
         return;
     }
-    const Value direction = fields.get("direction_to_light");
+    const SceneValue direction = fields.get("direction_to_light");
     light.position = direction.vector3();
     if (length(glm::dvec3(light.position)) == 0) direction.reject("a direction of some length");
 }
 
-void read_attenuation(const Value& value, Light& light) {
+void read_attenuation(const SceneValue& value, Light& light) {
     const auto terms = value.numbers(3, 3, not_negative);
     if (terms[0] + terms[1] + terms[2] == 0) value.reject("a term above 0");
     light.constant_attenuation = static_cast<float>(terms[0]);
@@ -29,7 +29,7 @@ void read_attenuation(const Value& value, Light& light) {
 
 }  // namespace
 
-Light read_light(const Value& value) {
+Light read_light(const SceneValue& value) {
     Fields fields(value);
     Light light;
     fields.read("type", light.kind, kind_words);

@@ -66,7 +66,7 @@ void read_lights(Fields& root, Scene& scene) {
         scene.lights.emplace_back();
         return;
     }
-    const Value lights = root.get("lights");
+    const SceneValue lights = root.get("lights");
     if (!lights.json().is_array()) lights.reject("an array of lights");
     for (std::size_t i = 0; i < lights.json().size(); ++i)
         scene.lights.push_back(read_light(lights.element(i)));
@@ -78,14 +78,14 @@ Scene load_scene(const std::filesystem::path& file_or_name,
                  const std::vector<std::string>& overrides) {
     Scene scene;
     const SceneDocument document = open_document(find_scene(file_or_name), overrides, scene.notes);
-    Fields root(Value(document, document.root, ""));
+    Fields root(SceneValue(document, document.root, ""));
     scene.file = document.file;
     scene.overrides = overrides;
     root.get("quadrel");
     read_settings(root, scene);
     const Json no_camera = Json::object();
     scene.camera = read_camera(
-        root.has("camera") ? root.get("camera") : Value(document, no_camera, "camera"), scene);
+        root.has("camera") ? root.get("camera") : SceneValue(document, no_camera, "camera"), scene);
     read_materials(root, scene);
     read_objects(root, scene);
     read_lights(root, scene);

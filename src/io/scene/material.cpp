@@ -12,7 +12,7 @@ constexpr const char* texture_slots[] = {"color", "height", "gloss", "emissive",
 
 void read_parameters(Fields& fields, StageChoice& stage) {
     for (const std::string& name : fields.rest()) {
-        const Value value = fields.value().member(name);
+        const SceneValue value = fields.value().member(name);
         if (value.json().is_string() && !spells_not_finite(value.string()))
             stage.parameters[name] = value.string();
         else
@@ -26,7 +26,7 @@ void read_stage(Fields& fields, const std::string& key, StageChoice& stage) {
     if (!fields.has(key)) return;
     stage = {};
     stage.key = join_key(fields.value().path(), key);
-    const Value value = fields.get(key);
+    const SceneValue value = fields.get(key);
     if (value.json().is_string()) {
         stage.id = value.string();
     } else if (value.json().is_object()) {
@@ -44,7 +44,7 @@ void read_depth(Fields& relief, Material& material) {
         return relief.read("depth", material.depth, not_negative);
     Fields fields(relief.get("depth"));
     const double thickness = fields.get("thickness").number(not_negative);
-    const double tile = fields.get("tile").number(positive);
+    const double tile = fields.get("tile").number(above_zero);
     fields.finish("a depth");
     material.depth = static_cast<float>(thickness / tile);
     material.depth_in_tiles = true;
@@ -62,7 +62,7 @@ void read_fade(Fields& relief, Material& material) {
 // What the relief's own keys then replace.
 void read_preset(Fields& relief, Material& material) {
     if (!relief.has("preset")) return;
-    const Value value = relief.get("preset");
+    const SceneValue value = relief.get("preset");
     const Preset* preset = find_preset(value.string());
     if (!preset) {
         std::vector<std::string> names;
@@ -72,7 +72,7 @@ void read_preset(Fields& relief, Material& material) {
     apply_preset(*preset, value.path(), material);
 }
 
-void read_relief(const Value& value, Material& material) {
+void read_relief(const SceneValue& value, Material& material) {
     Fields relief(value);
     read_preset(relief, material);
     read_stage(relief, "frame", material.frame);
@@ -88,7 +88,7 @@ void read_relief(const Value& value, Material& material) {
     read_parameters(relief, material.trace);
 }
 
-glm::mat4 read_texture_matrix(const Value& value) {
+glm::mat4 read_texture_matrix(const SceneValue& value) {
     if (value.json().is_array()) return glm::mat4(read_matrix(value));
     Fields fields(value);
     glm::dvec2 scale(1, 1), offset(0, 0);
@@ -114,7 +114,8 @@ void read_colours(Fields& fields, Material& material) {
     fields.read("shininess", material.shininess, not_negative);
 }
 
-TextureReference read_slot(const Value& value, const TextureTable& textures, Hardware hardware) {
+TextureReference read_slot(const SceneValue& value, const TextureTable& textures,
+                           Hardware hardware) {
     if (value.json().is_object()) return read_texture(value, hardware);
     const std::string name = value.string();
     const auto found = textures.find(name);
@@ -131,7 +132,7 @@ bool is_noise(const Fields& fields) {
 }
 
 // {"noise": {...}} and nothing else, in place of a height map.
-NoiseHeights read_noise(const Value& value) {
+NoiseHeights read_noise(const SceneValue& value) {
     Fields height(value), fields(height.get("noise"));
     NoiseHeights noise;
     constexpr Range frequencies{.low = 1.0 / 4096, .high = NoiseHeights::max_frequency};
@@ -154,8 +155,8 @@ void read_maps(Fields& fields, const TextureTable& textures, Hardware hardware,
 
 }  // namespace
 
-Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
-                       Hardware hardware) {
+Material read_material(const SceneValue& value, const std::string& name,
+                       const TextureTable& textures, Hardware hardware) {
     Fields fields(value);
     Material material;
     material.name = name;

@@ -17,9 +17,9 @@ constexpr int most_uv_set = 63;
 Mesh read_quad(Fields& fields) {
     double size = 2;
     int columns = 1, rows = 1;
-    fields.read("size", size, positive);
+    fields.read("size", size, above_zero);
     if (fields.has("subdivide")) {
-        const Value cells = fields.get("subdivide");
+        const SceneValue cells = fields.get("subdivide");
         if (!cells.json().is_array() || cells.json().size() != 2)
             cells.reject("an array of 2 integers");
         columns = cells.element(0).integer(1, most_cells);
@@ -30,7 +30,7 @@ Mesh read_quad(Fields& fields) {
 
 Mesh read_cube(Fields& fields) {
     double size = 2;
-    fields.read("size", size, positive);
+    fields.read("size", size, above_zero);
     return make_cube(size);
 }
 
@@ -38,7 +38,7 @@ Mesh read_icosahedron(Fields& fields) {
     constexpr Word<bool> words[] = {{"flat", false}, {"keep", false}, {"smooth", true}};
     double radius = 1;
     bool smooth = false;
-    fields.read("radius", radius, positive);
+    fields.read("radius", radius, above_zero);
     fields.read("normals", smooth, words);
     return make_icosahedron(radius, smooth);
 }
@@ -46,7 +46,7 @@ Mesh read_icosahedron(Fields& fields) {
 Mesh read_sphere(Fields& fields) {
     double radius = 1;
     int slices = 32, stacks = 32;
-    fields.read("radius", radius, positive);
+    fields.read("radius", radius, above_zero);
     fields.read("slices", slices, 3, most_cells);
     fields.read("stacks", stacks, 2, most_cells);
     return make_sphere(radius, slices, stacks);
@@ -55,8 +55,8 @@ Mesh read_sphere(Fields& fields) {
 Mesh read_torus(Fields& fields) {
     double inner = 0.5, outer = 1;
     int sides = 24, rings = 48;
-    fields.read("inner_radius", inner, positive);
-    fields.read("outer_radius", outer, positive);
+    fields.read("inner_radius", inner, above_zero);
+    fields.read("outer_radius", outer, above_zero);
     fields.read("sides", sides, 3, most_cells);
     fields.read("rings", rings, 3, most_cells);
     if (inner > outer)
@@ -68,7 +68,7 @@ Mesh read_torus(Fields& fields) {
 Mesh read_teapot(Fields& fields) {
     double size = 1;
     int tessellation = 10;
-    fields.read("size", size, positive);
+    fields.read("size", size, above_zero);
     fields.read("tessellation", tessellation, 1, 256);
     return make_teapot(tessellation, size);
 }
@@ -79,7 +79,7 @@ constexpr Word<ReadShape> shape_words[] = {
     {"sphere", read_sphere}, {"torus", read_torus}, {"teapot", read_teapot}};
 
 Mesh read_file_mesh(Fields& fields, std::vector<std::string>& notes) {
-    const Value file = fields.get("file");
+    const SceneValue file = fields.get("file");
     const std::filesystem::path path = read_path(file);
     MeshFileOptions options;
     if (fields.has("flip_v")) options.flip_v = fields.get("flip_v").boolean();
@@ -104,7 +104,7 @@ Mesh read_shape_or_file(Fields& fields, std::vector<std::string>& notes) {
 int read_refinement(Fields& fields) {
     if (!fields.has("refine")) return 0;
     constexpr Word<int> words[] = {{"curvature", 1}};
-    const Value value = fields.get("refine");
+    const SceneValue value = fields.get("refine");
     if (!value.json().is_object()) return value.word(words);
     Fields members(value);
     members.get("by").word(words);
@@ -114,7 +114,7 @@ int read_refinement(Fields& fields) {
     return levels;
 }
 
-Mesh refined(const Value& value, const Mesh& mesh, int levels) {
+Mesh refined(const SceneValue& value, const Mesh& mesh, int levels) {
     const std::size_t triangles = mesh.triangles.size() << (2 * levels);
     if (triangles > max_mesh_vertices)
         value.fail(fmt::format("{} triangles after refinement", triangles),
@@ -124,11 +124,11 @@ Mesh refined(const Value& value, const Mesh& mesh, int levels) {
 
 }  // namespace
 
-Mesh read_mesh(const Value& value, std::vector<std::string>& notes) {
+Mesh read_mesh(const SceneValue& value, std::vector<std::string>& notes) {
     if (value.json().is_string()) {
         const Json shape{{"shape", value.string()}};
         value.word(shape_words);  // fails at this value, not at the one made here
-        return read_mesh(Value(value.document(), shape, value.path()), notes);
+        return read_mesh(SceneValue(value.document(), shape, value.path()), notes);
     }
     constexpr Word<bool> normals_words[] = {{"keep", false}, {"flat", true}};
     constexpr Word<bool> icosahedron_words[] = {{"flat", true}, {"keep", true}, {"smooth", false}};

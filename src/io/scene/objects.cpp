@@ -11,7 +11,7 @@ class ObjectReader {
         if (root.has("meshes")) read_named_meshes(root.get("meshes"));
     }
 
-    void read(const Value& value) {
+    void read(const SceneValue& value) {
         Fields fields(value);
         Object object;
         object.name = "object " + std::to_string(scene_.objects.size());
@@ -26,12 +26,12 @@ class ObjectReader {
     }
 
   private:
-    void read_named_meshes(const Value& meshes) {
+    void read_named_meshes(const SceneValue& meshes) {
         Fields fields(meshes);
         for (const std::string& name : fields.rest()) add_mesh(name, meshes.member(name));
     }
 
-    std::size_t add_mesh(const std::string& name, const Value& value) {
+    std::size_t add_mesh(const std::string& name, const SceneValue& value) {
         Mesh mesh = read_mesh(value, scene_.notes);
         vertices_ += mesh.positions.size();
         if (vertices_ > max_mesh_vertices)
@@ -43,7 +43,7 @@ class ObjectReader {
     }
 
     // Meshes of equal description are loaded once.
-    std::size_t mesh_index(const Value& value) {
+    std::size_t mesh_index(const SceneValue& value) {
         const bool is_name = value.json().is_string();
         const std::string key = is_name ? value.string() : value.json().dump();
         if (const auto found = named_.find(key); found != named_.end()) return found->second;
@@ -51,7 +51,7 @@ class ObjectReader {
         return add_mesh(key, value);
     }
 
-    void check_mesh_name(const Value& value) const {
+    void check_mesh_name(const SceneValue& value) const {
         std::vector<std::string> known = {"quad",   "cube",  "icosahedron",
                                           "sphere", "torus", "teapot"};
         for (const auto& word : known)
@@ -69,14 +69,14 @@ class ObjectReader {
             object.value().fail("no \"material\"",
                                 "it, since there are several: " + one_of("", known));
         }
-        const Value value = object.get("material");
+        const SceneValue value = object.get("material");
         const std::string name = value.string();
         for (std::size_t i = 0; i < known.size(); ++i)
             if (known[i] == name) return i;
         value.reject("the name of a material: " + one_of(name, known));
     }
 
-    void check_binding(const Object& object, const Value& value) const {
+    void check_binding(const Object& object, const SceneValue& value) const {
         const Material& material = scene_.materials[object.material];
         const bool bare = material.textures.empty() && !material.noise;
         if (bare || !scene_.meshes[object.mesh].uvs.empty()) return;
@@ -95,7 +95,7 @@ class ObjectReader {
 void read_objects(Fields& fields, Scene& scene) {
     ObjectReader reader(fields, scene);
     if (!fields.has("objects")) return;
-    const Value objects = fields.get("objects");
+    const SceneValue objects = fields.get("objects");
     if (!objects.json().is_array()) objects.reject("an array of objects");
     for (std::size_t i = 0; i < objects.json().size(); ++i) reader.read(objects.element(i));
 }

@@ -13,29 +13,29 @@ namespace quadrel {
 void read_settings(Fields& scene, Scene& out);
 
 /// The camera for the settings already read into `scene`.
-Camera read_camera(const Value& value, const Scene& scene);
+Camera read_camera(const SceneValue& value, const Scene& scene);
 
 /// A texture given in place. The sampler's hardware terms are those of `hardware`.
-TextureReference read_texture(const Value& value, Hardware hardware);
-Environment read_environment(const Value& value, Hardware hardware);
+TextureReference read_texture(const SceneValue& value, Hardware hardware);
+Environment read_environment(const SceneValue& value, Hardware hardware);
 
 using TextureTable = std::map<std::string, TextureReference>;
 
-Material read_material(const Value& value, const std::string& name, const TextureTable& textures,
-                       Hardware hardware);
+Material read_material(const SceneValue& value, const std::string& name,
+                       const TextureTable& textures, Hardware hardware);
 
 /// A shape or file; `notes` gets what is ignored of a file.
-Mesh read_mesh(const Value& value, std::vector<std::string>& notes);
+Mesh read_mesh(const SceneValue& value, std::vector<std::string>& notes);
 
-Light read_light(const Value& value);
+Light read_light(const SceneValue& value);
 
 /// The matrix of a "transform": 16 numbers row by row, or a list of steps, the first one first.
-glm::mat4 read_transform(const Value& value);
+glm::mat4 read_transform(const SceneValue& value);
 /// 16 finite numbers, row by row.
-glm::dmat4 read_matrix(const Value& value);
+glm::dmat4 read_matrix(const SceneValue& value);
 
 /// A file that the scene names, relative to the scene file. Throws InputError if it is missing.
-std::filesystem::path read_path(const Value& value);
+std::filesystem::path read_path(const SceneValue& value);
 
 /// Canonical JSON (sorted keys, whole numbers as integers) with every file path replaced by
 /// "sha256:" and the content's hash.

@@ -8,14 +8,14 @@ constexpr Word<DerivativeMode> derivative_words[] = {{"fine", DerivativeMode::fi
                                                      {"coarse", DerivativeMode::coarse}};
 constexpr Word<bool> shade_at_words[] = {{"center", false}, {"centroid", true}};
 
-void read_size(const Value& value, Scene& out) {
+void read_size(const SceneValue& value, Scene& out) {
     if (!value.json().is_array() || value.json().size() != 2)
         value.reject("an array of 2 integers: width, height");
     out.width = value.element(0).integer(1, 65536);
     out.height = value.element(1).integer(1, 65536);
 }
 
-int read_samples(const Value& value) {
+int read_samples(const SceneValue& value) {
     const int samples = value.integer(1, 16);
     if ((samples & (samples - 1)) != 0) value.reject("1, 2, 4, 8 or 16");
     return samples;

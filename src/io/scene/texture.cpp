@@ -23,7 +23,7 @@ constexpr Word<std::pair<Filter, MipFilter>> min_words[] = {
     {"nearest-mipmap-linear", {Filter::nearest, MipFilter::linear}},
     {"linear-mipmap-linear", {Filter::linear, MipFilter::linear}}};
 
-void read_wrap(const Value& value, SamplerState& sampler) {
+void read_wrap(const SceneValue& value, SamplerState& sampler) {
     if (!value.json().is_array()) {
         sampler.wrap_u = sampler.wrap_v = value.word(wrap_words);
         return;
@@ -63,7 +63,7 @@ void read_selection(Fields& fields, ImageSelection& selection) {
         if (selection.layer.empty()) fields.get("layer").reject("the name of a layer");
     }
     if (!fields.has("part")) return;
-    const Value part = fields.get("part");
+    const SceneValue part = fields.get("part");
     const Json& json = part.json();
     if (json.is_string())
         selection.part = part.string();
@@ -73,7 +73,7 @@ void read_selection(Fields& fields, ImageSelection& selection) {
 }
 
 /// A face of an environment: a file, or an object with the image that is meant.
-std::filesystem::path read_face(const Value& value, ImageSelection& selection) {
+std::filesystem::path read_face(const SceneValue& value, ImageSelection& selection) {
     if (!value.json().is_object()) return read_path(value);
     Fields fields(value);
     read_selection(fields, selection);
@@ -100,7 +100,7 @@ bool is_swizzle(std::string_view text) {
 
 }  // namespace
 
-std::filesystem::path read_path(const Value& value) {
+std::filesystem::path read_path(const SceneValue& value) {
     const std::filesystem::path path =
         value.document().file.parent_path() / std::filesystem::path(value.string());
     if (const char* reason = reason_not_to_read(path))
@@ -108,7 +108,7 @@ std::filesystem::path read_path(const Value& value) {
     return path;
 }
 
-TextureReference read_texture(const Value& value, Hardware hardware) {
+TextureReference read_texture(const SceneValue& value, Hardware hardware) {
     Fields fields(value);
     TextureReference texture;
     texture.key = value.path();
@@ -129,11 +129,11 @@ TextureReference read_texture(const Value& value, Hardware hardware) {
     return texture;
 }
 
-Environment read_environment(const Value& value, Hardware hardware) {
+Environment read_environment(const SceneValue& value, Hardware hardware) {
     Fields fields(value);
     Environment environment;
     environment.key = value.path();
-    const Value faces = fields.get("faces");
+    const SceneValue faces = fields.get("faces");
     if (!faces.json().is_array() || faces.json().size() != 6)
         faces.reject("an array of 6 files: +X -X +Y -Y +Z -Z");
     for (std::size_t i = 0; i < 6; ++i)

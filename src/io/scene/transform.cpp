@@ -6,11 +6,11 @@
 namespace quadrel {
 namespace {
 
-bool is_matrix(const Value& value) {
+bool is_matrix(const SceneValue& value) {
     return value.json().is_array() && !value.json().empty() && value.json()[0].is_number();
 }
 
-glm::dvec3 read_scale(const Value& value) {
+glm::dvec3 read_scale(const SceneValue& value) {
     glm::dvec3 factors;
     if (value.json().is_number())
         factors = glm::dvec3(value.real());
@@ -23,13 +23,13 @@ glm::dvec3 read_scale(const Value& value) {
 glm::dmat4 read_rotation(Fields& step) {
     const double degrees = step.get("rotate").number();
     glm::vec3 axis(0, 0, 0);
-    const Value where = step.get("axis");
+    const SceneValue where = step.get("axis");
     axis = where.vector3();
     if (length(glm::dvec3(axis)) == 0) where.reject("an axis of some length");
     return rotation(degrees, axis);
 }
 
-glm::dmat4 read_step(const Value& value) {
+glm::dmat4 read_step(const SceneValue& value) {
     Fields step(value);
     glm::dmat4 matrix(1.0);
     if (step.has("translate"))
@@ -46,14 +46,14 @@ glm::dmat4 read_step(const Value& value) {
 
 }  // namespace
 
-glm::dmat4 read_matrix(const Value& value) {
+glm::dmat4 read_matrix(const SceneValue& value) {
     const auto numbers = value.numbers(16, 16);
     glm::dmat4 matrix;
     for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = numbers[static_cast<std::size_t>(i)];
     return matrix;
 }
 
-glm::mat4 read_transform(const Value& value) {
+glm::mat4 read_transform(const SceneValue& value) {
     glm::dmat4 matrix(1.0);
     if (is_matrix(value)) {
         matrix = read_matrix(value);

@@ -19,13 +19,13 @@ constexpr unsigned this_machine = EM_AARCH64;
 constexpr unsigned char this_order =
     std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB;
 
-using Fault = std::optional<std::string>;
+using ElfFault = std::optional<std::string>;
 
 class ElfCheck {
   public:
     explicit ElfCheck(std::string_view bytes) : bytes_(bytes) {}
 
-    Fault run() {
+    ElfFault run() {
         if (auto fault = check_header()) return fault;
         if (auto fault = read_segments()) return fault;
         if (auto fault = check_segments()) return fault;
@@ -45,7 +45,7 @@ class ElfCheck {
         return value;
     }
 
-    Fault check_header() {
+    ElfFault check_header() {
         if (!bytes_.starts_with(std::string_view(ELFMAG, SELFMAG))) return "a file that is no ELF";
         if (bytes_.size() < sizeof(Elf64_Ehdr)) return "a shared object that is cut off";
         header_ = read<Elf64_Ehdr>(0);
@@ -57,10 +57,10 @@ class ElfCheck {
         const bool sound = header_.e_ident[EI_VERSION] == EV_CURRENT &&
                            header_.e_version == EV_CURRENT &&
                            header_.e_phentsize == sizeof(Elf64_Phdr) && header_.e_phnum > 0;
-        return sound ? Fault() : "a damaged ELF header";
+        return sound ? ElfFault() : "a damaged ELF header";
     }
 
-    Fault read_segments() {
+    ElfFault read_segments() {
         const std::uint64_t size = std::uint64_t(header_.e_phnum) * sizeof(Elf64_Phdr);
         if (!fits(header_.e_phoff, size, bytes_.size())) return "a shared object that is cut off";
         for (unsigned i = 0; i < header_.e_phnum; ++i)
@@ -82,7 +82,7 @@ class ElfCheck {
         }
     }
 
-    Fault check_segments() {
+    ElfFault check_segments() {
         constexpr std::uint64_t most_memory = std::uint64_t(1) << 32, page = 4096;
         std::uint64_t end = 0;
         for (const Elf64_Phdr& segment : segments_) {
@@ -103,7 +103,7 @@ class ElfCheck {
     }
 
     /// What the loader reads in memory has to be there, from the same place of the file.
-    Fault check_loaded() const {
+    ElfFault check_loaded() const {
         for (const Elf64_Phdr& segment : segments_) {
             const bool read_in_memory = segment.p_type == PT_DYNAMIC || segment.p_type == PT_TLS ||
                                         segment.p_type == PT_NOTE ||
@@ -119,7 +119,7 @@ class ElfCheck {
     }
 
     /// Sections repeat what segments say; files may be without.
-    Fault check_sections() const {
+    ElfFault check_sections() const {
         if (header_.e_shnum == 0) return std::nullopt;
         const std::uint64_t size = std::uint64_t(header_.e_shnum) * sizeof(Elf64_Shdr);
         if (header_.e_shentsize != sizeof(Elf64_Shdr) ||
@@ -203,7 +203,7 @@ class ElfCheck {
         return 0;
     }
 
-    Fault check_dynamic() const {
+    ElfFault check_dynamic() const {
         for (const Elf64_Phdr& segment : segments_) {
             if (segment.p_type != PT_DYNAMIC) continue;
             std::vector<Elf64_Dyn> table;
@@ -215,7 +215,7 @@ class ElfCheck {
         return "a shared object without a dynamic table";
     }
 
-    Fault check_table(const std::vector<Elf64_Dyn>& table) const {
+    ElfFault check_table(const std::vector<Elf64_Dyn>& table) const {
         bool ends = false;
         for (const Elf64_Dyn& entry : table) {
             if (ends) break;
@@ -226,7 +226,7 @@ class ElfCheck {
                 return "a damaged dynamic table";
         }
         const bool complete = value_of(table, DT_STRTAB) != 0 && value_of(table, DT_SYMTAB) != 0;
-        return ends && complete ? Fault() : "a damaged dynamic table";
+        return ends && complete ? ElfFault() : "a damaged dynamic table";
     }
 
     std::string_view bytes_;

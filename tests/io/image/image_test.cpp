@@ -85,10 +85,10 @@ TEST_F(Images, SixteenBitPng) {
 
 TEST_F(Images, PaletteAndGreyAlphaAndSmallDepths) {
     const Bytes palette("\x0a\x14\x1e\xc8\xd2\xdc", 6);
-    const Image coloured = load_image(
+    const Image rgb = load_image(
         write("p.png", make_png(2, 1, 8, PngColour::palette, "\x01" + Bytes(1, 0), palette)));
-    EXPECT_EQ(coloured.channels, 3);
-    EXPECT_EQ(coloured.values, divided({200, 210, 220, 10, 20, 30}, 255));
+    EXPECT_EQ(rgb.channels, 3);
+    EXPECT_EQ(rgb.values, divided({200, 210, 220, 10, 20, 30}, 255));
     const Image grey_alpha = load_image(
         write("g.png", make_png(1, 2, 8, PngColour::grey_alpha, Bytes("\xc8\x00\x64\x80", 4))));
     EXPECT_TRUE(grey_alpha.luminance);

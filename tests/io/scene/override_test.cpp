@@ -89,9 +89,9 @@ TEST(Override, MalformedAssignmentsAreUsageErrors) {
 TEST(Override, ErrorsSayThatTheOptionIsToBlame) {
     SceneDocument scene = document();
     apply_override(scene, "size=[0,4]");
-    const Value value(scene, scene.root["size"][0], "size[0]");
+    const SceneValue value(scene, scene.root["size"][0], "size[0]");
     EXPECT_TRUE(complains([&] { value.integer(1, 9); }, {"size[0]", "set by -D", "[1, 9]"}));
-    const Value other(scene, scene.root["quadrel"], "quadrel");
+    const SceneValue other(scene, scene.root["quadrel"], "quadrel");
     EXPECT_FALSE(complains([&] { other.string(); }, {"quadrel", "set by -D", ""}));
 }
 

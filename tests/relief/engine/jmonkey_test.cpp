@@ -6,7 +6,7 @@
 namespace quadrel::test {
 namespace {
 
-const Parameters classic = {{"steep", 0}}, steep = {{"steep", 1}};
+const Parameters classic = {{"steep", 0}}, steep_mode = {{"steep", 1}};
 
 TEST(JMonkey, FollowsItsListingsOnWildMaps) {
     for (const Listing& listing : jmonkey_listings()) {
@@ -18,19 +18,19 @@ TEST(JMonkey, FollowsItsListingsOnWildMaps) {
 
 TEST(JMonkey, SaysHowItEnded) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const Parameters& mode : {classic, steep}) {
+    for (const Parameters& mode : {classic, steep_mode}) {
         EXPECT_TRUE(ends_with({"jmonkey"}, mode, 0.4f, Status::hit));
         EXPECT_TRUE(ends_with({"jmonkey"}, mode, nan, Status::nan));
         EXPECT_FALSE(
             ends_with(flawed_behind("jmonkey", Planted::nan_is_floor), mode, nan, Status::nan));
     }
-    EXPECT_TRUE(ends_with({"jmonkey"}, steep, -3, Status::floor));
-    EXPECT_FALSE(ends_with(flawed_behind("jmonkey", Planted::surface_not_reached), steep, -3,
+    EXPECT_TRUE(ends_with({"jmonkey"}, steep_mode, -3, Status::floor));
+    EXPECT_FALSE(ends_with(flawed_behind("jmonkey", Planted::surface_not_reached), steep_mode, -3,
                            Status::floor));
 }
 
 TEST(JMonkey, SteepIsLostAlongTheNormal) {
-    EXPECT_TRUE(is_nan_seen_along_the_normal({"jmonkey"}, steep));
+    EXPECT_TRUE(is_nan_seen_along_the_normal({"jmonkey"}, steep_mode));
     EXPECT_FALSE(is_nan_seen_along_the_normal({"jmonkey"}, classic));
 }
 
@@ -43,7 +43,7 @@ testing::AssertionResult passes_a_height_on_the_ray(const StageUnderTest<float>&
         mix(6.0f, 1000.0f * (0.05f * 0.3f), 1.0f - normalize(tangent_view(b, 0)).z);
     const Map map = flat_map(1.0f - 1.0f / samples);
     b.bind(TextureSlot::height, map.sampled);
-    stage.run(b, steep);
+    stage.run(b, steep_mode);
     for (int lane = 0; lane < b.lanes; ++lane) {
         const int fetches = b.integer(Value::hit_fetches, lane);
         if (fetches != 2) return testing::AssertionFailure() << fetches << " look-ups";

@@ -11,7 +11,7 @@ namespace {
 
 using Stage = StageUnderTest<float>;
 
-std::vector<Listing> all_engines() {
+std::vector<Listing> layered_engines() {
     std::vector<Listing> all = godot_listings();
     for (const auto& engine : {bevy_listings(), learnopengl_listings()})
         all.insert(all.end(), engine.begin(), engine.end());
@@ -21,7 +21,7 @@ std::vector<Listing> all_engines() {
 // ---- Any heights --------------------------------------------------------------------------------
 
 TEST(LayeredEngines, FollowTheirListingsOnWildMaps) {
-    for (const Listing& listing : all_engines()) {
+    for (const Listing& listing : layered_engines()) {
         EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
         EXPECT_FALSE(
             follows_on_wild_maps(listing, flawed_behind(listing.id, Planted::fetch_not_counted)));
@@ -32,7 +32,7 @@ TEST(LayeredEngines, FollowTheirListingsOnWildMaps) {
 
 TEST(LayeredEngines, SayHowTheyEnded) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (const Listing& listing : all_engines()) {
+    for (const Listing& listing : layered_engines()) {
         const auto ends = [&](const Stage& stage, float height, Status expected) {
             return ends_with(stage, listing.parameters, height, expected);
         };
@@ -97,7 +97,7 @@ testing::AssertionResult meets_a_flat_map(const Listing& listing, const Stage& s
 }
 
 TEST(LayeredEngines, MeetFlatMaps) {
-    for (const Listing& listing : all_engines()) {
+    for (const Listing& listing : layered_engines()) {
         const bool half_steps = listing.id == "bevy" && listing.parameters.at("relief") == 1;
         // Half a layer at most, and at most the whole range is one, then halved again and again.
         const int steps = half_steps ? static_cast<int>(listing.parameters.at("relief_steps")) : 0;

@@ -7,7 +7,7 @@
 namespace quadrel::test {
 namespace {
 
-std::vector<Listing> all_engines() {
+std::vector<Listing> parallax_engines() {
     std::vector<Listing> all = unity_listings();
     for (const auto& engine : {playcanvas_listings(), three_listings()})
         all.insert(all.end(), engine.begin(), engine.end());
@@ -15,7 +15,7 @@ std::vector<Listing> all_engines() {
 }
 
 TEST(UnityPlayCanvasThree, FollowTheirListingsOnWildMaps) {
-    for (const Listing& listing : all_engines()) {
+    for (const Listing& listing : parallax_engines()) {
         EXPECT_TRUE(follows_on_wild_maps(listing, {listing.id}));
         EXPECT_FALSE(
             follows_on_wild_maps(listing, flawed_behind(listing.id, Planted::fetch_not_counted)));

@@ -174,8 +174,8 @@ TEST(ExactFrames, ObliqueOnesInvertTheMatrixOfTangents) {
 
 /// One quad with the given window differences, in every quad of a batch of 16 lanes; a triangle of
 /// the same map.
-Batch<float> quad_of(const dvec3& px, const dvec3& py, const dvec2& qx, const dvec2& qy,
-                     const dvec3& normal, const dvec3& face_normal) {
+Batch<float> quad_of_triangle(const dvec3& px, const dvec3& py, const dvec2& qx, const dvec2& qy,
+                              const dvec3& normal, const dvec3& face_normal) {
     Batch<float> batch(16);
     batch.material.depth = 0.5f;
     const auto J = ExactJacobian::from_edges(px, py, qx, qy);
@@ -196,12 +196,9 @@ Batch<float> quad_of(const dvec3& px, const dvec3& py, const dvec2& qx, const dv
     return batch;
 }
 
-const dvec3 right_step(0.01, 0, 0), up_step(0, 0.01, 0.002), front(0, -0.2, 1);
-const dvec2 u_step(0.02, 0), v_step(0.005, 0.03);
-
-testing::AssertionResult is_no_frame(const ExactRow& row, const dvec3& px, const dvec3& py,
-                                     const dvec3& normal, const dvec3& face_normal) {
-    Batch<float> batch = quad_of(px, py, u_step, v_step, normal, normalize(face_normal));
+testing::AssertionResult row_has_no_frame(const ExactRow& row, const dvec3& px, const dvec3& py,
+                                          const dvec3& normal, const dvec3& face_normal) {
+    Batch<float> batch = quad_of_triangle(px, py, u_step, v_step, normal, normalize(face_normal));
     row.frame.run(batch, row.parameters);
     const bool marked = batch.integer(Value::frame_status, 0) == static_cast<int>(Status::no_frame);
     const bool still = batch.real(Value::K, 0, 0) == 0 && batch.real(Value::K, 0, 1) == 0;
@@ -217,10 +214,10 @@ testing::AssertionResult singular_quads_have_no_frame(const ExactRow& row) {
     const dvec3 pairs[][2] = {
         {right_step, right_step * -3.0}, {dvec3(0), up_step}, {dvec3(0), dvec3(0)}};
     for (const auto& [px, py] : pairs) {
-        const auto result = is_no_frame(row, px, py, front, front);
+        const auto result = row_has_no_frame(row, px, py, front, front);
         if (!result) return result;
     }
-    return is_no_frame(row, right_step, up_step, -front, front);
+    return row_has_no_frame(row, right_step, up_step, -front, front);
 }
 
 TEST(ExactFrames, SingularQuadsHaveNone) {
@@ -237,10 +234,10 @@ TEST(ExactFrames, ObliqueOnesSurviveAtSilhouettes) {
     ASSERT_GT(dot(V, nf), 0);
     ASSERT_LT(dot(V, N), 0);
     const dvec3 px = cross(dvec3(0, 1, 0), nf) * 0.01, py = cross(nf, px);
-    EXPECT_TRUE(is_no_frame(gram(false), px, py, N, nf));
-    EXPECT_TRUE(is_no_frame(face(), px, py, N, nf));
+    EXPECT_TRUE(row_has_no_frame(gram(false), px, py, N, nf));
+    EXPECT_TRUE(row_has_no_frame(face(), px, py, N, nf));
     for (const ExactRow& row : {face(true), gram(true), cot(), inverse_tbn()})
-        EXPECT_FALSE(is_no_frame(row, px, py, N, nf)) << row.frame.id;
+        EXPECT_FALSE(row_has_no_frame(row, px, py, N, nf)) << row.frame.id;
 }
 
 /// J of rank 2 is not flagged; rank 1 and 0 are, are rendered, and have finite K.
@@ -252,7 +249,7 @@ testing::AssertionResult flat_uv_maps_are_flagged(const ExactRow& row) {
                              {dvec2(0), dvec2(0)}};
     for (const auto& [qx, qy] : maps) {
         Batch<float> batch =
-            quad_of(right_step, up_step, qx, qy, normalize(front), normalize(front));
+            quad_of_triangle(right_step, up_step, qx, qy, normalize(front), normalize(front));
         row.frame.run(batch, row.parameters);
         const bool regular = qx == u_step && qy == v_step;
         const bool flagged = (batch.integer(Value::frame_flags, 0) & HitFlag::uv_degenerate) != 0;
@@ -274,8 +271,8 @@ TEST(ExactFrames, DegenerateUvMapsAreFlagged) {
 
 /// Seen from behind, normals flip and everything else is that of the front.
 testing::AssertionResult back_faces_flip(const ExactRow& row) {
-    Batch<float> from_front = quad_of(right_step, up_step, u_step, v_step, front, front);
-    Batch<float> from_back = quad_of(right_step, up_step, u_step, v_step, -front, -front);
+    Batch<float> from_front = quad_of_triangle(right_step, up_step, u_step, v_step, front, front);
+    Batch<float> from_back = quad_of_triangle(right_step, up_step, u_step, v_step, -front, -front);
     row.frame.run(from_front, row.parameters);
     row.frame.run(from_back, row.parameters);
     constexpr auto compared = values(Value::frame_normal, Value::J, Value::r, Value::uv_rate,

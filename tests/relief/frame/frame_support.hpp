@@ -9,6 +9,11 @@ namespace quadrel::test {
 
 using Frame = StageUnderTest<float>;
 
+/// A step in the window to the right and one upwards, in eye space and in UV, and the normal of
+/// their plane.
+inline const dvec3 right_step(0.01, 0, 0), up_step(0, 0.01, 0.002), front(0, -0.2, 1);
+inline const dvec2 u_step(0.02, 0), v_step(0.005, 0.03);
+
 inline void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
     for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
 }

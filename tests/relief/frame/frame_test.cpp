@@ -177,9 +177,6 @@ Batch<float> quad_of(const dvec3& px, const dvec3& py, const dvec2& qx, const dv
     return batch;
 }
 
-const dvec3 right_step(0.01, 0, 0), up_step(0, 0.01, 0.002), front(0, -0.2, 1);
-const dvec2 u_step(0.02, 0), v_step(0.005, 0.03);
-
 testing::AssertionResult is_no_frame(const Frame& frame, const dvec3& px, const dvec3& py,
                                      const dvec3& normal, const dvec3& face_normal) {
     Batch<float> batch = quad_of(px, py, u_step, v_step, normal, face_normal);

@@ -4,20 +4,12 @@
 #include "relief/facet.hpp"
 #include "relief/planted.hpp"
 #include "relief/stage_inputs.hpp"
+#include "relief/surface/normal_error.hpp"
 
 namespace quadrel::test {
 namespace {
 
 using Surface = StageUnderTest<float>;
-
-double largest_error(Batch<float>& batch, const dvec3& expected) {
-    double worst = 0;
-    for (int lane = 0; lane < batch.lanes; ++lane) {
-        const double error = length(dvec3(batch.vector3(Value::N, lane)) - expected);
-        if (!(error <= worst)) worst = error;
-    }
-    return worst;
-}
 
 /// The normal of a surface with tangents u and v, on the side of N.
 dvec3 normal_of(const dvec3& u, const dvec3& v, const dvec3& N) {

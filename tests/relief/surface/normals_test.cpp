@@ -104,7 +104,7 @@ void exchange_axes(Batch<float>& b) {
 }
 
 /// Heights read by a stage with an error in what it is given or in what it gives.
-Surface flawed(const std::string& id, Planted planted) {
+Surface flawed_heights(const std::string& id, Planted planted) {
     const auto scaled = [id](float factor) {
         return Surface{id, [factor](Batch<float>& b) { b.material.depth *= factor; },
                        [factor](Batch<float>& b) {
@@ -139,7 +139,7 @@ TEST(NormalsFromHeights, AreThoseOfPlanesAndQuadrics) {
         EXPECT_TRUE(normals_of_quadrics({id}, where, true)) << id;
         EXPECT_TRUE(normals_of_quadrics({id}, where, false)) << id;
         for (const Planted planted : {Planted::slope_upside_down, Planted::gain_of_two})
-            EXPECT_FALSE(normals_of_quadrics(flawed(id, planted), where, true)) << id;
+            EXPECT_FALSE(normals_of_quadrics(flawed_heights(id, planted), where, true)) << id;
     }
     // Neither the listing's gains nor its frame.
     for (const char* id : {"h2n-4tap@published", "h2n-sobel@published", "h2n-gather@published"})
@@ -218,7 +218,7 @@ TEST(NormalsFromHeights, FollowNoise) {
         EXPECT_TRUE(follows_sampled_noise({id})) << id;
         for (const Planted planted :
              {Planted::slope_upside_down, Planted::gain_of_two, Planted::axes_exchanged})
-            EXPECT_FALSE(follows_sampled_noise(flawed(id, planted))) << id;
+            EXPECT_FALSE(follows_sampled_noise(flawed_heights(id, planted))) << id;
     }
 }
 

@@ -1,6 +1,7 @@
 // Normals from heights against the geometry of the displaced plane.
 #include "relief/facet.hpp"
 #include "relief/planted.hpp"
+#include "relief/surface/normal_error.hpp"
 
 namespace quadrel::test {
 namespace {
@@ -33,16 +34,6 @@ Surface h2n(Planted planted = Planted::none) {
         default:
             return {"h2n-thesis"};
     }
-}
-
-/// Largest distance between the stage's normals and `expected`.
-double largest_error(Batch<float>& batch, const dvec3& expected) {
-    double worst = 0;
-    for (int lane = 0; lane < batch.lanes; ++lane) {
-        const double error = length(dvec3(batch.vector3(Value::N, lane)) - expected);
-        if (!(error <= worst)) worst = error;
-    }
-    return worst;
 }
 
 /// Rounding of two normalised sums, and of height differences over `size` texels a unit.

@@ -7,7 +7,7 @@
 namespace quadrel::render_tests {
 namespace {
 
-Scene installed(const std::string& name) { return load_scene(name, {"size=[26,19]"}); }
+Scene small_scene(const std::string& name) { return load_scene(name, {"size=[26,19]"}); }
 
 void set_depth_zero(Scene& scene) {
     for (Material& material : scene.materials) material.depth = 0;
@@ -22,14 +22,15 @@ void remove_relief(Scene& scene) {
         }
 }
 
-const std::vector<std::string> picture = {"R", "G", "B",  "A",     "Z",     "depth",
-                                          "N", "P", "uv", "hit.P", "hit.U", "hit.V"};
+const std::vector<std::string> shown_channels = {"R", "G", "B",  "A",     "Z",     "depth",
+                                                 "N", "P", "uv", "hit.P", "hit.U", "hit.V"};
 
 testing::AssertionResult is_plain_texturing(const Renderer& renderer, const std::string& name) {
-    Scene relief = installed(name), plain = relief;
+    Scene relief = small_scene(name), plain = relief;
     set_depth_zero(relief);
     remove_relief(plain);
-    return same_bits(take(render, plain, picture), take(renderer, relief, picture)) << ", " << name;
+    return same_bits(take(render, plain, shown_channels), take(renderer, relief, shown_channels))
+           << ", " << name;
 }
 
 TEST(DepthZero, IsPlainTexturing) {
@@ -40,7 +41,7 @@ TEST(DepthZero, IsPlainTexturing) {
 
 /// The quad faces the camera, so its normal is +z in eye space.
 testing::AssertionResult published_moves_one_step(const Renderer& renderer) {
-    Scene scene = installed("thesis-quad-published");
+    Scene scene = small_scene("thesis-quad-published");
     set_depth_zero(scene);
     const Film film = take(renderer, scene, {"A", "P", "uv", "K", "hit"});
     return everywhere(film, covered(film), [&](int x, int y) {

@@ -1,4 +1,4 @@
-// Runs of quads as rows of pixels: the bits of their lanes, one by one.
+// Runs of quads as rows of pixels: the bits of their batch_lanes, one by one.
 #include "render/draw/lane_bits.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ void real_rows(const LaneBits& bits, int first, int quads, std::uint32_t* even,
     bits.rows(first, quads, even, odd);
 }
 
-constexpr int lanes = 256;
+constexpr int batch_lanes = 256;
 
 /// Numbers of all kinds: NaNs of both signs and of other payloads, infinities, zeros of both signs.
 std::uint32_t pattern(int i) {
@@ -31,9 +31,9 @@ std::uint32_t pattern(int i) {
 }
 
 testing::AssertionResult same_as_lanes(const Rows& rows) {
-    std::vector<std::uint32_t> words(lanes);
-    std::vector<double> wide(lanes);
-    for (int i = 0; i < lanes; ++i) {
+    std::vector<std::uint32_t> words(batch_lanes);
+    std::vector<double> wide(batch_lanes);
+    for (int i = 0; i < batch_lanes; ++i) {
         words[std::size_t(i)] = pattern(i);
         wide[std::size_t(i)] = i % 5 == 0 ? 1.0 / (i + 3) : std::bit_cast<float>(pattern(i));
     }
@@ -70,10 +70,10 @@ using Resolved = std::function<std::uint32_t(const LaneBits&, int samples, int l
 
 /// A pixel of which one fragment has all samples, against resolving them.
 testing::AssertionResult same_as_resolving(const Resolved& resolved) {
-    std::vector<std::uint32_t> words(lanes);
-    for (int i = 0; i < lanes; ++i) words[std::size_t(i)] = pattern(i);
+    std::vector<std::uint32_t> words(batch_lanes);
+    for (int i = 0; i < batch_lanes; ++i) words[std::size_t(i)] = pattern(i);
     for (const int samples : {1, 2, 4, 8, 16})
-        for (int i = 0; i < lanes; ++i) {
+        for (int i = 0; i < batch_lanes; ++i) {
             const ColorSample sample{std::bit_cast<float>(pattern(i)), 0, 0, 1, 0};
             const ColorSample pixel =
                 resolve(std::vector<ColorSample>(static_cast<std::size_t>(samples), sample));

@@ -43,7 +43,7 @@ Mesh mapped(Mesh mesh, const glm::dmat2& M) {
 }
 
 const glm::dmat2 sheared(1, 0, 0.8, 1), mirrored(-1, 0, 0, 1),
-    turned(glm::dvec2(0.6, 0.8), glm::dvec2(-0.8, 0.6));
+    rotated_uv(glm::dvec2(0.6, 0.8), glm::dvec2(-0.8, 0.6));
 
 // ---- The listing's vectors ----------------------------------------------------------------------
 
@@ -200,7 +200,7 @@ TEST(PublishedVectors, ComeFromTheVerticesOfShearedQuads) {
 TEST(PublishedVectors, ComeFromTheVerticesOfCurvedMeshes) {
     const Mesh sphere = make_sphere(1.2, 8, 6);
     for (const Row& row : rows) {
-        for (const glm::dmat2& map : {glm::dmat2(1), mirrored, turned}) {
+        for (const glm::dmat2& map : {glm::dmat2(1), mirrored, rotated_uv}) {
             for (const glm::dmat4& transform :
                  {rotation(50, {1, 2, 0.5}), rotation(50, {1, 2, 0.5}) * scaling({1, 0.6, 1.3}),
                   scaling({-1, 1, 1}) * rotation(20, {0, 1, 1})}) {
@@ -281,7 +281,7 @@ double normal_difference(const Scene& scene, bool normalised) {
 }
 
 TEST(PublishedVectors, OfFlightGearsNormalMapAreUnitAtTheVertices) {
-    for (const glm::dmat2& map : {glm::dmat2(1), mirrored, turned, sheared}) {
+    for (const glm::dmat2& map : {glm::dmat2(1), mirrored, rotated_uv, sheared}) {
         Scene scene = scene_of(mapped(make_sphere(1.2, 8, 6), map),
                                rotation(50, {1, 2, 0.5}) * scaling({1, 0.6, 1.3}), "none");
         scene.materials[0].surface.id = "normal-map-flightgear@published";
