@@ -1,12 +1,14 @@
 // Rendering a scene to named channels.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "quadrel/film/exr.hpp"
 #include "quadrel/film/film.hpp"
 #include "quadrel/scene/scene.hpp"
 
@@ -43,6 +45,19 @@ Film render(const Scene& scene, const RenderOptions& options);
 /// The same into a film, for one frame after another: what it held is lost, the memory of its
 /// planes is used again where it is large enough. Unspecified, but valid, after an exception.
 void render_into(Film& film, const Scene& scene, const RenderOptions& options);
+
+/// Renders into an EXR file while it is drawn: the file that write_exr would write of the film,
+/// with render_attributes, whole or not at all. Memory grows with the width of the image, not with
+/// its height, and films that `render` refuses for their size are possible. Throws as `render` and
+/// write_exr do; where the disk is full, drawing stops.
+void render_to_exr(const std::filesystem::path& file, const Scene& scene,
+                   const RenderOptions& options, ExrCompression compression = ExrCompression::zip);
+
+/// The same for who writes other files: `take` is called with rows of the film, the top ones first,
+/// each a film whose window is its part of the whole one; from any thread, one at a time. What it
+/// throws ends the render.
+void render_in_bands(const Scene& scene, const RenderOptions& options,
+                     const std::function<void(const Film& band)>& take);
 
 /// The plan of a render, for people; loads and renders nothing. Throws as `render` does.
 std::string explain(const Scene& scene, const RenderOptions& options);

@@ -64,7 +64,7 @@ struct RenderStats {
     std::vector<std::string> left_out;  ///< stages, textures and materials that nothing asked for
     PhaseTime plan;                     ///< planning and geometry
     PhaseTime load;                     ///< textures
-    PhaseTime draw;                     ///< the image
+    PhaseTime draw;                     ///< the image, and writing it where that is done meanwhile
     PhaseTime mark;                     ///< the second pass that finds what was touched
     std::uint64_t peak_memory_kib = 0;  ///< of the process so far (0 where the system cannot tell)
 };

@@ -1,17 +1,16 @@
 #include "quadrel/bake/bake.hpp"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bake/allowed_threads.hpp"
 #include "bake/kinds.hpp"
 #include "bake/wrap_names.hpp"
 #include "quadrel/error.hpp"
 #include "text/hash.hpp"
 #include "text/suggest.hpp"
+#include "text/threads.hpp"
 
 namespace quadrel {
 
@@ -108,9 +107,8 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     Progress progress(options.progress, options.seconds_limit);
     const BakeJob job{plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;
-    const AllowedThreads allowed(std::max(options.threads, 0));
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-    arena.execute([&] { map = row.generate(job); });
+    const AllowedThreads allowed(options.threads);
+    arena_of(options.threads).execute([&] { map = row.generate(job); });
     progress.finish();
     return map;
 }

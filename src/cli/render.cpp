@@ -17,11 +17,13 @@
 #include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
 #include "file/output_group.hpp"
+#include "film/preview_sink.hpp"
+#include "io/exr/encode.hpp"
+#include "io/exr/file_sink.hpp"
 #include "quadrel/film/channels.hpp"
-#include "quadrel/film/exr.hpp"
-#include "quadrel/film/preview.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
+#include "render/bands/draw_bands.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -87,16 +89,15 @@ void check_window(const RenderOptions& options, const Scene& scene) {
                     options.window->x1, options.window->y1, scene.width, scene.height));
 }
 
-Film render_with_bar(const Scene& scene, RenderOptions& options) {
+void render_with_bar(const Scene& scene, RenderOptions& options, const BandSinkMaker& make) {
     ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
     options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
     options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
-    Film film = render(scene, options);
+    render_bands(scene, options, make);
     options.progress = nullptr;
     options.baking = nullptr;
     options.not_kept = nullptr;
-    return film;
 }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
@@ -105,22 +106,32 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     out.commit();
 }
 
-void write_outputs(const RenderArguments& arguments, const Scene& scene,
-                   const RenderOptions& options, const Film& film) {
-    const std::filesystem::path output = output_name(arguments);
+/// The EXR: a file, or bytes that wait in `streamed` for standard output.
+std::unique_ptr<BandSink> exr_sink(const RenderArguments& arguments, const Film& layout,
+                                   const Attributes& attributes, std::string& streamed) {
+    if (!arguments.streams())
+        return exr_file_sink(output_name(arguments), layout, attributes, arguments.compression);
+    return exr_band_sink(layout, attributes, arguments.compression, append_to(streamed));
+}
+
+void render_outputs(const RenderArguments& arguments, const Scene& scene, RenderOptions& options) {
     Attributes attributes;
     for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
-    const ExrWriting writing{arguments.compression, options.threads};
+    std::string streamed;
     OutputGroup outputs;
-    if (!arguments.streams()) write_exr(output, film, attributes, writing);
-    if (!arguments.preview.empty()) write_png(arguments.preview, preview(film));
+    render_with_bar(scene, options, [&](const Film& layout) {
+        std::vector<std::unique_ptr<BandSink>> sinks;
+        sinks.push_back(exr_sink(arguments, layout, attributes, streamed));
+        if (!arguments.preview.empty()) sinks.push_back(png_file_sink(arguments.preview, layout));
+        return join_sinks(std::move(sinks));
+    });
     if (!arguments.stats.empty()) write_text(arguments.stats, to_json(*options.stats));
     if (arguments.streams()) {
-        print_bytes(exr_bytes(film, attributes, writing));
+        print_bytes(streamed);
         flush_output();
     }
     outputs.commit();
-    if (!arguments.streams()) say_written(output);
+    if (!arguments.streams()) say_written(output_name(arguments));
     if (!arguments.preview.empty()) say_written(arguments.preview);
 }
 
@@ -148,8 +159,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     if (!arguments.stats.empty()) options.stats = &stats;
     RenderSummary summary;
     options.summary = &summary;
-    const Film film = render_with_bar(scene, options);
-    write_outputs(arguments, scene, options, film);
+    render_outputs(arguments, scene, options);
     say_summary(summary);
     return ExitCode::ok;
 }

@@ -163,6 +163,8 @@ Picture preview(const Film& film) {
     return draw_group(film, preview_group(film));
 }
 
+bool previews_rows(const Film& film) { return how_shown(preview_group(film)) != Shown::spread; }
+
 std::vector<std::string> preview_channels(const Film& film) {
     std::vector<std::string> names;
     for (const Plane* plane : preview_group(film).planes) names.push_back(plane->name);

@@ -16,4 +16,7 @@ struct PreviewGroup {
 /// R G B; else what belongs to the first channel; else that alone. The film must have a channel.
 PreviewGroup preview_group(const Film& film);
 
+/// Whether each pixel of a preview is made of that pixel's values alone.
+bool previews_rows(const Film& film);
+
 }  // namespace quadrel

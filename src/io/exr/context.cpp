@@ -16,9 +16,9 @@ void zero_library_buffers() {
     std::call_once(once, [] { exr_set_default_memory_routines(allocate_zeros, std::free); });
 }
 
-void say_nothing(exr_const_context_t, exr_result_t, const char*) {}
-
 }  // namespace
+
+void say_nothing(exr_const_context_t, exr_result_t, const char*) {}
 
 void check_exr(exr_result_t result) {
     if (result == EXR_ERR_SUCCESS) return;

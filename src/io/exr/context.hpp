@@ -13,6 +13,9 @@ namespace quadrel {
 /// Throws std::bad_alloc, or std::runtime_error with the library's text, unless it is a success.
 void check_exr(exr_result_t result);
 
+/// A handler of the library's messages: check_exr tells what is wrong.
+void say_nothing(exr_const_context_t, exr_result_t, const char*);
+
 /// One part of a file, opened for reading. Everything allocated for it begins as zeros. Throws as
 /// check_exr, and for deep parts.
 class ExrContext {

@@ -46,11 +46,7 @@ void write_exr_parts(const std::filesystem::path& path, const std::vector<ExrPar
 std::string exr_bytes(const Film& film, const Attributes& attributes, const ExrWriting& writing) {
     const ExrPartView part{nullptr, &film, &attributes};
     std::string all;
-    encode_exr({&part, 1}, writing,
-               [&](std::uint64_t position, const void* bytes, std::size_t size) {
-                   if (all.size() < position + size) all.resize(position + size);
-                   std::copy_n(static_cast<const char*>(bytes), size, all.data() + position);
-               });
+    encode_exr({&part, 1}, writing, append_to(all));
     return all;
 }
 

@@ -3,21 +3,19 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <mutex>
 
-#include "bake/allowed_threads.hpp"
-#include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/stats.hpp"
+#include "render/draw/planes.hpp"
+#include "render/draw/tile_progress.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
 #include "render/stats/stats_record.hpp"
+#include "render/stats/stopwatch.hpp"
+#include "text/threads.hpp"
 
 namespace quadrel {
 namespace {
@@ -51,116 +49,8 @@ std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptio
     return sources;
 }
 
-/// Of a film: 8 GB, and what a reader of EXR files takes.
-constexpr std::int64_t most_values = std::int64_t(1) << 31;
-
-void check_film_size(const Scene& scene, const Window& window, std::size_t channels) {
-    const std::int64_t values =
-        std::int64_t(window.width()) * window.height() * static_cast<std::int64_t>(channels);
-    if (values <= most_values) return;
-    throw InputError(
-        scene.file.string(), "size",
-        fmt::format("{}x{} pixels of {} channels", window.width(), window.height(), channels),
-        "at most 2^31 values in all, or a window of it");
-}
-
-/// The bits of a channel where nothing is drawn.
-std::uint32_t background_bits(const Scene& scene, const ChannelSource& channel) {
-    if (channel.kind != ChannelSource::Kind::value || channel.value != Value::color)
-        return uncovered_bits(channel.name);
-    return canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));
-}
-
-/// Bits of each plane where nothing is drawn.
-std::vector<std::uint32_t> undrawn_bits(const Scene& scene,
-                                        const std::vector<ChannelSource>& channels) {
-    std::vector<std::uint32_t> bits;
-    for (const ChannelSource& channel : channels) bits.push_back(background_bits(scene, channel));
-    return bits;
-}
-
-bool has_planes_of(const Film& film, const Window& window, std::size_t count) {
-    return film.planes.size() == count &&
-           std::all_of(film.planes.begin(), film.planes.end(),
-                       [&](const Plane& plane) { return plane.bits.size() == window.area(); });
-}
-
-/// Makes the planes, in the memory that the film has where it is large enough. Where it has as many
-/// planes of that size already they keep what they hold, for tiles to clear; else they become
-/// `undrawn`, on the arena's threads. Whether they did.
-bool make_planes(Film& film, const Scene& scene, const Window& window,
-                 const std::vector<ChannelSource>& channels,
-                 const std::vector<std::uint32_t>& undrawn) {
-    check_film_size(scene, window, channels.size());
-    const bool clear = !has_planes_of(film, window, channels.size());
-    film.frame = {0, 0, scene.width, scene.height};
-    film.window = window;
-    film.planes.resize(channels.size());
-    tbb::parallel_for(std::size_t(0), channels.size(), [&](std::size_t c) {
-        Plane& plane = film.planes[c];
-        plane.name = channels[c].name;
-        plane.type = channels[c].type;
-        if (clear) plane.bits.assign(window.area(), undrawn[c]);
-    });
-    return clear;
-}
-
-/// The window in window coordinates, grown to whole quads.
-PixelRect quad_rect(const Viewport& viewport, const Window& window) {
-    PixelRect rect = flip_rect(viewport, {window.x0, window.y0, window.x1, window.y1});
-    rect.x0 &= ~1;
-    rect.y0 &= ~1;
-    rect.x1 = std::min((rect.x1 + 1) & ~1, viewport.width);
-    rect.y1 = std::min((rect.y1 + 1) & ~1, viewport.height);
-    return rect;
-}
-
-class Progress {
-  public:
-    Progress(const std::function<void(double)>& report, std::size_t total)
-        : report_(report), total_(total) {}
-
-    void advance() {
-        if (!report_) return;
-        const std::lock_guard lock(mutex_);
-        report_(static_cast<double>(++done_) / static_cast<double>(total_));
-    }
-
-  private:
-    const std::function<void(double)>& report_;
-    std::size_t total_, done_ = 0;
-    std::mutex mutex_;
-};
-
-class Stopwatch {
-  public:
-    /// Time since the last lap, or the beginning.
-    PhaseTime lap() {
-        const PhaseTime now = so_far();
-        const PhaseTime lap{now.wall_ms - last_.wall_ms, now.cpu_ms - last_.cpu_ms};
-        last_ = now;
-        return lap;
-    }
-
-  private:
-    static PhaseTime so_far() {
-        const std::chrono::duration<double, std::milli> wall =
-            std::chrono::steady_clock::now().time_since_epoch();
-        timespec cpu{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
-        return {wall.count(),
-                1e3 * static_cast<double>(cpu.tv_sec) + 1e-6 * static_cast<double>(cpu.tv_nsec)};
-    }
-
-    PhaseTime last_ = so_far();
-};
-
-tbb::task_arena task_arena(const RenderOptions& options) {
-    return tbb::task_arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-}
-
 void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
-    task_arena(options).execute([&] {
+    arena_of(options.threads).execute([&] {
         load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
                            {options.baking, options.not_kept});
     });
@@ -174,8 +64,8 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     const std::vector<Tile> tiles =
         bin_triangles(prepared.geometry, quad_rect(viewport, prepared.window), options.tile);
-    Progress progress(options.progress, tiles.size());
-    task_arena(options).execute([&] {
+    TileProgress progress(options.progress, tiles.size());
+    arena_of(options.threads).execute([&] {
         tbb::enumerable_thread_specific<TileRenderer> renderers(make);
         tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
             renderers.local().render(tiles[i]);
@@ -247,9 +137,11 @@ PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
 void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& options,
                DrawRecord* record, Recording recording) {
     const Scene& scene = *prepared.scene;
+    check_film_size(scene, prepared.window, prepared.channels.size());
     const std::vector<std::uint32_t> undrawn = undrawn_bits(scene, prepared.channels);
-    const bool cleared = task_arena(options).execute(
-        [&] { return make_planes(film, scene, prepared.window, prepared.channels, undrawn); });
+    const bool cleared = arena_of(options.threads).execute([&] {
+        return make_planes(film, scene, prepared.window, prepared.channels, undrawn);
+    });
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     const FilmTarget target{&film, &prepared.channels, viewport, scene.background,
                             cleared ? nullptr : &undrawn};
@@ -307,9 +199,9 @@ std::string explain(const Scene& scene, const RenderOptions& options) {
     return explain(prepared);
 }
 
-void render_into(Film& film, const Scene& scene, const RenderOptions& options) {
+void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing) {
     const KernelTable& kernels = select_kernels(options);
-    const AllowedThreads allowed(std::max(options.threads, 0));
+    const AllowedThreads allowed(options.threads);
     Phases phases;
     Stopwatch watch;
     PreparedRender prepared = plan_render(scene, options, kernels);
@@ -317,11 +209,17 @@ void render_into(Film& film, const Scene& scene, const RenderOptions& options) {
     load_textures_of(prepared, options);
     phases.load = watch.lap();
     DrawRecord record;
-    draw_into(film, prepared, options, &record,
-              options.stats != nullptr ? Recording::counts : Recording::nothing);
+    drawing(prepared, record, options.stats != nullptr ? Recording::counts : Recording::nothing);
     phases.draw = watch.lap();
     if (options.summary != nullptr) *options.summary = summarize(prepared, record, phases);
     if (options.stats != nullptr) *options.stats = count_all(prepared, options, record, phases);
+}
+
+void render_into(Film& film, const Scene& scene, const RenderOptions& options) {
+    render_by(scene, options,
+              [&](const PreparedRender& prepared, DrawRecord& record, Recording recording) {
+                  draw_into(film, prepared, options, &record, recording);
+              });
 }
 
 Film render(const Scene& scene, const RenderOptions& options) {

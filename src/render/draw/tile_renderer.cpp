@@ -1,6 +1,7 @@
 #include "render/draw/tile_renderer.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "raster/solid_tile.hpp"
@@ -27,6 +28,13 @@ bool shows_depth(const std::vector<ChannelSource>& channels) {
 }  // namespace
 
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size) {
+    std::vector<std::uint32_t> all(geometry.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return bin_triangles(geometry, all, area, size);
+}
+
+std::vector<Tile> bin_triangles(const Geometry& geometry, std::span<const std::uint32_t> triangles,
+                                const PixelRect& area, int size) {
     const int first_x = area.x0 / size, first_y = area.y0 / size;
     const int columns = (area.x1 - 1) / size - first_x + 1;
     const int rows = (area.y1 - 1) / size - first_y + 1;
@@ -36,7 +44,7 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area,
             tiles.push_back({intersect(area, {column * size, row * size, (column + 1) * size,
                                               (row + 1) * size}),
                              {}});
-    for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
+    for (const std::uint32_t t : triangles) {
         const PixelRect bounds = intersect(area, geometry.triangles[t].screen.bounds);
         if (bounds.empty()) continue;
         for (int row = bounds.y0 / size; row <= (bounds.y1 - 1) / size; ++row)

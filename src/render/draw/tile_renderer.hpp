@@ -25,6 +25,9 @@ struct Tile {
 
 /// Tiles of side `size` over `area`, on a grid that starts at the frame's origin.
 std::vector<Tile> bin_triangles(const Geometry& geometry, const PixelRect& area, int size);
+/// The same of some triangles alone, given in their order.
+std::vector<Tile> bin_triangles(const Geometry& geometry, std::span<const std::uint32_t> triangles,
+                                const PixelRect& area, int size);
 
 /// What a renderer writes down beside the film.
 enum class Recording {

@@ -1,6 +1,7 @@
 // A render in two halves: what is settled once (plan, textures, geometry), and drawing.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "quadrel/render.hpp"
@@ -37,6 +38,13 @@ Film draw(const PreparedRender& prepared, const RenderOptions& options,
 /// lost.
 void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& options,
                DrawRecord* record = nullptr, Recording recording = Recording::counts);
+
+/// What draws what is prepared.
+using Drawing = std::function<void(const PreparedRender&, DrawRecord&, Recording)>;
+
+/// A whole render: plans, loads, draws by `drawing`, and hands out summary and statistics where
+/// they are asked for.
+void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing);
 
 /// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
 /// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.

@@ -1,0 +1,59 @@
+// Frames that are written as they are drawn: memory grows with a band of tiles, not with the frame.
+#include <gtest/gtest.h>
+
+#include "cli/process.hpp"
+#include "effort.hpp"
+#include "film/films.hpp"
+
+namespace quadrel::cli_tests {
+namespace {
+
+using testing_films::file_bytes;
+using testing_films::TemporaryFolder;
+using testing_films::write_bytes;
+
+/// Largest resident size of `quadrel arguments...` in MB.
+long peak_of(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
+    const TemporaryFolder logs;
+    const pid_t child = start(arguments, folder.path(), logs.path());
+    int status = 0;
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    EXPECT_EQ(status, 0) << file_bytes(logs / "err");
+    return usage.ru_maxrss / 1024;
+}
+
+class LargeFrame : public testing::Test {
+  protected:
+    LargeFrame() {
+        write_bytes(folder / "s.json", R"({"quadrel": 1,
+            "objects": [{"mesh": "quad", "transform": [{"scale": 0.1}]}]})");
+    }
+    long peak(const std::string& size, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments = {"render",        "s.json", "-o",     "a.exr",
+                                              "--size",        size,     "-t",     "2",
+                                              "--compression", "rle",    "--quiet"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return peak_of(arguments, folder);
+    }
+    TemporaryFolder folder;
+};
+
+/// A film would be 537 MB, of one channel alone.
+TEST_F(LargeFrame, OfAHundredMillionPixelsTakesLessThan300MB) {
+    if (test::sanitized) GTEST_SKIP() << "the sanitizers' memory is more than that";
+    EXPECT_LT(peak("8192x16384", {"--channels", "A"}), 300);
+}
+
+/// Four times the rows are as good as no more memory; a preview keeps the channels that it spreads,
+/// 4 bytes a pixel here, so that this would notice a film that is kept.
+TEST_F(LargeFrame, RowsTakeNoMemory) {
+    if (test::sanitized) GTEST_SKIP() << "the sanitizers' memory is more than that";
+    const std::vector<std::string> keeps = {"--channels", "A,Z", "--preview", "a.png"};
+    const long few = peak("2048x1024"), many = peak("2048x4096"), kept = peak("2048x4096", keeps);
+    EXPECT_LT(many, few + 12);
+    EXPECT_GT(kept, few + 24) << "a film of one channel is noticed";
+}
+
+}  // namespace
+}  // namespace quadrel::cli_tests
