@@ -105,11 +105,11 @@ NoiseSample<F> lattice_noise(const vec2<F>& p, Scalar<F> period, std::int32_t se
 /// The height field described above: height in [0, 1] and (dh/du, dh/dv). `octaves` is at least 1.
 template <Number F>
 NoiseSample<F> noise_field(const vec2<F>& uv, float frequency, int octaves) {
-    const bool whole = std::floor(frequency) == frequency;
+    const bool repeats = frequency != 0 && std::floor(frequency) == frequency;
     NoiseSample<F> sum{F(0), vec2<F>(F(0))};
     F cells(static_cast<Scalar<F>>(frequency)), amplitude(1), total(0);
     for (const auto k : steps<F>(0, octaves - 1)) {
-        const auto octave = lattice_noise<F>(uv * cells, whole, cells, to_int(number<F>(k)));
+        const auto octave = lattice_noise<F>(uv * cells, repeats, cells, to_int(number<F>(k)));
         sum.value = sum.value + octave.value * amplitude;
         sum.gradient = sum.gradient + octave.gradient * (amplitude * cells);
         total = total + amplitude;
