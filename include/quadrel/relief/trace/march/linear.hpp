@@ -17,17 +17,17 @@ template <Number F, class Height>
 SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n, int start = 0) {
     SearchResult<F> result;
     Mask<F> active = ray.active, found(false), met_nan(false);
-    for (int k = start; k <= n; ++k) {
-        const Scalar<F> s = static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n);
-        const F h = height(active, F(s), ray.at(s), F(1 - s));
-        const Mask<F> below = active & (h >= F(1 - s));
-        result.s = select(below, F(s), result.s);
+    for (const auto k : steps<F>(start, n)) {
+        const F s = number<F>(k) / number<F>(n);
+        const F h = height(active, s, ray.at(s), F(1) - s);
+        const Mask<F> below = active & (h >= F(1) - s);
+        result.s = select(below, s, result.s);
         result.h = select(active, h, result.h);
         count_in<F>(result.steps, active);
         met_nan = met_nan | (active & is_nan(h));
         found = found | below;
         active = active & !below;
-        if (!any(active)) break;
+        if (none(active)) break;
     }
     result.status = search_status<F>(found, met_nan);
     result.fetches = result.steps;
@@ -40,7 +40,7 @@ SearchResult<F> flat_march(const SearchRay<F>& ray, int n, Scalar<F> h) {
     SearchResult<F> result;
     const int k = first_step_below(h, n);
     const Mask<F> found = ray.active & Mask<F>(k <= n);
-    result.s = select(found, F(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n)), F(1));
+    result.s = select(found, number<F>(k) / number<F>(n), F(1));
     result.h = select(ray.active, F(h), F(0));
     result.status = search_status<F>(found, Mask<F>(false));
     return result;

@@ -49,10 +49,10 @@ template <Number F, class Height>
 Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int last) {
     Bracket<F> bracket;
     Mask<F> active = ray.active;
-    for (int k = 0; k <= last; ++k) {
-        const F index(static_cast<Scalar<F>>(k));
+    for (const auto k : steps<F>(0, last)) {
+        const F index = number<F>(k);
         active = active & (index < n + F(1));
-        if (!any(active)) break;
+        if (none(active)) break;
         const F s = min(index / n, F(1));
         const F h = height(active, s, ray.at(s), F(1) - s);
         const Mask<F> below = bracket.narrow(active, s, h);
@@ -66,7 +66,7 @@ Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int
 /// Halves the bracket `times` times, where one was found. `height` as above.
 template <Number F, class Height>
 void bisect(const Height& height, const SearchRay<F>& ray, int times, Bracket<F>& bracket) {
-    for (int i = 0; i < times; ++i) {
+    for (const auto k : steps<F>(1, times)) {
         const F middle = (bracket.s_above + bracket.s_below) * F(0.5f);
         const F h = height(bracket.found, middle, ray.at(middle), F(1) - middle);
         bracket.narrow(bracket.found, middle, h);
