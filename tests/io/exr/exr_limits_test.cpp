@@ -14,12 +14,12 @@ namespace quadrel {
 namespace {
 
 using testing_films::TemporaryFolder;
-using Read = std::function<void(const std::filesystem::path&)>;
+using Reader = std::function<void(const std::filesystem::path&)>;
 
-const Read as_film = [](const auto& file) { read_exr(file); };
-const Read as_image = [](const auto& file) { load_image(file); };
+const Reader as_film = [](const auto& file) { read_exr(file); };
+const Reader as_image = [](const auto& file) { load_image(file); };
 /// Believes everything.
-const Read as_nothing = [](const auto&) {};
+const Reader as_nothing = [](const auto&) {};
 
 std::string whole_file(const TemporaryFolder& folder) {
     Film film{{0, 0, 16, 16}, {0, 0, 16, 16}, {}};  // of zeros: small when compressed
@@ -37,7 +37,7 @@ std::string patched(std::string bytes, const std::string& behind, std::size_t of
     return bytes;
 }
 
-testing::AssertionResult refuses(const Read& read, const std::string& bytes,
+testing::AssertionResult refuses(const Reader& read, const std::string& bytes,
                                  const std::string& found) {
     const TemporaryFolder folder;
     testing_films::write_bytes(folder / "a.exr", bytes);
@@ -65,7 +65,7 @@ TEST(ExrLimits, AttributesLongerThanTheFile) {
     const TemporaryFolder folder;
     const std::string huge = patched(whole_file(folder), type_name, 0, 0x70000000);
     const std::string negative = patched(whole_file(folder), type_name, 0, -1);
-    for (const Read& read : {as_film, as_image}) {
+    for (const Reader& read : {as_film, as_image}) {
         EXPECT_TRUE(refuses(read, huge, "an attribute \"compression\" of 1879048192 bytes"));
         EXPECT_TRUE(refuses(read, negative, "an attribute \"compression\" of 4294967295 bytes"));
     }
@@ -76,7 +76,7 @@ TEST(ExrLimits, HeadersThatDoNotEnd) {
     const TemporaryFolder folder;
     const std::string whole = whole_file(folder);
     const std::size_t start = whole.find("compression");
-    for (const Read& read : {as_film, as_image}) {
+    for (const Reader& read : {as_film, as_image}) {
         EXPECT_TRUE(refuses(read, whole.substr(0, start + 5), "the end of the file"));
         EXPECT_TRUE(refuses(read, whole.substr(0, start) + std::string(300, 'n') + whole,
                             "a name of more than 255 bytes"));
