@@ -22,7 +22,7 @@ struct DrawnPixel {
 };
 /// On 64x64 pixels: window y up where llvmpipe drew it, down where SwiftShader did.
 using DrawnTriangle = std::array<DrawnVertex, 3>;
-const DrawnTriangle triangles[] = {
+const DrawnTriangle drawn_triangles[] = {
     {{
         {{0x1.33af2p-1f, 0x1.99112p-2f, 0x1.db3036p-2f, 0x1.28fe22p+1f},
          {0x1.2f6aa8p+0f, 0x1.3385dep+1f}},
@@ -174,7 +174,7 @@ Quad<float> value_at(Interpolation form, const PlaneSetup& setup, const PerVerte
 testing::AssertionResult has_the_bits(Interpolation form, std::span<const DrawnPixels> all,
                                       PlantedPlane planted) {
     for (std::size_t t = 0; t < all.size(); ++t) {
-        DrawnTriangle drawn = triangles[t];
+        DrawnTriangle drawn = drawn_triangles[t];
         if (planted == PlantedPlane::rotated)
             std::rotate(drawn.begin(), drawn.begin() + 1, drawn.end());
         const PlaneSetup setup = set_up_planes(form, drawn, planted);
@@ -232,7 +232,7 @@ TEST(Planes, SwiftShadersBits) {
 /// llvmpipe's planes follow the unsnapped vertices, SwiftShader's the snapped ones within
 /// roundings.
 TEST(Planes, FollowTheExactValues) {
-    for (const DrawnTriangle& drawn : triangles) {
+    for (const DrawnTriangle& drawn : drawn_triangles) {
         EXPECT_LT(largest_error(Interpolation::swiftshader, drawn), 100);
         EXPECT_GT(largest_error(Interpolation::swiftshader, drawn), 0.51);
         EXPECT_GT(largest_error(Interpolation::llvmpipe, drawn), 100);
