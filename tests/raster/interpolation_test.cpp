@@ -80,12 +80,6 @@ Quad<float> evaluate_float(const ScreenTriangle& t, const QuadPoints& points, co
     return evaluate<float>(t, points, v, planted);
 }
 
-ScreenTriangle set_up(const Corners& corners, const RasterState& state) {
-    ScreenTriangle t;
-    EXPECT_EQ(set_up_triangle(to_clip(corners, state.viewport), state, t), SetupOutcome::drawn);
-    return t;
-}
-
 /// Triangles of all kinds: small, thin, of a million pixels; w from 1e-3 to 1e6; whole, or cut by
 /// the near and far planes. Null if nothing of it is drawn.
 std::optional<ScreenTriangle> any_triangle(Random& random, int kind, const RasterState& state) {

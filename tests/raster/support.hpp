@@ -119,4 +119,11 @@ inline int winding_number(const std::vector<Snapped>& ring, std::int64_t x, std:
     return winding;
 }
 
+/// A triangle that must be drawn.
+inline ScreenTriangle set_up(const Corners& corners, const RasterState& state) {
+    ScreenTriangle t;
+    EXPECT_EQ(set_up_triangle(to_clip(corners, state.viewport), state, t), SetupOutcome::drawn);
+    return t;
+}
+
 }  // namespace quadrel::test

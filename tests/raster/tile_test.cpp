@@ -147,12 +147,6 @@ Masks masks_with(Planted planted) {
     return coverage_mask;
 }
 
-ScreenTriangle drawn_alone(const Corners& corners, const RasterState& state) {
-    ScreenTriangle t;
-    EXPECT_EQ(set_up_triangle(to_clip(corners, state.viewport), state, t), SetupOutcome::drawn);
-    return t;
-}
-
 std::uint16_t mask_of(std::initializer_list<int> samples) {
     std::uint16_t mask = 0;
     for (int s : samples) mask |= std::uint16_t(1 << s);
@@ -161,8 +155,8 @@ std::uint16_t mask_of(std::initializer_list<int> samples) {
 
 testing::AssertionResult published_masks(const Masks& masks) {
     const RasterState state = y_down(4, 4);
-    const ScreenTriangle corner = drawn_alone({Corner{0, 0}, Corner{1, 0}, Corner{0, 1}}, state);
-    const ScreenTriangle large = drawn_alone({Corner{0, .5}, Corner{4, .5}, Corner{0, 4}}, state);
+    const ScreenTriangle corner = set_up({Corner{0, 0}, Corner{1, 0}, Corner{0, 1}}, state);
+    const ScreenTriangle large = set_up({Corner{0, .5}, Corner{4, .5}, Corner{0, 4}}, state);
     if (masks(corner, 0, 0, 4) != mask_of({0, 2})) return testing::AssertionFailure() << "4x";
     if (masks(corner, 0, 0, 8) != mask_of({0, 3, 5})) return testing::AssertionFailure() << "8x";
     if (masks(corner, 0, 0, 16) != mask_of({1, 2, 4, 7, 9, 10, 11, 12, 15}))
@@ -175,7 +169,7 @@ using Centroids = std::function<QuadPoints(const ScreenTriangle&, int, int, int)
 
 testing::AssertionResult centroids_follow_d3d(const Centroids& centroids) {
     const RasterState state = y_down(4, 4);
-    const ScreenTriangle t = drawn_alone({Corner{0, .5}, Corner{4, .5}, Corner{0, 4}}, state);
+    const ScreenTriangle t = set_up({Corner{0, .5}, Corner{4, .5}, Corner{0, 4}}, state);
     const QuadPoints top = centroids(t, 0, 0, 4);
     // Lane 0 covers samples 2 and 3: sample 2. Lane 2, pixel (0, 1), is covered whole: its centre.
     if (top.x[0] != 32 || top.y[0] != 160) return testing::AssertionFailure() << "partial";
@@ -311,7 +305,7 @@ TEST(Tile, InOrderEqualsVisibility) {
 
 TEST(Tile, TheFarPlaneItselfIsNotNearer) {
     const Corners far{Corner{0, 0, 1, 1}, Corner{9, 0, 1, 1}, Corner{0, 9, 1, 1}};
-    const ScreenTriangle t = drawn_alone(far, y_down(buffer_size, buffer_size));
+    const ScreenTriangle t = set_up(far, y_down(buffer_size, buffer_size));
     TileBuffer tile(whole, 1);
     rasterize(t, 0, tile);
     EXPECT_EQ(tile.triangle(1, 1, 0), no_triangle);
