@@ -125,7 +125,7 @@ RasterState drawn_by(Interpolation form) {
     return state;
 }
 
-ScreenTriangle set_up(const DrawnTriangle& drawn, const RasterState& state) {
+ScreenTriangle set_up_whole(const DrawnTriangle& drawn, const RasterState& state) {
     std::vector<AssembledTriangle> pieces;
     PrimitiveCounts counts;
     assemble_triangle({drawn[0].clip, drawn[1].clip, drawn[2].clip}, state, pieces, counts);
@@ -151,7 +151,7 @@ enum class PlantedPlane {
 PlaneSetup set_up_planes(Interpolation form, const DrawnTriangle& drawn, PlantedPlane planted) {
     RasterState state = drawn_by(form);
     if (planted == PlantedPlane::fine_grid) state.subpixel_bits = 7;
-    ScreenTriangle triangle = set_up(drawn, state);
+    ScreenTriangle triangle = set_up_whole(drawn, state);
     if (planted == PlantedPlane::snapped)
         for (ScreenVertex& v : triangle.vertex) {
             v.window_x = float(v.x) / 256;
@@ -195,7 +195,7 @@ testing::AssertionResult has_the_bits(Interpolation form, std::span<const DrawnP
 /// How far the planes lie from the exact values at covered pixels, in ulps of the largest value
 /// at a vertex.
 double largest_error(Interpolation form, const DrawnTriangle& drawn) {
-    const ScreenTriangle t = set_up(drawn, drawn_by(form));
+    const ScreenTriangle t = set_up_whole(drawn, drawn_by(form));
     const PlaneSetup setup = plane_setup(form, t, 1);
     const Values v{drawn[0].value[0], drawn[1].value[0], drawn[2].value[0]};
     const PerVertex<Quad<float>> value{v[0], v[1], v[2]};
