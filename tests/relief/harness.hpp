@@ -247,4 +247,8 @@ testing::AssertionResult same_bits(Batch<T>& a, Batch<T>& b, std::span<const Val
     return testing::AssertionSuccess();
 }
 
+inline void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
+    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
+}
+
 }  // namespace quadrel::test

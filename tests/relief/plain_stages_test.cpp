@@ -7,9 +7,6 @@ namespace {
 
 using Stage = StageUnderTest<float>;
 
-void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
-    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
-}
 Stage after(const char* id, void (*change)(Batch<float>&, int)) {
     return {
         id, {}, [change](Batch<float>& b) { each_lane(b, [&](int lane) { change(b, lane); }); }};

@@ -15,7 +15,7 @@ Depth graded(Planted planted = Planted::none) {
     switch (planted) {
         case Planted::tile_of_the_u_axis:
             depth.after = [](Batch<float>& b) {
-                on_each_lane(b, [&](int lane) {
+                each_lane(b, [&](int lane) {
                     b.real(Value::relief_depth, lane) =
                         b.material.depth / length(b.vector3(Value::face_J, lane));
                 });
@@ -26,7 +26,7 @@ Depth graded(Planted planted = Planted::none) {
             break;
         case Planted::back_faces_kept:
             depth.before = [](Batch<float>& b) {
-                on_each_lane(b,
+                each_lane(b,
                              [&](int lane) { b.set(Value::Ng, lane, -b.vector3(Value::P, lane)); });
             };
             break;
@@ -39,7 +39,7 @@ Depth graded(Planted planted = Planted::none) {
 /// A batch on one plane, seen from the front.
 Batch<float> on(const Plane& plane) {
     Batch<float> batch(16);
-    on_each_lane(batch, [&](int lane) {
+    each_lane(batch, [&](int lane) {
         batch.set(Value::P, lane, plane.origin);
         batch.set(Value::Ng, lane, plane.normal);
         batch.set(Value::vertex_normal, lane, plane.normal * 1.7);
@@ -53,7 +53,7 @@ TEST(DepthConstant, IsTheMaterials) {
     batch.own_depth = true;
     batch.material.depth = 0.3f;
     batch.run("depth-constant");
-    on_each_lane(batch, [&](int lane) { EXPECT_EQ(batch.real(Value::relief_depth, lane), 0.3f); });
+    each_lane(batch, [&](int lane) { EXPECT_EQ(batch.real(Value::relief_depth, lane), 0.3f); });
 }
 
 // ---- In tiles -----------------------------------------------------------------------------------
@@ -84,7 +84,7 @@ TEST(DepthGraded, DegenerateMapsHaveNoDepth) {
     Batch<float> batch = on(random_plane(random));
     batch.material.depth = 0.2f;
     batch.material.depth_in_tiles = 1;
-    on_each_lane(batch, [&](int lane) {
+    each_lane(batch, [&](int lane) {
         for (int c = 3; c < 6; ++c) batch.real(Value::face_J, lane, c) = 0;
     });
     batch.run("depth-graded");
@@ -147,7 +147,7 @@ TEST(DepthGraded, ReachesTheShift) {
     batch.own_depth = true;
     batch.run("differentiate");
     const auto K_with = [&](float depth) {
-        on_each_lane(batch, [&](int lane) { batch.real(Value::relief_depth, lane) = depth; });
+        each_lane(batch, [&](int lane) { batch.real(Value::relief_depth, lane) = depth; });
         batch.run("frame-gram");
         return batch.vector2(Value::K, 0);
     };

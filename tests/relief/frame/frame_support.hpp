@@ -14,10 +14,6 @@ using Frame = StageUnderTest<float>;
 inline const dvec3 right_step(0.01, 0, 0), up_step(0, 0.01, 0.002), front(0, -0.2, 1);
 inline const dvec2 u_step(0.02, 0), v_step(0.005, 0.03);
 
-inline void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
-    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
-}
-
 /// Fills what frames read beside window differences: the plane's own J and tangents.
 inline void set_plane_frame(Batch<float>& batch, int lane, const Plane& plane) {
     const auto J = ExactJacobian::from_edges(plane.dPdu, plane.dPdv, dvec2(1, 0), dvec2(0, 1));
