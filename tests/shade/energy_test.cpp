@@ -4,10 +4,6 @@
 namespace quadrel::test {
 namespace {
 
-void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
-    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
-}
-
 // ---- Reciprocity and energy ---------------------------------------------------------------------
 
 /// White light of one intensity from L, seen from V, over N = z; white material.

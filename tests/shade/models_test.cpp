@@ -62,10 +62,6 @@ const std::vector<Model> models = {
     {"shade-mcguire", squared_cosine}, {"shade-cook-torrance", cook_torrance},
 };
 
-void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
-    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
-}
-
 /// The model, or one with an error in what it is given.
 Shading flawed(const std::string& id, Planted planted) {
     const auto before = [&](void (*change)(Batch<float>&)) { return Shading{id, change}; };

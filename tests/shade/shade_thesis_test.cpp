@@ -6,9 +6,6 @@ namespace {
 
 using Shading = StageUnderTest<float>;
 
-void each_lane(Batch<float>& batch, const std::function<void(int)>& change) {
-    for (int lane = 0; lane < batch.lanes; ++lane) change(lane);
-}
 Shading before(void (*change)(Batch<float>&)) { return {"shade-thesis", change}; }
 Shading after(void (*change)(Batch<float>&, int)) {
     return {"shade-thesis", {}, [change](Batch<float>& b) {

@@ -97,8 +97,8 @@ TEST(H2nThesis, SmoothShadingAddsItsDifference) {
 }
 
 /// Depth 0, and lanes without a frame: the frame's normal, bit for bit.
-testing::AssertionResult keeps_the_frames_normal(const Surface& surface, float depth,
-                                                 Status status) {
+testing::AssertionResult leaves_the_frames_normal(const Surface& surface, float depth,
+                                                  Status status) {
     Random random(3);
     const Map map = noise_map(random, 16, 16);
     const Plane plane = random_plane(random);
@@ -117,10 +117,10 @@ testing::AssertionResult keeps_the_frames_normal(const Surface& surface, float d
 }
 
 TEST(H2nThesis, WithoutDepthOrFrameNothingTilts) {
-    EXPECT_TRUE(keeps_the_frames_normal(h2n(), 0, Status::hit));
-    EXPECT_TRUE(keeps_the_frames_normal(h2n(), 0.3f, Status::no_frame));
-    EXPECT_FALSE(keeps_the_frames_normal(h2n(Planted::unnormalised_sum), 0, Status::hit));
-    EXPECT_TRUE(keeps_the_frames_normal({"surface-none"}, 0.3f, Status::hit));
+    EXPECT_TRUE(leaves_the_frames_normal(h2n(), 0, Status::hit));
+    EXPECT_TRUE(leaves_the_frames_normal(h2n(), 0.3f, Status::no_frame));
+    EXPECT_FALSE(leaves_the_frames_normal(h2n(Planted::unnormalised_sum), 0, Status::hit));
+    EXPECT_TRUE(leaves_the_frames_normal({"surface-none"}, 0.3f, Status::hit));
 }
 
 /// The same surface by a map mirrored in u: grad u and uv mirrored with it.

@@ -1,4 +1,4 @@
-// Runs of quads as rows of pixels: the bits of their batch_lanes, one by one.
+// Runs of quads as rows of pixels: the bits of their lanes, one by one.
 #include "render/draw/lane_bits.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ namespace quadrel::render_tests {
 namespace {
 
 using Element = LaneBits::Element;
-using Rows = std::function<void(const LaneBits&, int first, int quads, std::uint32_t* even,
-                                std::uint32_t* odd)>;
+using PackRows = std::function<void(const LaneBits&, int first, int quads, std::uint32_t* even,
+                                    std::uint32_t* odd)>;
 
 void real_rows(const LaneBits& bits, int first, int quads, std::uint32_t* even,
                std::uint32_t* odd) {
@@ -30,7 +30,7 @@ std::uint32_t pattern(int i) {
     return i % 3 == 0 ? odd[i / 3 % 10] : 0x9e3779b9u * static_cast<std::uint32_t>(i + 1);
 }
 
-testing::AssertionResult same_as_lanes(const Rows& rows) {
+testing::AssertionResult same_as_lanes(const PackRows& rows) {
     std::vector<std::uint32_t> words(batch_lanes);
     std::vector<double> wide(batch_lanes);
     for (int i = 0; i < batch_lanes; ++i) {
