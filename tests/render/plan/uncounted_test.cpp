@@ -60,7 +60,7 @@ testing::AssertionResult is_as_without_skipping(const Renderer& renderer, bool c
                                   : channels_without_counts(scene));
         const Film found = renderer(scene, options);
         options.skip = false;
-        const auto same = same_bits(render(scene, options), found);
+        auto same = same_bits(render(scene, options), found);
         if (!same) return same << ", " << scene.materials[0].trace.id << ", round " << i;
     }
     return testing::AssertionSuccess();
