@@ -112,6 +112,8 @@ inline const auto common_rows = std::to_array<Operation<Scalar<F>>>({
     row<F>("round_even", [](F a, F, F) { return round_even(a); }),
     row<F>("copysign", [](F a, F b, F) { return copysign(a, b); }),
     row<F>("to_int", [](F a, F, F) { return to_int(a); }),
+    row<F>("to_int_in_range",
+           [](F a, F, F) { return to_int_in_range(select(abs(a) < F(1e9f), a, F(-7.5f))); }),
     row<F>("to_float", [](F a, F, F) { return to_float<F>(to_int(a)); }),
     row<F>("wide a*b+c",
            [](F a, F b, F c) { return from_wide<F>(to_wide(a) * to_wide(b) + to_wide(c)); }),
@@ -207,6 +209,13 @@ Int<F> gathered_int(F a) {
     return gather_int<F>(table, integer_of(a) & Int<F>(3));
 }
 
+template <Packet F>
+Int<F> looked_up(F a) {
+    static constexpr std::int32_t table[16] = {5, 0,  -1, 0x7fffffff, 42, 9, 3,   -77,
+                                               8, 16, 99, 1 << 30,    2,  7, -64, 1000};
+    return look_up16<F>(table, integer_of(a) & Int<F>(15));
+}
+
 inline constexpr float texels[12] = {1.0f,   -2.5f, 0x1p-149f, 3e38f, -0.0f, 7.0f,
                                      1e-38f, 0.1f,  -3.0f,     0.2f,  5e8f,  -1e-40f};
 template <Packet F>
@@ -271,6 +280,10 @@ inline const auto packet_rows = std::to_array<Operation<Scalar<F>>>({
     row<F>("int a^b", [](F a, F b, F) { return integer_of(a) ^ integer_of(b); }),
     row<F>("int shift_left", [](F a, F, F) { return shift_left<5>(integer_of(a)); }),
     row<F>("int shift_right", [](F a, F, F) { return shift_right<7>(integer_of(a)); }),
+    row<F>("int shift_left by lanes",
+           [](F a, F b, F) { return shift_left(integer_of(a), integer_of(b) & Int<F>(31)); }),
+    row<F>("int shift_right by lanes",
+           [](F a, F b, F) { return shift_right(integer_of(a), integer_of(b) & Int<F>(31)); }),
     row<F>("int a==b", [](F a, F b, F) { return integer_of(a) == integer_of(b); }),
     row<F>("int a!=b", [](F a, F b, F) { return integer_of(a) != integer_of(b); }),
     row<F>("int a<b", [](F a, F b, F) { return integer_of(a) < integer_of(b); }),
@@ -283,6 +296,7 @@ inline const auto packet_rows = std::to_array<Operation<Scalar<F>>>({
     row<F>("to_float of int", [](F a, F, F) { return to_float<F>(integer_of(a)); }),
     row<F>("gather", [](F a, F, F) { return gathered(a); }),
     row<F>("gather_int", [](F a, F, F) { return gathered_int(a); }),
+    row<F>("look_up16", [](F a, F, F) { return looked_up(a); }),
     row<F>("gather2", [](F a, F, F) { return gathered_pair(a); }),
     row<F>("gather4", [](F a, F, F) { return gathered_four(a); }),
     row<F>("mixed max", [](F a, F, F) { return max(a, 0.25f); }),

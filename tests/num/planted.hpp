@@ -13,6 +13,8 @@ enum class Planted {
     to_int_as_cvttps,       // to_int of NaN and of large numbers gives INT_MIN
     round_half_away,        // round_even rounds halves away from zero
     arithmetic_shift_lost,  // shift_right fills with zeros
+    lane_shift_lost,        // shift_right by lanes takes the first lane's count for all
+    table_of_eight,         // look_up16 forgets the upper half of the table
     columns_swapped,        // dFdx takes left minus right
     changed_constant,       // one constant of a text differs by an ulp: only hashes see it
     // Errors in ulps (ulp_test.cpp)

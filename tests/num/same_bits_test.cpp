@@ -135,6 +135,13 @@ testing::AssertionResult passes_same_bits(Planted error) {
                     },
                     as_int(a));
             });
+        case Planted::lane_shift_lost:
+            return passes("int shift_right by lanes", [](F a, F b, F) {
+                return shift_right(as_int(a), QuadInt(as_int(b).lane[0] & 31));
+            });
+        case Planted::table_of_eight:
+            return passes("look_up16",
+                          [](F a, F, F) { return looked_up(as_float(as_int(a) & QuadInt(7))); });
         case Planted::columns_swapped:
             return passes("dFdx_fine", [](F a, F, F) { return -dFdx_fine(a); });
         case Planted::changed_constant: {
@@ -151,8 +158,8 @@ TEST(SameBits, CatchesPlantedErrors) {
     for (const Planted error :
          {Planted::fused_multiply_add, Planted::dot_right_to_left, Planted::reciprocal_division,
           Planted::denormals_flushed, Planted::min_as_minps, Planted::to_int_as_cvttps,
-          Planted::round_half_away, Planted::arithmetic_shift_lost, Planted::columns_swapped,
-          Planted::changed_constant}) {
+          Planted::round_half_away, Planted::arithmetic_shift_lost, Planted::lane_shift_lost,
+          Planted::table_of_eight, Planted::columns_swapped, Planted::changed_constant}) {
         EXPECT_FALSE(passes_same_bits(error)) << "planted error " << static_cast<int>(error);
     }
 }

@@ -83,6 +83,12 @@ class LanesInt {
         return LanesInt(hn::ShiftRight<bits>(a.v));
     }
 
+    /// By a count of each lane's own.
+    friend LanesInt shift_left(LanesInt a, LanesInt bits) { return LanesInt(hn::Shl(a.v, bits.v)); }
+    friend LanesInt shift_right(LanesInt a, LanesInt bits) {
+        return LanesInt(hn::Shr(a.v, bits.v));
+    }
+
     friend LanesMask operator==(LanesInt a, LanesInt b) { return as_mask(hn::Eq(a.v, b.v)); }
     friend LanesMask operator!=(LanesInt a, LanesInt b) { return !(a == b); }
     friend LanesMask operator<(LanesInt a, LanesInt b) { return as_mask(hn::Lt(a.v, b.v)); }
@@ -150,6 +156,9 @@ class Lanes {
         const LanesInt low = select(a < Lanes(-2147483648.0f), LanesInt(-0x7fffffff - 1), high);
         return select(a == a, low, LanesInt(0));
     }
+    friend LanesInt to_int_in_range(Lanes a) {
+        return LanesInt(hn::ConvertTo(simd::IntTag(), a.v));
+    }
     // The parts of a floating-point number: see scalar.hpp.
     friend Lanes exponent(Lanes a) {
         const LanesInt biased = shift_right<23>(as_int(a)) & LanesInt(0xff);
@@ -197,6 +206,17 @@ struct PacketOps<Lanes> {
     static LanesInt gather(const std::int32_t* base, LanesInt index) {
         return LanesInt(hn::GatherIndex(simd::IntTag(), base, index.v));
     }
+    /// The table in registers, where two hold it.
+    static LanesInt look_up16(const std::int32_t* table, LanesInt index) {
+        if constexpr (simd::lanes == 16) {
+            return look_up(table, index);
+        } else if constexpr (simd::lanes == 8) {
+            const LanesInt low = index & LanesInt(7);
+            return select(index == low, look_up(table, low), look_up(table + 8, low));
+        } else {
+            return gather(table, index);
+        }
+    }
     /// Pairs by 64-bit loads, then a transpose within each quad: cheaper than two gathers.
     static void gather2(const float* base, LanesInt index, Lanes out[2]) {
         alignas(64) std::int32_t at[simd::lanes];
@@ -241,6 +261,12 @@ struct PacketOps<Lanes> {
     }
 
   private:
+    /// Of a table of one register.
+    static LanesInt look_up(const std::int32_t* table, LanesInt index) {
+        const simd::IntTag tag;
+        return LanesInt(
+            hn::TableLookupLanes(hn::LoadU(tag, table), hn::IndicesFromVec(tag, index.v)));
+    }
     /// Two elements from base[at[0]], base[at[1]], base[at[4]], base[at[5]], ... side by side.
     template <int lanes = simd::lanes>
     static hn::Vec<hn::FixedTag<double, lanes / 2>> load_pairs(const float* base,

@@ -34,6 +34,11 @@ template <class F>
 Int<F> gather_int(const std::int32_t* base, Int<F> index) {
     return PacketOps<F>::gather(base, index);
 }
+/// table[index] in every lane, of a table of 16; index in [0, 15].
+template <class F>
+Int<F> look_up16(const std::int32_t* table, Int<F> index) {
+    return PacketOps<F>::look_up16(table, index);
+}
 /// base[index] and base[index + 1] of every lane, as two values.
 template <class F>
 void gather2(const float* base, Int<F> index, F out[2]) {

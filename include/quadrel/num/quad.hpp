@@ -65,6 +65,16 @@ struct QuadInt {
         return map_lanes<QuadInt>([](std::int32_t x) { return quadrel::shift_right<bits>(x); }, a);
     }
 
+    /// By a count of each lane's own.
+    friend QuadInt shift_left(QuadInt a, QuadInt bits) {
+        return map_lanes<QuadInt>(
+            [](std::int32_t x, std::int32_t n) { return quadrel::shift_left(x, n); }, a, bits);
+    }
+    friend QuadInt shift_right(QuadInt a, QuadInt bits) {
+        return map_lanes<QuadInt>(
+            [](std::int32_t x, std::int32_t n) { return quadrel::shift_right(x, n); }, a, bits);
+    }
+
     friend QuadMask operator==(QuadInt a, QuadInt b) {
         return map_lanes<QuadMask>(std::equal_to(), a, b);
     }
@@ -176,6 +186,10 @@ template <class T>
 QuadInt to_int(Quad<T> a) {
     return map_lanes<QuadInt>([](T x) { return to_int(x); }, a);
 }
+template <class T>
+QuadInt to_int_in_range(Quad<T> a) {
+    return to_int(a);
+}
 inline QuadInt as_int(Quad<float> a) {
     return map_lanes<QuadInt>([](float x) { return as_int(x); }, a);
 }
@@ -233,6 +247,9 @@ struct PacketOps<Quad<T>> {
     }
     static QuadInt gather(const std::int32_t* base, QuadInt index) {
         return map_lanes<QuadInt>([base](std::int32_t i) { return base[i]; }, index);
+    }
+    static QuadInt look_up16(const std::int32_t* table, QuadInt index) {
+        return gather(table, index);
     }
     static void gather2(const float* base, QuadInt index, Quad<T> out[2]) {
         for (int c = 0; c < 2; ++c) out[c] = gather(base + c, index);

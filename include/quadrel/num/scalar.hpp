@@ -76,6 +76,16 @@ std::int32_t shift_right(std::int32_t a) {
     return a >> bits;
 }
 
+/// By a count of each lane's own, in [0, 31].
+template <std::same_as<std::int32_t> I>
+I shift_left(I a, I bits) {
+    return static_cast<I>(static_cast<std::uint32_t>(a) << bits);
+}
+template <std::same_as<std::int32_t> I>
+I shift_right(I a, I bits) {
+    return a >> bits;
+}
+
 // ---- Exact operations and rounding to integers --------------------------------------------------
 
 template <PlainFloat T>
@@ -115,6 +125,12 @@ std::int32_t to_int(T x) {
     if (x >= T(2147483648.0)) return std::numeric_limits<std::int32_t>::max();
     if (x < T(-2147483648.0)) return std::numeric_limits<std::int32_t>::min();
     return static_cast<std::int32_t>(x);
+}
+/// to_int of what is known to be within the range of integers; of anything else, some integer.
+/// Lanes need one instruction for it.
+template <PlainFloat T>
+std::int32_t to_int_in_range(T x) {
+    return to_int(x);
 }
 /// The bits of a float as an integer, and back.
 template <std::same_as<float> T>
@@ -182,6 +198,9 @@ struct PacketOps<T> {
     static T from_int(std::int32_t a) { return static_cast<T>(a); }
     static T gather(const float* base, std::int32_t index) { return static_cast<T>(base[index]); }
     static std::int32_t gather(const std::int32_t* base, std::int32_t index) { return base[index]; }
+    static std::int32_t look_up16(const std::int32_t* table, std::int32_t index) {
+        return table[index];
+    }
     static void gather2(const float* base, std::int32_t index, T out[2]) {
         for (int c = 0; c < 2; ++c) out[c] = gather(base + c, index);
     }

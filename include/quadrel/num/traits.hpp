@@ -41,6 +41,7 @@ concept Packet = Number<F> && lanes_of<F>
 ///   load_int, load_mask                  likewise; a mask element is true when not 0
 ///   from_int(Int)                        to F, rounded to nearest even
 ///   gather(base, Int index)              base[index] lane by lane, converted to F
+///   look_up16(table, Int index)          table[index] of a table of 16
 ///   gather2, gather4(base, index, out)   base[index + c] for c = 0, 1 (, 2, 3) into out[c]
 ///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
 ///                                        quad; packets only

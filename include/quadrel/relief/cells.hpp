@@ -64,13 +64,18 @@ inline Grid texel_grid(std::int32_t width, std::int32_t height, const SamplerSta
     return {texel_axis(width, sampler.wrap_u), texel_axis(height, sampler.wrap_v)};
 }
 
+/// Whether n is 2^k, k in [0, 30].
+constexpr bool is_power_of_two(std::int32_t n) { return n > 0 && (n & (n - 1)) == 0; }
+
 /// Remainder of dividing by a positive n, in [0, n). |i| at most 2^24 if F has float's precision.
 template <Number F>
 [[gnu::always_inline]] inline Int<F> floor_mod(Int<F> i, std::int32_t n) {
+    if (is_power_of_two(n)) return i & Int<F>(n - 1);
     const Int<F> period(n);
-    const F turns = floor(to_float<F>(i) / to_float<F>(period));
-    const Int<F> rest = i - to_int(turns) * period;
-    // The quotient of a multiple of n may have been rounded across it.
+    const F turns = floor(to_float<F>(i) * F(Scalar<F>(1) / static_cast<Scalar<F>>(n)));
+    const Int<F> rest = i - to_int_in_range(turns) * period;
+    // Two roundings: by less than 1 / n where |i| < 2^23, so that the quotient of a multiple of n
+    // may fall short of it and nothing else; beyond, it may be off by one.
     const Int<F> raised = select(rest < Int<F>(0), rest + period, rest);
     return select(raised >= period, raised - period, raised);
 }
@@ -98,6 +103,8 @@ template <Number F>
     const Int<F> first = stored + Int<F>(axis.first);
     const Int<F> second = first + Int<F>(1);
     const Int<F> n(texels);
+    if (wrap == Wrap::repeat)  // `first` is a texel's index
+        return {first, select(second == n, Int<F>(0), second), Mask<F>(true), Mask<F>(true)};
     return {wrap_index<F>(first, n, wrap), wrap_index<F>(second, n, wrap),
             inside_level<F>(first, n, wrap), inside_level<F>(second, n, wrap)};
 }
@@ -115,6 +122,12 @@ template <Number F>
 [[gnu::always_inline]] inline F first_channel(const TextureView& view, Int<F> x, Int<F> y) {
     const Int<F> texel = y * Int<F>(view.width[0]) + x;
     return gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
+}
+
+/// Texel `index` of a map of one channel, counted over all levels.
+template <Number F>
+[[gnu::always_inline]] inline F only_channel(const TextureView& view, Int<F> index) {
+    return gather<F>(view.texels, index);
 }
 
 /// Heights at the corners of a cell.

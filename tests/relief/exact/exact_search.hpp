@@ -14,9 +14,12 @@ struct ExactMaps {
     Map height;
     std::array<Map, texture_slot_count> baked;
 
-    explicit ExactMaps(Map map) : height(std::move(map)) {
-        for (const TextureSlot slot : {TextureSlot::max_mip, TextureSlot::texel_max,
-                                       TextureSlot::cone_cell, TextureSlot::rmq}) {
+    explicit ExactMaps(Map map, std::initializer_list<TextureSlot> slots = {TextureSlot::max_mip,
+                                                                            TextureSlot::texel_max,
+                                                                            TextureSlot::cone_cell,
+                                                                            TextureSlot::rmq})
+        : height(std::move(map)) {
+        for (const TextureSlot slot : slots) {
             Map& to = baked[static_cast<std::size_t>(slot)];
             to.texture =
                 bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);
@@ -35,7 +38,7 @@ struct ExactMaps {
 
 /// A stress map of 1 to 48 texels a side under wrap modes of its own an axis; with probability
 /// 1/8 the border has a height of its own.
-inline ExactMaps random_exact_maps(Random& random, const StressMap& kind, int longest = 48) {
+inline Map random_stress_map(Random& random, const StressMap& kind, int longest = 48) {
     SamplerState sampler = plain_sampler();
     sampler.wrap_u = static_cast<Wrap>(random.below(5));
     sampler.wrap_v = static_cast<Wrap>(random.below(5));
@@ -44,7 +47,20 @@ inline ExactMaps random_exact_maps(Random& random, const StressMap& kind, int lo
         return random.chance(0.1) ? 1 + random.below(3) : 4 + random.below(longest - 3);
     };
     const int width = side(), height = side();
-    return ExactMaps(make_stress_map(kind, width, height, sampler, random));
+    return make_stress_map(kind, width, height, sampler, random);
+}
+inline ExactMaps random_exact_maps(Random& random, const StressMap& kind, int longest = 48) {
+    return ExactMaps(random_stress_map(random, kind, longest));
+}
+
+/// The batch in T.
+template <PlainFloat T>
+Batch<T> in_number(Batch<float>& rays) {
+    if constexpr (std::same_as<T, float>) {
+        return rays;
+    } else {
+        return in_double(rays);
+    }
 }
 
 /// The searches that promise the same hits, bit for bit.

@@ -16,15 +16,6 @@ int batches_a_map() {
     return static_cast<int>(1 + wanted / (256 * static_cast<long>(stress_maps().size())));
 }
 
-template <PlainFloat T>
-Batch<T> in_number(Batch<float>& rays) {
-    if constexpr (std::same_as<T, float>) {
-        return rays;
-    } else {
-        return in_double(rays);
-    }
-}
-
 /// `check(field, rays)` on batches of random rays over every kind of map, any size, wrap modes and
 /// seat.
 template <PlainFloat T, class Check>

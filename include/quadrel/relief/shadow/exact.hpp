@@ -42,16 +42,19 @@ struct ShadowExact : StageDefaults {
         search.active = search.active & (rise > F(0));
         search.ray.x.rate = search.ray.x.rate * rise;
         search.ray.y.rate = search.ray.y.rate * rise;
-        for (bool first = true;; first = false) {
+        Mask<F> first(true);
+        for (const auto k : rounds<F>()) {
             search.count_step(1, 2);
-            if (!any(search.active)) break;
+            if (none(search.active)) break;
             const CellExit<F> exit = search.exit(search.cell());
             const PatchRay<F> part = search.part_in_cell(exit);
             const CellHeights<F> h = heights();
             record(io, search.active, light.uv + light.K * (part.s * rise), z + part.s * rise, h);
             const auto q = patch_quadratic(h, part, z + part.s * rise, rise);
-            const Mask<F> dark = first ? rises_at_once(q, part.length)
-                                       : greatest(q, part.length) > patch_error(h, part.slack);
+            const Mask<F> above = greatest(q, part.length) > patch_error(h, part.slack);
+            const Mask<F> rises = rises_at_once(q, part.length);
+            const Mask<F> later = !first, dark = (first & rises) | (later & above);
+            first = Mask<F>(false);
             search.hit(search.active & dark, part.s, F(0));
             search.step(search.active, exit);
         }

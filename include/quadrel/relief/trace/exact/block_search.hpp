@@ -55,7 +55,9 @@ class BlockSearch : public CellSearch<typename Io::Number> {
         : CellSearch<F>(make_cell_ray(fragment, map, grid, 0), fragment.active),
           io_(io),
           fragment_(fragment),
-          grid_(grid) {}
+          grid_(grid) {
+        this->counts_steps = are_steps_counted(io);
+    }
 
     const Io& io_;
     SearchRay<F> fragment_;

@@ -10,6 +10,7 @@
 // leaves the texture ends in it.
 #pragma once
 
+#include "quadrel/num/loop.hpp"
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/exact/patch.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
@@ -20,12 +21,38 @@ namespace quadrel {
 /// bits to tell their cells apart.
 inline constexpr float cell_limit = 1048576.0f;  // 2^20
 
+/// Whether `position`, start + rate s as computed for an s in [0, 1], lies so far between the
+/// integers g = floor(position) and g + 1 that their borders' parameters lie on either side of s,
+/// as computed too. Then cell g is the ray's, and no division has to tell.
+///
+/// Let u be the unit roundoff, x = start + rate s without rounding, and rate > 0 (below 0 the same
+/// holds mirrored; at 0 there is no border). Rounding of the product and of the sum moves the
+/// position from x by at most
+///     e = u (|start| + 2 |rate|) (1 + 2u).
+/// The parameter of border k, (k - start) / rate with two roundings, is without rounding that of
+/// the point start + (k - start) (1 + d), |d| <= 2u + u^2. For k = g and k = g + 1, |k - start| <=
+/// |rate| + 1 + e, so that this point is off k by at most
+///     f = 2u (|rate| + 1 + e) (1 + u).
+/// (Of an axis that does not repeat, g may lie outside of the grid. Its outermost cells reach to
+/// infinity; their inner borders lie behind x, or ahead, by more than those of g and g + 1, and
+/// (k - start) (1 + d) increases with k.) Hence the border of g has a parameter below s, and that
+/// of g + 1 one above, where position - g and g + 1 - position are above e + f. That part is
+/// computed with an error of at most u. The sum, e + f + u, is at most
+///     u (|start| + 4 |rate| + 3) (1 + 8u),
+/// and 2 slack = 2u (4 |start| + 6 |rate| + 2), rounded four times, is above that: by more than
+/// u / 2 (1 + |rate|), within which lies what products and quotients that underflow are off.
+template <Number F>
+Mask<F> is_between_borders(F position, F slack) {
+    return abs((position - floor(position)) - F(0.5f)) < F(0.5f) - F(2) * slack;
+}
+
 /// One axis of a ray over a grid.
 template <Number F>
 struct CellRayAxis {
     F start;        ///< position at s = 0, in cells; cell i is [i, i + 1]
     F rate;         ///< cells per unit of s
     GridAxis grid;  ///< which cells are stored
+    F slack;        ///< bound on the error of positions, in cells
 
     Mask<F> forward() const { return rate > F(0); }
     Int<F> step() const { return select(forward(), Int<F>(1), Int<F>(-1)); }
@@ -49,12 +76,13 @@ struct CellRayAxis {
     /// Cell at s = 0; on a border the one above it, which a ray downwards leaves at once.
     Int<F> first() const { return bounded_cell(floor(start)); }
 
-    /// Cell of the ray after all borders with a parameter below s, and where `closed` those at s.
-    Int<F> locate(F s, Mask<F> closed) const {
-        const auto crossed = [&](F t) { return (t < s) | (closed & (t == s)); };
-        const Int<F> guess = bounded_cell(floor(at(s)));
-        const Int<F> back = select(crossed(entry(guess)), guess, guess - step());
-        return select(crossed(exit(back)), back + step(), back);
+    /// Cell of the ray after all borders with a parameter below s, and where `closed` those at s;
+    /// s in [0, 1]. Where `mask`; elsewhere some cell.
+    Int<F> locate(Mask<F> mask, F s, Mask<F> closed) const {
+        const F position = at(s);
+        Int<F> cell = bounded_cell(floor(position));
+        if (when(mask & !is_between_borders(position, slack))) cell = by_borders(cell, s, closed);
+        return cell;
     }
     /// At most how many borders it crosses for s in [0, 1].
     F most_borders() const {
@@ -65,22 +93,27 @@ struct CellRayAxis {
     Int<F> later(Int<F> a, Int<F> b) const { return select(forward(), max(a, b), min(a, b)); }
 
   private:
+    /// From a guess that is off by one at most.
+    [[gnu::noinline]] Int<F> by_borders(Int<F> guess, F s, Mask<F> closed) const {
+        const auto crossed = [&](F t) { return (t < s) | (closed & (t == s)); };
+        const Int<F> back = select(crossed(entry(guess)), guess, guess - step());
+        return select(crossed(exit(back)), back + step(), back);
+    }
     Mask<F> crossable(Int<F> i) const {
         const Mask<F> moves = rate != F(0);
         if (grid.periodic) return moves;
         return moves & (i > Int<F>(grid.first)) & (i < Int<F>(grid.first + grid.count));
     }
     Int<F> bounded_cell(F x) const {
-        if (grid.periodic) return to_int(x);
+        if (grid.periodic) return to_int_in_range(x);
         const F low = to_float<F>(Int<F>(grid.first));
-        return to_int(clamp(x, low, low + to_float<F>(Int<F>(grid.count - 1))));
+        return to_int_in_range(clamp(x, low, low + to_float<F>(Int<F>(grid.count - 1))));
     }
 };
 
 template <Number F>
 struct CellRay {
     CellRayAxis<F> x, y;
-    vec2<F> slack;     ///< bound on the error of positions, in cells
     F margin;          ///< how far below the ray a bound must be for cells to be skipped
     Mask<F> is_nan;    ///< no number, or infinite: not searched
     Mask<F> too_long;  ///< crosses too many borders: not searched
@@ -96,7 +129,9 @@ CellRayAxis<F> cell_ray_axis(F u, F K, Scalar<F> s_polygon, std::int32_t texels,
     const F size = to_float<F>(Int<F>(texels));
     const F at_polygon = is_periodic(wrap) ? texel_coordinate(u, size, wrap, false) : u * size;
     const F rate = K * size;
-    return {at_polygon - F(centre) - F(s_polygon) * rate, rate, grid};
+    const F start = at_polygon - F(centre) - F(s_polygon) * rate;
+    const F slack = F(unit_roundoff<F>) * (F(4) * abs(start) + F(6) * abs(rate) + F(2));
+    return {start, rate, grid, slack};
 }
 
 template <Number F>
@@ -109,13 +144,9 @@ CellRay<F> make_cell_ray(const SearchRay<F>& ray, const SampledTexture& height, 
                             centre);
     cells.y = cell_ray_axis(ray.uv.y, ray.K.y, ray.s_polygon, view.height[0], sampler.wrap_v,
                             grid.v, centre);
-    const auto slack = [](const CellRayAxis<F>& axis) {
-        return F(unit_roundoff<F>) * (F(4) * abs(axis.start) + F(6) * abs(axis.rate) + F(2));
-    };
-    cells.slack = {slack(cells.x), slack(cells.y)};
     // No patch's error is above it while heights are in [0, 1].
     cells.margin =
-        F(std::max(64 * unit_roundoff<F>, Scalar<F>(0x1p-22))) + cells.slack.x + cells.slack.y;
+        F(std::max(64 * unit_roundoff<F>, Scalar<F>(0x1p-22))) + cells.x.slack + cells.y.slack;
     const auto long_axis = [](const CellRayAxis<F>& axis) {
         return Mask<F>(axis.grid.periodic) & !(abs(axis.rate) <= F(cell_limit));
     };

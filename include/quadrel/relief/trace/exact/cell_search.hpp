@@ -28,6 +28,10 @@ struct CellSearch {
     Mask<F> active;
     Mask<F> found = Mask<F>(false), met_nan = Mask<F>(false), capped = Mask<F>(false);
     SearchResult<F> result;
+    /// Whether the search is to take the steps that its source takes: someone counts them.
+    bool counts_steps = true;
+    /// Whether a test of a cell takes longer than some steps.
+    bool tests_are_costly = false;
 
     CellSearch(const CellRay<F>& cells, Mask<F> lanes)
         : ray(cells), i(cells.x.first()), j(cells.y.first()), active(lanes & cells.searchable()) {}
@@ -54,8 +58,10 @@ struct CellSearch {
         const Int<F> next_i = select(ray.x.forward(), block.high_i, block.low_i - one);
         const Int<F> next_j = select(ray.y.forward(), block.high_j, block.low_j - one);
         // Borders of the other axis that come earlier, and where x is first, at once.
-        const Int<F> same_i = ray.x.later(i, ray.x.locate(exit.s, Mask<F>(true)));
-        const Int<F> same_j = ray.y.later(j, ray.y.locate(exit.s, Mask<F>(false)));
+        const Int<F> same_i =
+            ray.x.later(i, ray.x.locate(moves & !exit.across_x, exit.s, Mask<F>(true)));
+        const Int<F> same_j =
+            ray.y.later(j, ray.y.locate(moves & exit.across_x, exit.s, Mask<F>(false)));
         i = select(moves, select(exit.across_x, next_i, same_i), i);
         j = select(moves, select(exit.across_x, same_j, next_j), j);
     }
@@ -64,8 +70,8 @@ struct CellSearch {
     /// above 0: on a border, the ray's first cell is not left before it is tested.
     void leap_to(Mask<F> mask, F s) {
         const Mask<F> moves = end_at_bottom(mask & (s > F(0)), s);
-        i = select(moves, ray.x.later(i, ray.x.locate(s, Mask<F>(true))), i);
-        j = select(moves, ray.y.later(j, ray.y.locate(s, Mask<F>(true))), j);
+        i = select(moves, ray.x.later(i, ray.x.locate(moves, s, Mask<F>(true))), i);
+        j = select(moves, ray.y.later(j, ray.y.locate(moves, s, Mask<F>(true))), j);
     }
 
     /// Where the ray enters its cell, at least 0.
@@ -84,7 +90,7 @@ struct CellSearch {
         };
         part.entry = {position(x, i, enters_x), position(y, j, enters_y)};
         part.rate = {x.rate, y.rate};
-        part.slack = ray.slack;
+        part.slack = {x.slack, y.slack};
         part.length = min(exit.s, F(1)) - part.s;
         part.last = exit.s >= F(1);
         return part;
@@ -114,6 +120,14 @@ struct CellSearch {
         return mask & !ended;
     }
 };
+
+/// Whether steps or look-ups of a search are asked for, counted or watched. If none are, they may
+/// be others than the source's, as long as the hits are the same.
+template <class Io>
+bool are_steps_counted(const Io& io) {
+    return io.call().counters != nullptr || io.call().log != nullptr ||
+           io.template wanted<Value::hit_steps>() || io.template wanted<Value::hit_fetches>();
+}
 
 /// Stores what was found, with `wrapped` where the hit is in another tile than the fragment.
 /// Unsearchable rays are NAN, or CAP at the top.

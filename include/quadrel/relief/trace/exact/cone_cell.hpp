@@ -42,9 +42,9 @@ struct ConeCell : StageDefaults {
         PatchSearch<Io> search(io);
         const F kappa = length(search.fragment().K);
         F s(0);
-        for (;;) {
+        for (const auto k : rounds<F>()) {
             search.count_step(2, 2);
-            if (!any(search.active)) break;
+            if (none(search.active)) break;
             const Mask<F> active = search.active;
             const CellCone<F> cone = cell_cone(io, search);
             search.template record_node<TextureSlot::cone_cell>(active, cone.height);
@@ -52,7 +52,7 @@ struct ConeCell : StageDefaults {
             const CellExit<F> exit = search.exit(search.cell());
             const F bound = cone.height + search.ray.margin;
             const Mask<F> tests = active & !(F(1) - min(exit.s, F(1)) > bound);
-            if (any(tests)) search.test(tests, exit);
+            if (when(tests)) search.test(tests, exit);
             const F gap = (F(1) - s) - bound;
             const F to = s + cone.ratio * gap / (cone.ratio + kappa);
             const Mask<F> leaps = (gap > F(0)) & (to > exit.s);

@@ -3,7 +3,7 @@
 // to be tested.
 #pragma once
 
-#include "quadrel/relief/trace/exact/cell_search.hpp"
+#include "quadrel/relief/trace/exact/quick_pyramid.hpp"
 
 namespace quadrel {
 
@@ -19,20 +19,18 @@ struct PyramidNode {
 template <Number F>
 class HeightPyramid {
   public:
-    HeightPyramid(const SampledTexture& map, const Grid& grid) : view_(map.view), grid_(grid) {}
+    HeightPyramid(const SampledTexture& map, const Grid& grid) : map_(map), grid_(grid) {}
 
-    Int<F> top() const { return Int<F>(view_.levels - 1); }
-    int levels() const { return view_.levels; }
+    const SampledTexture& map() const { return map_; }
+    Int<F> top() const { return Int<F>(levels() - 1); }
+    int levels() const { return map_.view.levels; }
 
     /// The node of `level` around the cell where each ray is.
     PyramidNode<F> node(const CellSearch<F>& search, Int<F> level) const {
-        const F size = power_of_two(to_float<F>(level));
-        const Span x = span(search.i, grid_.u, size, search.ray.x.forward());
-        const Span y = span(search.j, grid_.v, size, search.ray.y.forward());
-        const Int<F> width = gather_int<F>(view_.width, level);
-        const Int<F> texel = gather_int<F>(view_.offset, level) + y.index * width + x.index;
+        const Span x = span(search.i, grid_.u, level, search.ray.x.forward());
+        const Span y = span(search.j, grid_.v, level, search.ray.y.forward());
         return {{x.low, y.low, x.high, y.high},
-                gather<F>(view_.texels, texel),
+                first_channel<F>(map_.view, x.index, y.index, level),
                 x.leaves_parent,
                 y.leaves_parent};
     }
@@ -44,17 +42,17 @@ class HeightPyramid {
         Mask<F> leaves_parent;
     };
 
-    static Span span(Int<F> cell, const GridAxis& axis, F size, Mask<F> forward) {
-        const Int<F> stored = stored_index<F>(cell, axis), count(axis.count);
-        const Int<F> index = to_int(floor(to_float<F>(stored) / size));
-        const Int<F> first = index * to_int(size), end = min(first + to_int(size), count);
-        const Mask<F> odd = (index & Int<F>(1)) == Int<F>(1);
+    static Span span(Int<F> cell, const GridAxis& axis, Int<F> level, Mask<F> forward) {
+        const Int<F> stored = stored_index<F>(cell, axis), count(axis.count), one(1);
+        const Int<F> index = shift_right(stored, level), first = shift_left(index, level);
+        const Int<F> end = min(first + shift_left(one, level), count);
+        const Mask<F> odd = (index & one) == one;
         const Int<F> origin = cell - stored;
         const Mask<F> odd_ahead = (forward & odd) | !(forward | odd);
         return {index, origin + first, origin + end, odd_ahead | (forward & (end == count))};
     }
 
-    const TextureView& view_;
+    const SampledTexture& map_;
     Grid grid_;
 };
 
@@ -64,10 +62,11 @@ class HeightPyramid {
 template <Number F, class Leaf, class Visit>
 void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int ascent,
                     const Leaf& leaf, const Visit& visit) {
+    if (!search.counts_steps) return search_pyramid_quickly(search, pyramid.map(), leaf);
     Int<F> level = pyramid.top();
-    for (;;) {
+    for (const auto k : rounds<F>()) {
         search.count_step(16, 4 * pyramid.levels() + 64);
-        if (!any(search.active)) break;
+        if (none(search.active)) break;
         const Mask<F> active = search.active;
         const PyramidNode<F> node = pyramid.node(search, level);
         const CellExit<F> exit = search.exit(node.block);
@@ -76,7 +75,7 @@ void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int 
         const Mask<F> finest = level == Int<F>(0), tests = active & !above & finest;
         const Mask<F> down = active & !above & !finest;
         visit(active, node.height);
-        if (any(tests)) leaf(tests, exit, node.height);
+        if (when(tests)) leaf(tests, exit, node.height);
         const Mask<F> crosses = (active & (above | finest)) & search.active;
         search.leap(crosses, node.block, exit);
         const Mask<F> across_y = !exit.across_x;

@@ -83,7 +83,8 @@ F first_root(const PatchQuadratic<F>& q) {
     const F root = sqrt(max(q.discriminant, F(0)));
     // A > 0 has one root ahead, whatever B. A < 0 has two ahead or none: B + root < 0 then.
     const Mask<F> convex_descent = (q.A > F(0)) & (q.B < F(0));
-    return select(convex_descent, (root - q.B) / (F(2) * q.A), F(-2) * q.C / (q.B + root));
+    return select(convex_descent, root - q.B, F(-2) * q.C) /
+           select(convex_descent, F(2) * q.A, q.B + root);
 }
 
 /// Bound on the error of q at its greatest in a patch: of its evaluation, and of the position.

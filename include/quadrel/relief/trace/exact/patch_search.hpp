@@ -61,7 +61,10 @@ class PatchSearch : public CellSearch<typename Io::Number> {
           io_(io),
           fragment_(fragment),
           map_(map),
-          grid_(grid) {}
+          grid_(grid) {
+        this->counts_steps = are_steps_counted(io);
+        this->tests_are_costly = true;
+    }
 
     void record(Mask<F> mask, const PatchRay<F>& part, const CellHeights<F>& heights) {
         const SampleContext<F> context = io_.template context<TextureSlot::height>(mask);

@@ -74,9 +74,9 @@ struct RmqLeap : StageDefaults {
         PatchSearch<Io> search(io);
         const RangeMaxima<F> maxima(*io.template texture<TextureSlot::rmq>(), search.grid());
         F s(0), length(0.5f);
-        for (;;) {
+        for (const auto k : rounds<F>()) {
             search.count_step(64, 256);
-            if (!any(search.active)) break;
+            if (none(search.active)) break;
             const Mask<F> active = search.active;
             s = max(s, search.entry());
             const F target = min(s + length, F(1));
@@ -91,7 +91,7 @@ struct RmqLeap : StageDefaults {
             const Mask<F> held = maxima.holds(swept);
             const Mask<F> above = held & (F(1) - min(exit.s, F(1)) > bound);
             const Mask<F> tests = active & one & !above;
-            if (any(tests)) search.test(tests, exit);
+            if (when(tests)) search.test(tests, exit);
             search.step(search.active & one, exit);
             // As far as the ray is above all of the rectangle.
             const F leap = select(held, min(F(1) - bound, target), F(0));
@@ -106,8 +106,10 @@ struct RmqLeap : StageDefaults {
     /// From the ray's cell to the one at s.
     template <Number F>
     static CellBlock<F> sweep(const CellSearch<F>& search, F s) {
-        const Int<F> i = search.ray.x.later(search.i, search.ray.x.locate(s, Mask<F>(true)));
-        const Int<F> j = search.ray.y.later(search.j, search.ray.y.locate(s, Mask<F>(true)));
+        const Int<F> i =
+            search.ray.x.later(search.i, search.ray.x.locate(search.active, s, Mask<F>(true)));
+        const Int<F> j =
+            search.ray.y.later(search.j, search.ray.y.locate(search.active, s, Mask<F>(true)));
         return {min(search.i, i), min(search.j, j), max(search.i, i) + Int<F>(1),
                 max(search.j, j) + Int<F>(1)};
     }

@@ -22,9 +22,9 @@ struct TexelExact : HeightSearch {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         PatchSearch<Io> search(io);
-        for (;;) {
+        for (const auto k : rounds<F>()) {
             search.count_step(1, 2);
-            if (!any(search.active)) break;
+            if (none(search.active)) break;
             const CellExit<F> exit = search.exit(search.cell());
             search.test(search.active, exit);
             search.step(search.active, exit);
