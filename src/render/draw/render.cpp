@@ -162,7 +162,8 @@ tbb::task_arena task_arena(const RenderOptions& options) {
 void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
     task_arena(options).execute([&] {
         load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
-                           {options.baking, options.not_kept});
+                           {options.baking, options.not_kept},
+                           static_cast<std::int64_t>(prepared.window.area()));
     });
 }
 
