@@ -38,6 +38,13 @@ enum class Planted {
     inverse_without_transpose,  // the matrix of cofactors as it is
     mix_swapped,                // mix(b, a, t)
     refract_without_root,       // sqrt(k) left out
+    // Loops (loop_test.cpp)
+    last_step_left_out,  // first, ..., last - 1
+    empty_range_walked,  // one step where last < first
+    last_int_wraps,      // last + 1 in 32 bits: no step up to the last int
+    rounds_end,          // after a thousand
+    number_by_float,     // a double's number through float
+    when_all_lanes,      // when(mask) asks for every lane
     // What is built of the sources (no_libm_test.cpp, exported_symbols_test.cpp)
     libm_call,
     libm_symbol,

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "quadrel/num/traits.hpp"
+#include "quadrel/num/scalar.hpp"  // the masks of plain numbers, whose any() no argument finds
 
 namespace quadrel {
 

@@ -102,6 +102,21 @@ template <Number F>
             inside_level<F>(first, n, wrap), inside_level<F>(second, n, wrap)};
 }
 
+/// Channel 0 of a texel of `level`: column x, row y, all within the map.
+template <Number F>
+[[gnu::always_inline]] inline F first_channel(const TextureView& view, Int<F> x, Int<F> y,
+                                              Int<F> level) {
+    const Int<F> texel = y * gather_int<F>(view.width, level) + x;
+    return gather<F>(view.texels,
+                     gather_int<F>(view.offset, level) + texel * Int<F>(view.channels));
+}
+/// The same of level 0.
+template <Number F>
+[[gnu::always_inline]] inline F first_channel(const TextureView& view, Int<F> x, Int<F> y) {
+    const Int<F> texel = y * Int<F>(view.width[0]) + x;
+    return gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
+}
+
 /// Heights at the corners of a cell.
 template <Number F>
 struct CellHeights {
@@ -117,8 +132,7 @@ CellHeights<F> cell_heights(const SampledTexture& texture, const Grid& cells, In
     const auto x = cell_texels<F>(i, cells.u, view.width[0], sampler.wrap_u);
     const auto y = cell_texels<F>(j, cells.v, view.height[0], sampler.wrap_v);
     const auto height = [&](Int<F> column, Int<F> row, Mask<F> inside) {
-        const Int<F> texel = row * Int<F>(view.width[0]) + column;
-        const F h = gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
+        const F h = first_channel<F>(view, column, row);
         return has_border(sampler) ? select(inside, h, F(sampler.border[0])) : h;
     };
     return {height(x.first, y.first, x.first_inside & y.first_inside),

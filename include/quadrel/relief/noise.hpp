@@ -57,8 +57,8 @@ Int<F> noise_hash(Int<F> x) {
 
 /// The unit gradient of lattice point (x, y) in octave `seed`.
 template <Number F>
-vec2<F> noise_gradient(Int<F> x, Int<F> y, std::int32_t seed) {
-    const Int<F> row = noise_hash<F>(wrapping_sum(y, noise_hash<F>(Int<F>(seed))));
+vec2<F> noise_gradient(Int<F> x, Int<F> y, Int<F> seed) {
+    const Int<F> row = noise_hash<F>(wrapping_sum(y, noise_hash<F>(seed)));
     const Int<F> bits = noise_hash<F>(wrapping_sum(x, row));
     const auto bit = [&](std::int32_t mask) { return (bits & Int<F>(mask)) != Int<F>(0); };
     const F diagonal(static_cast<Scalar<F>>(0.70710678118654752));
@@ -67,21 +67,22 @@ vec2<F> noise_gradient(Int<F> x, Int<F> y, std::int32_t seed) {
     return {select(bit(4), first * diagonal, along_u), select(bit(4), second * diagonal, along_v)};
 }
 
-/// The lattice point `i` (whole) and the next; `period` 0: the lattice does not repeat.
+/// The lattice point `i` (whole) and the next, of a lattice that repeats after `period` or never.
 template <Number F>
-std::array<Int<F>, 2> noise_lattice(F i, Scalar<F> period) {
-    if (period == 0) return {to_int(i), to_int(i + F(1))};
-    const auto reduced = [period](F x) { return to_int(x - F(period) * floor(x / F(period))); };
+std::array<Int<F>, 2> noise_lattice(F i, bool repeats, F period) {
+    if (!repeats) return {to_int(i), to_int(i + F(1))};
+    const auto reduced = [period](F x) { return to_int(x - period * floor(x / period)); };
     return {reduced(i), reduced(i + F(1))};
 }
 
-/// One octave: noise in [-1, 1] at p, 0 on the lattice's points, with its gradient d / dp. Repeats
-/// after `period` (whole; 0: never). Beyond 2^23 a float has no fraction: 0. NaN and infinite p
+/// One octave: noise in [-1, 1] at p, 0 on the lattice's points, with its gradient d / dp. Where it
+/// `repeats`, after `period` (whole). Beyond 2^23 a float has no fraction: 0. NaN and infinite p
 /// give NaN.
 template <Number F>
-NoiseSample<F> lattice_noise(const vec2<F>& p, Scalar<F> period, std::int32_t seed) {
+NoiseSample<F> lattice_noise(const vec2<F>& p, bool repeats, F period, Int<F> seed) {
     const vec2<F> base = floor(p), f = p - base;
-    const auto x = noise_lattice(base.x, period), y = noise_lattice(base.y, period);
+    const auto x = noise_lattice(base.x, repeats, period);
+    const auto y = noise_lattice(base.y, repeats, period);
     const auto corner = [&](int i, int j) { return noise_gradient<F>(x[i], y[j], seed); };
     const vec2<F> g00 = corner(0, 0), g10 = corner(1, 0), g01 = corner(0, 1), g11 = corner(1, 1);
     const vec2<F> one(F(1)), right(F(1), F(0)), up(F(0), F(1));
@@ -95,21 +96,27 @@ NoiseSample<F> lattice_noise(const vec2<F>& p, Scalar<F> period, std::int32_t se
     return {lerp(low, high, fade.y) * scale, (planes + blends) * scale};
 }
 
+/// The same of one seed, on a lattice that repeats after `period`, or never: 0.
+template <Number F>
+NoiseSample<F> lattice_noise(const vec2<F>& p, Scalar<F> period, std::int32_t seed) {
+    return lattice_noise<F>(p, period != 0, F(period), Int<F>(seed));
+}
+
 /// The height field described above: height in [0, 1] and (dh/du, dh/dv). `octaves` is at least 1.
 template <Number F>
 NoiseSample<F> noise_field(const vec2<F>& uv, float frequency, int octaves) {
-    const bool whole = std::floor(frequency) == frequency;
+    const bool repeats = frequency != 0 && std::floor(frequency) == frequency;
     NoiseSample<F> sum{F(0), vec2<F>(F(0))};
-    Scalar<F> cells = frequency, amplitude = 1, total = 0;
-    for (int k = 0; k < octaves; ++k) {
-        const auto octave = lattice_noise<F>(uv * F(cells), whole ? cells : Scalar<F>(0), k);
-        sum.value = sum.value + octave.value * F(amplitude);
-        sum.gradient = sum.gradient + octave.gradient * F(amplitude * cells);
-        total += amplitude;
-        cells *= 2;
-        amplitude /= 2;
+    F cells(static_cast<Scalar<F>>(frequency)), amplitude(1), total(0);
+    for (const auto k : steps<F>(0, octaves - 1)) {
+        const auto octave = lattice_noise<F>(uv * cells, repeats, cells, to_int(number<F>(k)));
+        sum.value = sum.value + octave.value * amplitude;
+        sum.gradient = sum.gradient + octave.gradient * (amplitude * cells);
+        total = total + amplitude;
+        cells = cells * F(2);
+        amplitude = amplitude * F(0.5f);
     }
-    const F half(static_cast<Scalar<F>>(0.5) / total);
+    const F half = F(0.5f) / total;
     return {saturate(F(0.5f) + sum.value * half), sum.gradient * half};
 }
 

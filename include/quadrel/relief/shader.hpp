@@ -6,10 +6,11 @@
 //         template <class Io>
 //         void operator()(Io& io, const Params&) const {
 //             ReliefRay ray(io);
-//             for (int k = 0; k <= 64 && ray.searching(); ++k) {
+//             for (const auto k : ray.steps(0, 64)) {
 //                 const auto s = ray.number(k) / 64;
 //                 const auto h = ray.height(s);
 //                 ray.hit(h >= 1 - s, s);
+//                 if (none(ray.active())) break;
 //             }
 //             ray.store();
 //         }
@@ -43,8 +44,9 @@ class ReliefRay {
     Float number(T x) const {
         return Float(static_cast<Scalar<Float>>(x));
     }
-    /// Whether any lane still searches; texts leave their loop when none does.
-    bool searching() const { return any(active_); }
+    /// The steps first, first + 1, ..., last, for a range-based loop.
+    Steps steps(int first, int last) const { return quadrel::steps<Float>(first, last); }
+    /// The lanes that still search; texts leave their loop when there are none.
     Bool active() const { return active_; }
 
     /// Undisplaced texture coordinates, and their shift while the ray falls from s = 0 to 1.

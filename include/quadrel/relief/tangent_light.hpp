@@ -47,7 +47,7 @@ class TangentLight {
 
     /// The interpolated vector to the light, not normalised; directional lights have no position
     /// that a vertex could be subtracted from.
-    vec3<F> to(const LightUniforms& light) const {
+    vec3<F> to(const auto& light) const {
         const vec3<F> position = uniform3<F>(light.position);
         if (!light.directional) return to_point(light);
         return varying(
@@ -58,7 +58,7 @@ class TangentLight {
     }
 
     /// The same by programs that subtract the vertex whatever the light is.
-    vec3<F> to_point(const LightUniforms& light) const {
+    vec3<F> to_point(const auto& light) const {
         const vec3<F> position = uniform3<F>(light.position);
         const vec3<F> target = light.directional ? program_.vector_to_object(position)
                                                  : program_.point_to_object(position);

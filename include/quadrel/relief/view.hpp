@@ -7,14 +7,14 @@ namespace quadrel {
 
 /// Unit vector from the surface point towards the eye (V; the thesis calls it E).
 template <Number F>
-vec3<F> to_viewer(const vec3<F>& P, const FrameUniforms& frame) {
+vec3<F> to_viewer(const vec3<F>& P, const auto& frame) {
     const vec3<F> eye = uniform3<F>(frame.eye);
     return normalize(frame.orthographic ? eye : eye - P);
 }
 
 /// Unit vector from `P` towards a light.
 template <Number F>
-vec3<F> to_light(const vec3<F>& P, const LightUniforms& light) {
+vec3<F> to_light(const vec3<F>& P, const auto& light) {
     const vec3<F> position = uniform3<F>(light.position);
     return normalize(light.directional ? position : position - P);
 }

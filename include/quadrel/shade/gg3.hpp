@@ -60,8 +60,7 @@ struct ShadeGg3 : TangentShade {
 
     /// OUT.light: mul(tangentspace, light.xyz - vpos).
     template <class Io, class F = typename Io::Number>
-    static vec3<F> vector_to(const Io& io, const TangentLight<Io>& light,
-                             const LightUniforms& uniforms) {
+    static vec3<F> vector_to(const Io& io, const TangentLight<Io>& light, const auto& uniforms) {
         const vec3<F> position = uniform3<F>(uniforms.position);
         const auto from = [&](const vec3<F>& vpos) {
             return uniforms.directional ? position : position - vpos;

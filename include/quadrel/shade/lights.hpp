@@ -20,7 +20,7 @@ inline constexpr auto lit_inputs =
 
 /// Intensity over the distance polynomial; directional lights do not fade.
 template <Number F>
-F attenuation(const vec3<F>& P, const LightUniforms& light) {
+F attenuation(const vec3<F>& P, const auto& light) {
     if (light.directional) return F(light.intensity);
     const F d = distance(uniform3<F>(light.position), P);
     return F(light.intensity) / (F(light.attenuation[0]) + F(light.attenuation[1]) * d +
@@ -39,9 +39,9 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
                          const Specular& specular) {
     LightTerms<F> sum;
     const vec3<F> P = io.template load<Value::hit_P>();
-    const MaterialUniforms& material = io.material();
+    const auto& material = io.material();
     for (int i = 0; i < io.frame().light_count; ++i) {
-        const LightUniforms& light = io.frame().lights[i];
+        const auto& light = io.frame().lights[i];
         const vec3<F> L = to_light(P, light);
         const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
         const F cosine = dot(N, L);

@@ -42,7 +42,7 @@ struct ShadeThesisPublished : StageDefaults {
         const vec3<F> reflected = normalize(reflect(-E, N));
         const vec3<F> refracted = normalize(refract(-E, N, eta));
 
-        const LightUniforms& light = io.frame().lights[0];
+        const auto& light = io.frame().lights[0];
         const bool lit = io.frame().light_count > 0;
         const vec3<F> L = to_light(io.template load<Value::hit_P>(), light);
         const F intensity = lit ? io.template load<Value::shadow_visibility>(0) : F(0);

@@ -27,10 +27,10 @@ struct ShadeWelsh : StageDefaults {
         using F = typename Io::Number;
         const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), params.gradients);
         const vec3<F> N = io.template load<Value::N>(), P = io.template load<Value::hit_P>();
-        const MaterialUniforms& material = io.material();
+        const auto& material = io.material();
         vec3<F> total(F(0)), ambient(F(0));
         for (int i = 0; i < io.frame().light_count; ++i) {
-            const LightUniforms& light = io.frame().lights[i];
+            const auto& light = io.frame().lights[i];
             const F arriving =
                 io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
             const vec3<F> color =

@@ -44,7 +44,7 @@ struct ShadeWelshPublished : TangentShade {
     template <class F, class Io>
     static vec3<F> one_light(Io& io, const TangentLight<Io>& light, int i) {
         if (i >= io.frame().light_count) return vec3<F>(F(0));
-        const LightUniforms& uniforms = io.frame().lights[i];
+        const auto& uniforms = io.frame().lights[i];
         const vec3<F> lighttsvec = normalize(light.to_point(uniforms));
         return saturate(uniform3<F>(uniforms.diffuse) * dot(light.normal(), lighttsvec));
     }

@@ -53,10 +53,11 @@ template <Number F>
                                                     F limit) {
     if (context.counters == nullptr) return;
     const Mask<F> odd = context.active & !(abs(coordinate) <= limit);
-    if (!any(odd)) return;
-    const std::uint64_t nan = count_lanes<F>(odd & is_nan(coordinate));
-    context.counters->nan_coordinates += nan;
-    context.counters->huge_coordinates += count_lanes<F>(odd) - nan;
+    if (when(odd)) {
+        const std::uint64_t nan = count_lanes<F>(odd & is_nan(coordinate));
+        context.counters->nan_coordinates += nan;
+        context.counters->huge_coordinates += count_lanes<F>(odd) - nan;
+    }
 }
 
 }  // namespace quadrel

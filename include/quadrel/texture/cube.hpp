@@ -59,7 +59,6 @@ OpenAxis<F> open_axis(F coordinate, F size, const SamplerState& sampler) {
 template <int channels, Number F>
 void mend_corners(FourTaps<channels, F>& of, const Mask<F> (&corner)[4]) {
     static constexpr int others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
-    if (!any(corner[0] | corner[1] | corner[2] | corner[3])) return;
     const FourTaps<channels, F> given = of;
     for (int tap = 0; tap < 4; ++tap) {
         for (int c = 0; c < channels; ++c) {
@@ -94,7 +93,8 @@ CubeFootprint<F> cube_footprint(const SamplerState& sampler, const LevelGeometry
         of.corner[tap] = out_x & out_y;
         // A corner's own read is thrown away; it only has to be inside the texture.
         texel.y = select(of.corner[tap], zero, texel.y);
-        of.texel[tap] = any(out_x | out_y) ? cross_edge(texel, size) : texel;
+        of.texel[tap] = texel;
+        if (when(out_x | out_y)) of.texel[tap] = cross_edge(texel, size);
     }
     return of;
 }
@@ -106,7 +106,8 @@ Texel<channels, F> sample_cube_linear(const SampledTexture& texture, const Level
     FourTaps<channels, F> taps;
     for (int tap = 0; tap < 4; ++tap)
         taps.tap[tap] = load_cube_texel<channels, F>(texture, level, of.texel[tap]);
-    mend_corners(taps, of.corner);
+    if (when(of.corner[0] | of.corner[1] | of.corner[2] | of.corner[3]))
+        mend_corners(taps, of.corner);
     return blend(taps, of.weight_x, of.weight_y);
 }
 
@@ -115,7 +116,6 @@ template <Number F>
 void mark_cube_footprint(const TexelMarks& marks, const SampledTexture& texture,
                          const LevelGeometry<F>& level, const CubePoint<F>& at, Filter filter,
                          Mask<F> asked) {
-    if (!any(asked)) return;
     const auto tap = [&](const CubeTexel<F>& texel, Mask<F> lanes) {
         mark_tap<F>(marks, texture.view, level, texel.x, cube_row(level, texel), lanes);
     };

@@ -61,7 +61,6 @@ template <Number F>
 [[gnu::noinline]] void mark_footprint(const TexelMarks& marks, const SampledTexture& texture,
                                       LevelGeometry<F> level, vec2<F> uv, Filter filter,
                                       Mask<F> asked) {
-    if (!any(asked)) return;
     const auto [x, y] = address(texture, level, uv, filter);
     const auto tap = [&](Int<F> column, Int<F> row, Mask<F> inside) {
         mark_tap<F>(marks, texture.view, level, column, row, asked & inside);
@@ -79,13 +78,16 @@ template <Number F, class Mark>
 void for_each_footprint(const SamplerState& sampler, const LevelGeometry<F>& fine,
                         const LevelGeometry<F>& coarse, Mask<F> active, Mask<F> blended,
                         Mask<F> magnified, const Mark& mark) {
+    const auto filtered = [&](const LevelGeometry<F>& of, Filter filter, Mask<F> asked) {
+        if (when(asked)) mark(of, filter, asked);
+    };
     const auto level = [&](const LevelGeometry<F>& of, Mask<F> asked) {
-        if (sampler.mag == sampler.min) return mark(of, sampler.mag, asked);
-        mark(of, sampler.mag, asked & magnified);
-        mark(of, sampler.min, asked & !magnified);
+        if (sampler.mag == sampler.min) return filtered(of, sampler.mag, asked);
+        filtered(of, sampler.mag, asked & magnified);
+        filtered(of, sampler.min, asked & !magnified);
     };
     level(fine, active);
-    if (any(active & blended)) level(coarse, active & blended);
+    level(coarse, active & blended);
 }
 
 }  // namespace quadrel

@@ -75,7 +75,7 @@ MipLevels<F> mip_levels(const SampledTexture& texture, const LodRecord<F>& lod) 
     const Int<F> finer = to_int(lod.level);
     const LevelGeometry<F> fine = level_geometry<F>(texture.view, finer);
     // Where no lane blends, the coarser level cannot change the result: its weight is 0.
-    if (texture.sampler.mip == MipFilter::nearest || !any(lod.frac > F(0))) {
+    if (texture.sampler.mip == MipFilter::nearest || none(lod.frac > F(0))) {
         return {fine, fine, false};
     }
     const Int<F> coarser = min(finer + Int<F>(1), Int<F>(texture.view.levels - 1));

@@ -28,8 +28,9 @@ struct FragDepth : StageDefaults {
     /// Component `row` of the clip coordinates of a point in eye space.
     template <class Io, class F>
     static F clip_row(Io& io, const vec3<F>& P, int row) {
-        const float* m = io.frame().projection + 4 * row;
-        return F(m[0]) * P.x + F(m[1]) * P.y + F(m[2]) * P.z + F(m[3]);
+        const auto& m = io.frame().projection;
+        const auto entry = [&](int column) { return F(m[4 * row + column]); };
+        return entry(0) * P.x + entry(1) * P.y + entry(2) * P.z + entry(3);
     }
 };
 

@@ -35,11 +35,11 @@ struct AoHorizon : StageDefaults {
         const vec2<F> uv = io.template load<Value::hit_uv>();
         const std::int32_t azimuths = io.template texture<TextureSlot::horizon>()->view.faces;
         F sum(0);
-        for (std::int32_t k = 0; k < azimuths; ++k) {
-            const F tangent = max(read(active, uv, Int<F>(k)).channel[0], F(0)) * scale;
+        for (const auto k : steps<F>(0, azimuths - 1)) {
+            const F tangent = max(read(active, uv, to_int(number<F>(k))).channel[0], F(0)) * scale;
             sum = sum + F(1) / (F(1) + tangent * tangent);
         }
-        const F open = sum / F(static_cast<Scalar<F>>(azimuths));
+        const F open = sum / number<F>(azimuths);
         io.template store<Value::occlusion>(select(framed, open, F(1)));
     }
 };

@@ -36,19 +36,19 @@ struct ShadowCone : StageDefaults {
         const auto look = cone_look_up<TextureSlot::cone_robust>(io);
         const F kappa = length(ray.K), least(params.bias);
         Mask<F> active = ray.active, occluded(false);
-        Int<F> steps(0);
+        Int<F> points(0);
         F t = least;
-        for (int k = 0; k < params.steps; ++k) {
+        for (const auto k : steps<F>(1, params.steps)) {
             active = active & (ray.z + t < F(1));
-            if (!any(active)) break;
+            if (none(active)) break;
             const Cone<F> cone = look(active, F(1) - (ray.z + t), ray.uv + ray.K * t);
-            count_in<F>(steps, active);
+            count_in<F>(points, active);
             const F gap = (ray.z + t) - cone.height;
             occluded = occluded | (active & (gap < F(0)));
             active = active & (gap >= F(0)) & (cone.ratio < kappa);
             t = select(active, t + max(cone.ratio * gap / (kappa - cone.ratio), least), t);
         }
-        store_shadow(io, ray, select(occluded, F(0), F(1)), steps);
+        store_shadow(io, ray, select(occluded, F(0), F(1)), points);
     }
 };
 

@@ -31,23 +31,23 @@ struct ShadowMarchMcguire : StageDefaults {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
         const auto height = march_heights(io);
-        const F n = max(trunc(mix(F(static_cast<Scalar<F>>(params.steps_grazing)),
-                                  F(static_cast<Scalar<F>>(params.steps_normal)), saturate(ray.r))),
+        const F n = max(trunc(mix(number<F>(params.steps_grazing), number<F>(params.steps_normal),
+                                  saturate(ray.r))),
                         F(1));
         const int most = std::max(params.steps_grazing, params.steps_normal);
         Mask<F> active = ray.active, occluded(false);
-        Int<F> steps(0);
-        for (int k = 1; k <= most; ++k) {
-            const F t = (F(static_cast<Scalar<F>>(k)) + F(0.1f)) / n;
+        Int<F> points(0);
+        for (const auto k : steps<F>(1, most)) {
+            const F t = (number<F>(k) + F(0.1f)) / n;
             active = active & (ray.z + t < F(1));
-            if (!any(active)) break;
+            if (none(active)) break;
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_in<F>(steps, active);
+            count_in<F>(points, active);
             occluded = occluded | (active & (h >= ray.z + t));
             active = active & !occluded;
         }
-        store_shadow(io, ray, select(occluded, F(0), F(1)), steps);
+        store_shadow(io, ray, select(occluded, F(0), F(1)), points);
     }
 };
 

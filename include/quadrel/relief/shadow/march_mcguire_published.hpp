@@ -54,21 +54,21 @@ struct ShadowMarchMcguirePublished : StageDefaults {
         F height = NB + step * F(0.1f);
         vec2<F> offsetCoord = io.template load<Value::hit_uv>();
         const Mask<F> marches = io.active() & (NdotL > F(0)) & light.framed() & has_relief(io);
-        Int<F> steps(0);
+        Int<F> points(0);
         Mask<F> active = marches;
-        for (int k = 0; k < most_steps; ++k) {
+        for (const auto k : steps<F>(1, most_steps)) {
             active = active & (NB < height) & (height < F(1));
-            if (!any(active)) break;
+            if (none(active)) break;
             height = select(active, height + step, height);
             offsetCoord = select(active, offsetCoord + delta, offsetCoord);
             const F h = implicit_height(io, active, offsetCoord);
             io.march_step(active, F(1) - height, offsetCoord, height, h);
             NB = select(active, h, NB);
-            count_in<F>(steps, active);
+            count_in<F>(points, active);
         }
         const Mask<F> selfShadow = (NdotL > F(0)) & ((NB < height) | !marches);
         io.template store<Value::shadow_visibility>(select(selfShadow, F(1), F(0)), io.light());
-        io.template store<Value::shadow_steps>(steps, io.light());
+        io.template store<Value::shadow_steps>(points, io.light());
     }
 
   private:

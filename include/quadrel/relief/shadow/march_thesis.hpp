@@ -29,23 +29,23 @@ struct ShadowMarchThesis : StageDefaults {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
         Mask<F> active = ray.active, occluded(false);
-        Int<F> steps(0);
-        if (any(active)) {
+        Int<F> points(0);
+        if (when(active)) {
             const auto height = march_heights(io);
             // Above the top plane, or the highest texel where it is known, nothing occludes.
             const F top(std::min(Scalar<F>(1), height_bounds(io).high));
-            for (int k = 1; k < params.steps; ++k) {
-                const F t(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(params.steps));
+            for (const auto k : steps<F>(1, params.steps - 1)) {
+                const F t = number<F>(k) / number<F>(params.steps);
                 active = active & (ray.z + t < top);
-                if (!any(active)) break;
+                if (none(active)) break;
                 const F h = height(active, ray.uv + ray.K * t);
                 io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-                count_in<F>(steps, active);
+                count_in<F>(points, active);
                 occluded = occluded | (active & (h > ray.z + t));
                 active = active & !occluded;
             }
         }
-        store_shadow(io, ray, select(occluded, F(0), F(1)), steps);
+        store_shadow(io, ray, select(occluded, F(0), F(1)), points);
     }
 };
 

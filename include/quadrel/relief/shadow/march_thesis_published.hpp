@@ -44,22 +44,23 @@ struct ShadowMarchThesisPublished : StageDefaults {
         const Mask<F> dark = dot(L, t.N_flat) <= F(0.01f);
         Mask<F> active = io.active() & !dark & (light_sample >= F(0));
         Mask<F> shadowed(false);
-        Int<F> steps(0);
-        while (any(active)) {
+        Int<F> points(0);
+        for (const auto k : rounds<F>()) {
+            if (none(active)) break;
             light_h = select(active, light_h - F(offset_per_sample), light_h);
             uv = select(active, uv + tex_offset_per_sample, uv);
             const F h = texture(map, io.template context<TextureSlot::height>(active), uv,
                                 io.frame().derivatives)
                             .x;
             io.march_step(active, light_h, uv, F(1) - light_h, h);
-            steps = steps + select(active, Int<F>(1), Int<F>(0));
+            points = points + select(active, Int<F>(1), Int<F>(0));
             shadowed = shadowed | (active & (light_h > F(1) - h));
             light_sample = light_sample - F(1);
             active = active & !shadowed & (light_sample >= F(0));
         }
         io.template store<Value::shadow_visibility>(select(dark | shadowed, F(0), F(1)),
                                                     io.light());
-        io.template store<Value::shadow_steps>(steps, io.light());
+        io.template store<Value::shadow_steps>(points, io.light());
     }
 };
 

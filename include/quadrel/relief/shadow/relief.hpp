@@ -34,35 +34,35 @@ struct ShadowRelief : StageDefaults {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
         const auto height = march_heights(io);
-        Int<F> steps(0);
+        Int<F> points(0);
         // t falls from the top plane, 1 - z, to the hit, 0.
         const F top = F(1) - ray.z;
         const auto below = [&](Mask<F> active, F t) {
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_in<F>(steps, active);
+            count_in<F>(points, active);
             return active & (h >= ray.z + t);
         };
         F last_above = top, first_below(0);
         Mask<F> active = ray.active, found(false);
-        for (int k = 0; k < params.steps; ++k) {
-            const Scalar<F> part = static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(params.steps);
-            const F t = top * F(1 - part);
+        for (const auto k : steps<F>(0, params.steps - 1)) {
+            const F t = top * (F(1) - number<F>(k) / number<F>(params.steps));
             const Mask<F> hit = below(active, t);
             first_below = select(hit, t, first_below);
             last_above = select(active & !hit, t, last_above);
             found = found | hit;
             active = active & !hit;
-            if (!any(active)) break;
+            if (none(active)) break;
         }
-        for (int i = 0; i < params.binary_steps && any(found); ++i) {
+        for (const auto k : steps<F>(1, params.binary_steps)) {
+            if (none(found)) break;
             const F middle = (last_above + first_below) * F(0.5f);
             const Mask<F> hit = below(found, middle);
             first_below = select(hit, middle, first_below);
             last_above = select(found & !hit, middle, last_above);
         }
         const Mask<F> occluded = found & (first_below > F(params.bias));
-        store_shadow(io, ray, select(occluded, F(0), F(1)), steps);
+        store_shadow(io, ray, select(occluded, F(0), F(1)), points);
     }
 };
 

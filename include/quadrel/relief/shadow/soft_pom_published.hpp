@@ -79,10 +79,10 @@ struct ShadowSoftPomPublished : StageDefaults {
     /// Out.vLightTS of RenderSceneVS, interpolated.
     template <class Io, class F = typename Io::Number>
     static vec3<F> light_vector(const Io& io) {
-        const LightUniforms& light = io.frame().lights[io.light()];
+        const auto& light = io.frame().lights[io.light()];
         const VertexProgram program(io);
         const auto to_world = [&](const vec3<F>& v) {
-            const float(&rows)[9] = io.frame().eye_to_world;
+            const auto& rows = io.frame().eye_to_world;
             const auto row = [&](int i) {
                 return dot(vec3<F>(F(rows[i]), F(rows[i + 1]), F(rows[i + 2])), v);
             };

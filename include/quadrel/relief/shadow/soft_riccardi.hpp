@@ -33,23 +33,23 @@ struct ShadowSoftRiccardi : StageDefaults {
         const LightRay<F> ray = light_ray(io);
         const auto height = march_heights(io);
         const F rise = F(1) - ray.z;
-        const F n = round_even(rise * F(static_cast<Scalar<F>>(params.steps)));
+        const F n = round_even(rise * number<F>(params.steps));
         F most(0);
-        Int<F> steps(0);
+        Int<F> points(0);
         Mask<F> active = ray.active;
-        for (int j = 1; j < params.steps; ++j) {
-            const F index(static_cast<Scalar<F>>(j));
+        for (const auto j : steps<F>(1, params.steps - 1)) {
+            const F index = number<F>(j);
             active = active & (index < n);
-            if (!any(active)) break;
+            if (none(active)) break;
             const F part = index / n, t = rise * part;
             const F h = height(active, ray.uv + ray.K * t);
             io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
-            count_in<F>(steps, active);
+            count_in<F>(points, active);
             const F depth = (h - (ray.z + t)) * (F(1) - part);
             most = select(active, max(most, depth), most);
         }
         const F visibility = F(1) - clamp(most * F(params.hardness), F(0), F(1));
-        store_shadow(io, ray, visibility, steps);
+        store_shadow(io, ray, visibility, points);
     }
 };
 

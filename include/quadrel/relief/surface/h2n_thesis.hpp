@@ -26,24 +26,29 @@ struct H2nThesis : NormalFromHeights {
         using F = typename Io::Number;
         const vec3<F> N = io.template load<Value::frame_normal>();
         const F depth = io.template load<Value::relief_depth>();
-        if (!any(depth != F(0))) return io.template store<Value::N>(N);
+        const Mask<F> deep = depth != F(0);
+        const Mask<F> framed =
+            io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
+        vec3<F> n = N;
+        if (when(deep)) n = select(framed & deep, smooth_normal(io, N, depth), N);
+        io.template store<Value::N>(n);
+    }
 
+  private:
+    template <class Io, class F>
+    static vec3<F> smooth_normal(const Io& io, const vec3<F>& N, F depth) {
         const vec3<F> Ng = io.template load<Value::Ng>();
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> Nf = select(dot(Ng, V) < F(0), -Ng, Ng);
         const auto J = io.template load<Value::J>();
         const vec2<F> slope = height_slope<F>(io);
         const vec3<F> m = normalize(Nf - (J[0] * slope.x + J[1] * slope.y) * depth);
-        const vec3<F> n = normalize(m + (N - Nf));
-        const Mask<F> framed =
-            io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
-        io.template store<Value::N>(select(framed & (depth != F(0)), n, N));
+        return normalize(m + (N - Nf));
     }
 
-  private:
     /// (dh/du, dh/dv) by central differences over two texels of level 0.
     template <class F, class Io>
-    static vec2<F> height_slope(Io& io) {
+    static vec2<F> height_slope(const Io& io) {
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const GeneralHeight<F> sampler(map, io.template load<Value::dUVdx>(),
                                        io.template load<Value::dUVdy>());

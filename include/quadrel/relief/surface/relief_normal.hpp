@@ -38,8 +38,9 @@ void store_relief_normal(const Io& io, const Slope& slope) {
     using F = typename Io::Number;
     const F depth = io.template load<Value::relief_depth>();
     const Mask<F> deep = depth != F(0);
-    if (!any(deep)) return io.template store<Value::N>(io.template load<Value::frame_normal>());
-    store_normal(io, relief_normal<Io, F>(io, slope(), depth), deep);
+    vec3<F> n(F(0));
+    if (when(deep)) n = select(deep, relief_normal<Io, F>(io, slope(), depth), n);
+    store_normal(io, n, deep);
 }
 
 }  // namespace quadrel

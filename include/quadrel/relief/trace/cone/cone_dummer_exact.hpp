@@ -37,7 +37,7 @@ struct ConeDummerExact : StageDefaults {
         F sc(0);
         Mask<F> active = ray.active, found(false), met_nan(false);
         SearchResult<F> result;
-        for (int i = 0; i < guard; ++i) {
+        for (const auto k : steps<F>(1, guard)) {
             const Cone<F> t = look(active, ds.z * sc, ray.uv + along * sc);
             result.h = select(active, t.height, result.h);
             count_in<F>(result.steps, active);
@@ -45,7 +45,7 @@ struct ConeDummerExact : StageDefaults {
             const Mask<F> above = F(1) - ds.z * sc > t.height;
             found = found | (active & !above);
             active = active & above;
-            if (!any(active)) break;
+            if (none(active)) break;
             const F step = (F(1) - ds.z * sc - t.height) / (ds.z + iz / t.ratio);
             sc = select(active, sc + w + step, sc);
         }

@@ -33,7 +33,7 @@ struct ConeGg3 : StageDefaults {
         const F dist = length(v);
         vec2<F> p = ray.uv;
         F depth(0), height(0);
-        for (int i = 0; i < 15; ++i) {
+        for (const auto k : steps<F>(1, 15)) {
             const Cone<F> t = look(ray.active, depth, p);
             height = t.height;
             const F gap = saturate((F(1) - t.height) - depth);

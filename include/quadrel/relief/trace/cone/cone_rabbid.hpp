@@ -47,17 +47,17 @@ struct RabbidConeStep : StageDefaults {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
         const vec3<F> texDir3D = normalize(vec3<F>(ray.K, -front_face(io)));
-        Steps<F> steps(ray, texDir3D, *io.template texture<slot>());
-        for (int i = 0; i < 30; ++i) {
-            steps.look_up(io, height_and_cone(io, steps.active, steps.move()));
-            if (!any(steps.active)) break;
-            steps.advance();
+        Variables<F> listing(ray, texDir3D, *io.template texture<slot>());
+        for (const auto k : steps<F>(1, 30)) {
+            listing.look_up(io, height_and_cone(io, listing.active, listing.move()));
+            if (none(listing.active)) break;
+            listing.advance();
         }
-        SearchResult<F> result = steps.result;
-        result.s = -texDir3D.z * steps.t;
-        result.status = search_status<F>(steps.found, steps.met_nan, Status::cap);
+        SearchResult<F> result = listing.result;
+        result.s = -texDir3D.z * listing.t;
+        result.status = search_status<F>(listing.found, listing.met_nan, Status::cap);
         result.fetches = result.steps;
-        store_search(io, ray, result, ray.uv + steps.direction * steps.t);
+        store_search(io, ray, result, ray.uv + listing.direction * listing.t);
     }
 
   private:
@@ -79,13 +79,13 @@ struct RabbidConeStep : StageDefaults {
 
     /// The variables of the listing, named as there.
     template <Number F>
-    struct Steps {
-        vec2<F> texCoord, direction, R, P, at, C;
+    struct Variables {
+        vec2<F> texCoord, direction, R, P, at, C = vec2<F>(F(0));
         F texDir_z, min_step, t = F(0), h = F(0), c = F(0);
         Mask<F> active, found = Mask<F>(false), met_nan = Mask<F>(false);
         SearchResult<F> result{};
 
-        Steps(const SearchRay<F>& ray, const vec3<F>& texDir3D, const SampledTexture& map)
+        Variables(const SearchRay<F>& ray, const vec3<F>& texDir3D, const SampledTexture& map)
             : texCoord(ray.uv),
               direction(texDir3D),
               R(normalize(vec2<F>(length(direction), texDir3D.z))),

@@ -27,9 +27,9 @@ struct ConeRobustExact : StageDefaults {
         const BakedLookUp<TextureSlot::cone_robust, 2, Io> read(io);
         const F kappa = length(search.fragment().K);
         F s(0);
-        for (;;) {
+        for (const auto k : rounds<F>()) {
             search.count_step(2, 2);
-            if (!any(search.active)) break;
+            if (none(search.active)) break;
             const Mask<F> active = search.active;
             s = min(max(s, search.entry()), F(1));
             const auto texel = read(active, search.fragment().at(s));

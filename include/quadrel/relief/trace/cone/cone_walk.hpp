@@ -30,17 +30,17 @@ struct ConeWalk {
     }
 };
 
-/// Walks at most `steps` points: `cone(active, s, uv)` looks up, `fall(cone, gap, uv)` says how far
+/// Walks at most `most` points: `cone(active, s, uv)` looks up, `fall(cone, gap, uv)` says how far
 /// on. Lanes that are still above the surface after that have status CAP.
 template <Number F, class Look, class Fall>
-ConeWalk<F> walk_cones(const SearchRay<F>& ray, const Look& cone, const Fall& fall, int steps,
+ConeWalk<F> walk_cones(const SearchRay<F>& ray, const Look& cone, const Fall& fall, int most,
                        F tolerance) {
     ConeWalk<F> walk(ray.active);
-    for (int k = 0; k < steps; ++k) {
+    for (const auto k : steps<F>(1, most)) {
         const vec2<F> uv = ray.at(walk.s);
         const Cone<F> here = cone(walk.active, walk.s, uv);
         walk.test(here.height, tolerance);
-        if (!any(walk.active)) break;
+        if (none(walk.active)) break;
         walk.fall(fall(here, (F(1) - walk.s) - here.height, uv));
     }
     walk.result.s = walk.s;
@@ -79,8 +79,8 @@ template <Number F, class Look>
 void bisect_last_step(const SearchRay<F>& ray, const Look& cone, int times, ConeWalk<F>& walk) {
     F above = walk.previous, below = walk.s;
     const Mask<F> lanes = walk.found & (below > above);
-    if (!any(lanes)) return;
-    for (int i = 0; i < times; ++i) {
+    for (const auto k : steps<F>(1, times)) {
+        if (none(lanes)) break;
         const F middle = (above + below) * F(0.5f);
         const F height = cone(lanes, middle, ray.at(middle)).height;
         const Mask<F> under = height >= F(1) - middle;

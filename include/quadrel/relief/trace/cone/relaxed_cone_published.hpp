@@ -31,7 +31,7 @@ struct RelaxedConePublished : StageDefaults {
         F depth(0), v_z(1);
         const F dist = length(v);
         F height(0);
-        for (int i = 0; i < 15; ++i) {
+        for (const auto k : steps<F>(1, 15)) {
             const Cone<F> t = look(ray.active, depth, p);
             height = t.height;
             const F gap = saturate((F(1) - t.height) - depth);
@@ -43,7 +43,7 @@ struct RelaxedConePublished : StageDefaults {
         v_z = v_z * (depth * F(0.5f));
         p = ray.uv + v;
         depth = v_z;
-        for (int i = 0; i < 8; ++i) {
+        for (const auto k : steps<F>(1, 8)) {
             const Cone<F> t = look(ray.active, depth, p);
             height = t.height;
             v = v * F(0.5f);

@@ -38,7 +38,7 @@ struct Sphere3d : StageDefaults {
         SearchResult<F> result;
         Mask<F> active = ray.active, found(false), met_nan(false), at_bottom(false);
         F s(0);
-        for (int k = 0; k < params.steps; ++k) {
+        for (const auto k : steps<F>(1, params.steps)) {
             const vec2<F> uv = ray.at(s);
             const F distance = volume(active, uv, F(1) - s);
             io.march_step(active, s, uv, F(1) - s, (F(1) - s) - distance);
@@ -51,7 +51,7 @@ struct Sphere3d : StageDefaults {
             s = select(active, s + step, s);
             at_bottom = at_bottom | (active & (s >= F(1)));
             active = active & !at_bottom;
-            if (!any(active)) break;
+            if (none(active)) break;
         }
         result.s = min(s, F(1));
         result.h = F(1) - result.s;

@@ -35,7 +35,7 @@ struct Sphere3dPublished : StageDefaults {
         o = vec3<F>(o.x * scale, o.y * scale, o.z);
         vec3<F> p(ray.uv, F(1));
         F distance(0);
-        for (int k = 0; k < 16; ++k) {
+        for (const auto k : steps<F>(1, 16)) {
             distance = volume(ray.active, vec2<F>(p), p.z);
             io.march_step(ray.active, F(1) - p.z, vec2<F>(p), p.z, p.z - distance);
             p = o * distance + p;

@@ -94,7 +94,7 @@ struct Babylon : HeightSearch {
                        const Params& params) {
         const F side(static_cast<Scalar<F>>(params.right_handed != 0 ? -1 : 1));
         SearchResult<F> result;
-        for (int i = 0; i < march.iMaxSamples; ++i) {
+        for (const auto i : steps<F>(1, march.iMaxSamples)) {
             const vec2<F> at = ray.uv + march.vCurrOffset;
             const F height = implicit_height(io, ray.active, at);
             count_in<F>(result.steps, ray.active);

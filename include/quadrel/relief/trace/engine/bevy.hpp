@@ -96,20 +96,20 @@ struct Bevy : HeightSearch {
         template <class Heights>
         void descend(Heights& heights) {
             Mask<F> active = searches;
-            for (int i = 0; i <= most_steps + 1; ++i) {
+            for (const auto i : steps<F>(0, most_steps + 1)) {
                 sample(heights, active);
                 active = active & (texture_depth > current_layer_depth) &
-                         (F(static_cast<Scalar<F>>(i)) <= trunc(layer_count));
-                if (!any(active)) break;
+                         (number<F>(i) <= trunc(layer_count));
+                if (none(active)) break;
                 move(active, delta_uv, layer_depth);
             }
         }
         template <class Heights>
-        void half_steps(Heights& heights, int steps) {
+        void half_steps(Heights& heights, int times) {
             vec2<F> delta = delta_uv * F(0.5f);
             F delta_depth = layer_depth * F(0.5f);
             move(searches, -delta, -delta_depth);
-            for (int i = 0; i < steps; ++i) {
+            for (const auto k : steps<F>(1, times)) {
                 sample(heights, searches);
                 delta = delta * F(0.5f);
                 delta_depth = delta_depth * F(0.5f);

@@ -86,9 +86,9 @@ struct JMonkey : StageDefaults {
         template <class LookUp>
         void descend(LookUp& look_up) {
             Mask<F> active = searches;
-            for (int i = 0; i < most_steps; ++i) {
-                active = active & (F(static_cast<Scalar<F>>(i)) < samples) & (height <= bound);
-                if (!any(active)) break;
+            for (const auto i : steps<F>(0, most_steps - 1)) {
+                active = active & (number<F>(i) < samples) & (height <= bound);
+                if (none(active)) break;
                 uv = select(active, uv - offset_a_step, uv);
                 bound = select(active, bound - step, bound);
                 previous = select(active, height, previous);

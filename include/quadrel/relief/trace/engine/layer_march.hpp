@@ -38,12 +38,13 @@ struct LayerMarch {
 
     template <class Heights>
     void descend(Heights& heights) {
-        for (int i = 0; i <= most_steps; ++i) {
+        for (const auto i : steps<F>(0, most_steps)) {
             depth = select(active, F(1) - heights(active, s, uv), depth);
             active = active & (s < depth);
-            if (!any(active) || i == most_steps) break;
-            uv = select(active, uv - uv_step, uv);
-            s = select(active, s + layer, s);
+            if (none(active)) break;
+            const Mask<F> moves = active & (number<F>(i) < number<F>(most_steps));
+            uv = select(moves, uv - uv_step, uv);
+            s = select(moves, s + layer, s);
         }
     }
 

@@ -79,7 +79,7 @@ class O3deSearch {
         const Mask<F> moved = below_top();
         vec3<F> reliefDelta = delta_;
         F reliefStep = step_;
-        for (int i = 0; i < numSteps_; ++i) {
+        for (const auto k : steps<F>(1, numSteps_)) {
             reliefDelta = reliefDelta * F(0.5f);
             reliefStep = reliefStep * F(0.5f);
             const F depthSign = sign(currentSample_ - currentStep_);
@@ -122,15 +122,14 @@ class O3deSearch {
 
     void march(F step, const vec3<F>& delta) {
         Mask<F> above = ray_.active & !capped_;
-        for (int i = 0; i <= most_steps; ++i) {
+        for (const auto k : steps<F>(1, most_steps)) {
             above = above & (currentSample_ > currentStep_);
-            if (!any(above)) return;
-            if (i == most_steps) break;
+            if (none(above)) break;
             move(above, step, delta);
             prevSample_ = select(above, currentSample_, prevSample_);
             sample(above);
         }
-        capped_ = capped_ | above;
+        capped_ = capped_ | (above & (currentSample_ > currentStep_));
     }
 
     const SearchRay<F>& ray_;

@@ -117,10 +117,9 @@ struct PlayCanvas : HeightSearch {
         March<F> march;
         const F step = F(1) / volume.steps;
         march.surface = F(1) - look_up(active, F(0), volume.entry);
-        for (int i = 0; i < most; ++i) {
-            active = active & (F(static_cast<Scalar<F>>(i)) < volume.steps) &
-                     !(march.ray >= march.surface);
-            if (!any(active)) break;
+        for (const auto i : steps<F>(0, most - 1)) {
+            active = active & (number<F>(i) < volume.steps) & !(march.ray >= march.surface);
+            if (none(active)) break;
             march.previous = select(active, march.ray, march.previous);
             march.ray = select(active, march.ray + step, march.ray);
             const F height = look_up(active, march.ray, volume.entry + volume.span * march.ray);
@@ -134,7 +133,8 @@ struct PlayCanvas : HeightSearch {
     static F halve(LookUp& look_up, Mask<F> crosses, const Volume<F>& volume,
                    const March<F>& march) {
         F interval = (march.ray - march.previous) * F(0.5f), hit = march.ray - interval;
-        for (int i = 0; i < 5 && any(crosses); ++i) {
+        for (const auto k : steps<F>(1, 5)) {
+            if (none(crosses)) break;
             interval = interval * F(0.5f);
             const F surface = F(1) - look_up(crosses, hit, volume.entry + volume.span * hit);
             hit = hit + select(hit >= surface, -interval, interval);

@@ -113,11 +113,11 @@ struct ThreeParallax : HeightSearch {
         void march(LookUp& look_up) {
             Mask<F> active = searches;
             sample(look_up, active);
-            for (int i = 0; i < 30; ++i) {
+            for (const auto k : steps<F>(1, 30)) {
                 const Mask<F> hit = active & (surface <= depth);
                 found = found | hit;
                 active = active & !hit;
-                if (!any(active)) break;
+                if (none(active)) break;
                 move(active, shift, layer);
                 sample(look_up, active);
             }
@@ -127,7 +127,7 @@ struct ThreeParallax : HeightSearch {
             vec2<F> half_shift = shift / F(2);
             F half_layer = layer / F(2);
             move(searches, -half_shift, -half_layer);
-            for (int i = 0; i < 5; ++i) {
+            for (const auto k : steps<F>(1, 5)) {
                 half_shift = half_shift / F(2);
                 half_layer = half_layer / F(2);
                 sample(look_up, searches);

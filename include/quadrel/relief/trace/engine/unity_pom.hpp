@@ -92,12 +92,12 @@ struct UnityPom : HeightSearch {
     /// The variables of the shader.
     template <Number F>
     struct Interval {
-        F steps, step;
+        F num_steps, step;
         vec2<F> offset_a_step, offset = vec2<F>(F(0));
         F ray_height, height = F(0), previous = F(0), depth = F(0);
         Mask<F> found = Mask<F>(false);
 
-        Interval(const vec3<F>& view, F n) : steps(n), step(F(1) / n) {
+        Interval(const vec3<F>& view, F n) : num_steps(n), step(F(1) / n) {
             offset_a_step = vec2<F>(view) / -view.z * step;
             ray_height = F(1) - step;
         }
@@ -108,12 +108,12 @@ struct UnityPom : HeightSearch {
             previous = look_up(active, F(0), ray.uv + offset);
             offset = offset + offset_a_step;
             height = look_up(active, F(1) - ray_height, ray.uv + offset);
-            for (int i = 0; i < 256; ++i) {
-                active = active & (F(static_cast<Scalar<F>>(i)) < steps);
+            for (const auto i : steps<F>(0, 255)) {
+                active = active & (number<F>(i) < num_steps);
                 const Mask<F> hit = active & (height > ray_height);
                 found = found | hit;
                 active = active & !hit;
-                if (!any(active)) break;
+                if (none(active)) break;
                 previous = select(active, height, previous);
                 ray_height = select(active, ray_height - step, ray_height);
                 offset = select(active, offset + offset_a_step, offset);
@@ -127,14 +127,14 @@ struct UnityPom : HeightSearch {
             F above = ray_height + step, below = ray_height;
             F delta_above = above - previous, delta_below = below - height;
             Mask<F> active = ray.active;
-            for (int i = 0; i < 3; ++i) {
+            for (const auto i : steps<F>(1, 3)) {
                 const F crossing =
                     (above * delta_below - below * delta_above) / (delta_below - delta_above);
                 depth = select(active, F(1) - crossing, depth);
-                offset = select(active, offset_a_step * (F(1) - crossing) * steps, offset);
+                offset = select(active, offset_a_step * (F(1) - crossing) * num_steps, offset);
                 const F delta = crossing - look_up(active, depth, ray.uv + offset);
                 active = active & !(abs(delta) <= F(0.01f));
-                if (!any(active)) break;
+                if (none(active)) break;
                 const Mask<F> under = delta < F(0);
                 delta_below = select(under, delta, delta_below);
                 below = select(under, crossing, below);

@@ -12,6 +12,7 @@
 // the depth factor the depth in tiles of u. Both are the same on square tiles without shear.
 #pragma once
 
+#include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
 
 namespace quadrel {
@@ -26,9 +27,7 @@ class DepthPyramid {
     F operator()(const vec2<F>& uv, Int<F> level) const {
         const Int<F> l = min(max(level, Int<F>(0)), Int<F>(top()));
         const Int<F> width = gather_int<F>(view_.width, l), height = gather_int<F>(view_.height, l);
-        const Int<F> row = nearest(uv.y, height);
-        const Int<F> texel = gather_int<F>(view_.offset, l) + row * width + nearest(uv.x, width);
-        return F(1) - gather<F>(view_.texels, texel);
+        return F(1) - first_channel<F>(view_, nearest(uv.x, width), nearest(uv.y, height), l);
     }
 
   private:
@@ -66,7 +65,7 @@ struct QdmPublished : StageDefaults {
         F z(0);
         Int<F> level(depths.top());
         Mask<F> active = ray.active;
-        for (int it = 0; it < 64; ++it) {
+        for (const auto it : steps<F>(1, 64)) {
             const F depth = depths(p2, level);
             count_fetch(io.template context<TextureSlot::texel_max>(active));
             count_in<F>(result.steps, active);
@@ -83,7 +82,7 @@ struct QdmPublished : StageDefaults {
             z = select(advances, next, z);
             level = select(active & !(advances & crosses), level - Int<F>(1), level);
             active = active & (level >= Int<F>(0));
-            if (!any(active)) break;
+            if (none(active)) break;
         }
         smooth(io, ray, p2 - p, z, half_texel, nudge, active, result);
     }

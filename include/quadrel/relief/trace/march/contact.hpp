@@ -47,9 +47,9 @@ struct Contact : HeightSearch {
     static void refine(const Height& height, const SearchRay<F>& ray, int n, Bracket<F>& bracket) {
         const F start = bracket.s_above, length = bracket.s_below - bracket.s_above;
         Mask<F> active = bracket.found & (length > F(0));
-        for (int k = 1; k < n; ++k) {
-            if (!any(active)) break;
-            const F part(static_cast<Scalar<F>>(k) / static_cast<Scalar<F>>(n));
+        for (const auto k : steps<F>(1, n - 1)) {
+            if (none(active)) break;
+            const F part = number<F>(k) / number<F>(n);
             const F s = start + length * part;
             const F h = height(active, s, ray.at(s), F(1) - s);
             active = active & !bracket.narrow(active, s, h);

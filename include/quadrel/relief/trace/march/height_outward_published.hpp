@@ -56,7 +56,7 @@ struct HeightOutwardPublished : HeightSearch {
 
         SearchResult<F> result;
         Mask<F> active = ray.active, met_nan(false);
-        for (int i = 0; i < params.points; ++i) {
+        for (const auto k : steps<F>(1, params.points)) {
             const auto context = io.template context<TextureSlot::height>(active);
             const vec2<F> at = vec2<F>(pos) / F(params.hresolution);
             const F texel = texture(map, context, at, io.frame().derivatives).x;
@@ -66,7 +66,7 @@ struct HeightOutwardPublished : HeightSearch {
             met_nan = met_nan | (active & is_nan(texel));
             active = active & !(vscale * texel > pos.z);
             pos = select(active, pos - vRay, pos);
-            if (!any(active)) break;
+            if (none(active)) break;
         }
         result.s = F(1) - pos.z / vscale;
         result.status = search_status<F>(!active, met_nan);

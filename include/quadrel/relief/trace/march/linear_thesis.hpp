@@ -40,7 +40,7 @@ struct LinearThesis : HeightSearch {
         Mask<F> active = io.active(), met_nan(false);
         F offset(0), h(0);
         Int<F> fetches(0);
-        for (int sample = 0; sample <= max_samples; ++sample) {
+        for (const auto sample : steps<F>(0, max_samples)) {
             const vec2<F> at = UV + dUVdSR * offset;
             const F texel = texture(map, io.template context<TextureSlot::height>(active), at,
                                     io.frame().derivatives)
@@ -52,7 +52,7 @@ struct LinearThesis : HeightSearch {
             fetches = fetches + select(active, Int<F>(1), Int<F>(0));
             active = active & !(offset > tex_h);
             offset = select(active, offset + F(offset_per_sample), offset);
-            if (!any(active)) break;
+            if (none(active)) break;
         }
         const vec2<F> hit = UV + dUVdSR * offset;
         io.template store<Value::hit_uv>(hit);

@@ -93,9 +93,9 @@ struct PomDxsdk : HeightSearch {
         Interval<F> march;
         F bound(1);
         vec2<F> at = ray.uv;
-        for (int i = 0; i < most_steps; ++i) {
-            active = active & (F(static_cast<Scalar<F>>(i)) < n);
-            if (!any(active)) break;
+        for (const auto i : steps<F>(0, most_steps - 1)) {
+            active = active & (number<F>(i) < n);
+            if (none(active)) break;
             at = at + step_uv;
             const F height = heights(active, at);
             bound = bound - step;

@@ -56,10 +56,10 @@ struct RabbidMarch {
 
     template <class Io>
     void march(const Io& io, Mask<F> active) {
-        const F steps = trunc(rabbid_steps(quality));
-        for (int i = 0; i < 50; ++i) {
-            active = active & (F(static_cast<Scalar<F>>(i)) < steps);
-            if (!any(active)) break;
+        const F numSteps = trunc(rabbid_steps(quality));
+        for (const auto i : steps<F>(0, 49)) {
+            active = active & (number<F>(i) < numSteps);
+            if (none(active)) break;
             fetch(io, active);
             const Mask<F> hit = active & (mapHeight >= bestBumpHeight);
             found = found | hit;

@@ -31,9 +31,9 @@ struct RabbidRelief : RabbidSearch {
         const F numBinarySteps = trunc(clamp(listing.quality * F(10), F(1), F(7)));
         F& best = listing.bestBumpHeight;
         best = best + listing.bumpHeightStep;
-        for (int i = 0; i < 7; ++i) {
-            const Mask<F> active = ray.active & (F(static_cast<Scalar<F>>(i)) < numBinarySteps);
-            if (!any(active)) break;
+        for (const auto i : steps<F>(0, 6)) {
+            const Mask<F> active = ray.active & (number<F>(i) < numBinarySteps);
+            if (none(active)) break;
             const F half = listing.bumpHeightStep * F(0.5f);
             listing.bumpHeightStep = select(active, half, listing.bumpHeightStep);
             best = select(active, best - listing.bumpHeightStep, best);

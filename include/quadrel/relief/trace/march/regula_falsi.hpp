@@ -15,16 +15,17 @@ void regula_falsi(const Height& height, const SearchRay<F>& ray, int times, bool
                   Bracket<F>& bracket) {
     F weight_above(1), weight_below(1);
     F replaced(0);  // 1: the lower end was last, -1: the upper one
-    for (int i = 0; i < times; ++i) {
+    for (const auto k : steps<F>(1, times)) {
         const F s = chord(bracket, weight_above, weight_below);
         const F h = height(bracket.found, s, ray.at(s), F(1) - s);
         const Mask<F> below = bracket.narrow(bracket.found, s, h);
-        if (!illinois) continue;
-        const F side = select(below, F(1), F(-1));
-        const F stayed = select(side == replaced, F(0.5f), F(1));
-        weight_above = select(below, weight_above * stayed, F(1));
-        weight_below = select(below, F(1), weight_below * stayed);
-        replaced = side;
+        if (illinois) {
+            const F side = select(below, F(1), F(-1));
+            const F stayed = select(side == replaced, F(0.5f), F(1));
+            weight_above = select(below, weight_above * stayed, F(1));
+            weight_below = select(below, F(1), weight_below * stayed);
+            replaced = side;
+        }
     }
 }
 

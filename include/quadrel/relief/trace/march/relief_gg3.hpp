@@ -37,15 +37,15 @@ struct ReliefGg3 : HeightSearch {
         const SearchRay<F> ray = search_ray(io);
         const auto heights = march_heights_of_level(io, F(0));
         Walk<F> walk{ray.uv, F(0)};
-        const F steps(static_cast<Scalar<F>>(params.linear_steps));
-        vec2<F> v = ray.K / steps;
-        F v_z = F(1) / steps;
-        for (int i = 0; i < params.linear_steps; ++i) {
+        const F n = number<F>(params.linear_steps);
+        vec2<F> v = ray.K / n;
+        F v_z = F(1) / n;
+        for (const auto k : steps<F>(1, params.linear_steps)) {
             const Mask<F> above = walk.above(io, heights, ray.active);
             walk.p = select(above, walk.p + v, walk.p);
             walk.p_z = select(above, walk.p_z + v_z, walk.p_z);
         }
-        for (int i = 0; i < params.binary_steps; ++i) {
+        for (const auto k : steps<F>(1, params.binary_steps)) {
             v = v * F(0.5f);
             v_z = v_z * F(0.5f);
             const Mask<F> above = walk.above(io, heights, ray.active);

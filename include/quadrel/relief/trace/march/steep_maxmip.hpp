@@ -42,12 +42,11 @@ class StepBounds {
         const Touched y = touched(cell(from.y, rows_), cell(to.y, rows_), grid_.v);
         const Int<F> width = gather_int<F>(view_.width, level_);
         const Int<F> height = gather_int<F>(view_.height, level_);
-        const Int<F> offset = gather_int<F>(view_.offset, level_);
         F bound(-std::numeric_limits<Scalar<F>>::infinity());
         for (const Int<F>& row : y.nodes) {
             for (const Int<F>& column : x.nodes) {
-                const Int<F> first = offset + min(row, height - Int<F>(1)) * width;
-                const F node = gather<F>(view_.texels, first + min(column, width - Int<F>(1)));
+                const F node = first_channel<F>(view_, min(column, width - Int<F>(1)),
+                                                min(row, height - Int<F>(1)), level_);
                 bound = select(is_nan(node), node, max(bound, node));
             }
         }
@@ -98,13 +97,13 @@ struct SteepMaxmip : StageDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const Scalar<F> n = static_cast<Scalar<F>>(params.steps);
+        const F n = number<F>(params.steps);
         const StepBounds<F> bounds(*io.template texture<TextureSlot::max_mip>(),
-                                   *io.template texture<TextureSlot::height>(), ray.K / F(n));
+                                   *io.template texture<TextureSlot::height>(), ray.K / n);
         SearchResult<F> result;
         Mask<F> active = ray.active, found(false), met_nan(false);
-        for (int k = 0; k < params.steps; ++k) {
-            const F s(static_cast<Scalar<F>>(k) / n), end(static_cast<Scalar<F>>(k + 1) / n);
+        for (const auto k : steps<F>(0, params.steps - 1)) {
+            const F s = number<F>(k) / n, end = number<F>(k + 1) / n;
             const F bound = bounds(ray.at(s), ray.at(end));
             const auto context = io.template context<TextureSlot::max_mip>(active);
             for (int i = 0; i < bounds.fetches; ++i) count_fetch(context);
@@ -116,7 +115,7 @@ struct SteepMaxmip : StageDefaults {
             result.h = select(active, bound, result.h);
             found = found | reached;
             active = active & !reached;
-            if (!any(active)) break;
+            if (none(active)) break;
         }
         result.status = search_status<F>(found, met_nan);
         result.fetches = result.steps * Int<F>(bounds.fetches);

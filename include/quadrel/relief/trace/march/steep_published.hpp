@@ -51,21 +51,22 @@ struct SteepListing : HeightSearch {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        const auto [delta, step] = steps(io, params);
+        const auto [delta, step] = listed_step(io, params);
         F height(1);
         vec2<F> offsetCoord = ray.uv;
         SearchResult<F> result;
         Mask<F> active = ray.active;
-        for (int i = 0; i <= most_steps; ++i) {
+        for (const auto i : steps<F>(0, most_steps)) {
             const auto context = io.template context<TextureSlot::height>(active);
             const F NB = texture(map, context, offsetCoord, io.frame().derivatives).x;
             io.march_step(active, F(1) - height, offsetCoord, height, NB);
             result.h = select(active, NB, result.h);
             count_in<F>(result.steps, active);
             active = active & (NB < height);
-            if (!any(active) || i == most_steps) break;
-            height = select(active, height - step, height);
-            offsetCoord = select(active, offsetCoord + delta, offsetCoord);
+            if (none(active)) break;
+            const Mask<F> moves = active & (number<F>(i) < number<F>(most_steps));
+            height = select(moves, height - step, height);
+            offsetCoord = select(moves, offsetCoord + delta, offsetCoord);
         }
         result.s = F(1) - height;
         result.status = search_status<F>(!active, is_nan(result.h), Status::cap);
@@ -75,13 +76,13 @@ struct SteepListing : HeightSearch {
 
   private:
     template <Number F>
-    struct Steps {
+    struct ListedStep {
         vec2<F> delta;
         F step;
     };
 
     template <class Io, class F = typename Io::Number>
-    static Steps<F> steps(const Io& io, const Params& params) {
+    static ListedStep<F> listed_step(const Io& io, const Params& params) {
         const vec3<F> axes = vertex_eye(io);
         const vec3<F> _tsE(axes.x, -axes.y, axes.z);
         const vec3<F> tsE = normalize(_tsE);

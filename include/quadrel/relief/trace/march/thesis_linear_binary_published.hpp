@@ -52,10 +52,10 @@ struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
     static Bracket<F> search(const Height& height, const SearchRay<F>& ray, F n, int last) {
         Bracket<F> interval;
         Mask<F> active = ray.active;
-        for (int k = 0; k <= last; ++k) {
-            const F index(static_cast<Scalar<F>>(k));
+        for (const auto k : steps<F>(0, last)) {
+            const F index = number<F>(k);
             active = active & (index < n + F(1));
-            if (!any(active)) break;
+            if (none(active)) break;
             const F s = min(index / n, F(1));
             const F h = height(active, s, ray.at(s), F(1) - s);
             take(interval, active, s, h);
@@ -77,7 +77,7 @@ struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
             return h - (F(1) - s);
         };
         const F before = excess(interval.s_above), behind = excess(interval.s_below);
-        for (int i = 0; i < times; ++i) {
+        for (const auto k : steps<F>(1, times)) {
             const F s = (interval.s_above + interval.s_below) * F(0.5f);
             take(interval, interval.found, s, height(interval.found, s, ray.at(s), F(1) - s));
         }

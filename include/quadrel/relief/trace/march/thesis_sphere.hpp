@@ -38,7 +38,7 @@ struct ThesisSphere : HeightSearch {
         SearchResult<F> result;
         result.s = F(0);
         Mask<F> active = ray.active, met_nan(false);
-        for (int i = 0; i < params.steps; ++i) {
+        for (const auto k : steps<F>(1, params.steps)) {
             const vec2<F> at = ray.at(result.s);
             const F h = heights(active, at), gap = (F(1) - result.s) - h;
             io.march_step(active, result.s, at, F(1) - result.s, h);
@@ -46,7 +46,7 @@ struct ThesisSphere : HeightSearch {
             count_in<F>(result.steps, active);
             met_nan = met_nan | (active & is_nan(h));
             active = active & (gap > tolerance);
-            if (!any(active)) break;
+            if (none(active)) break;
             result.s = select(active, min(result.s + gap * r, F(1)), result.s);
         }
         result.status = search_status<F>(ray.active & !active, met_nan, Status::cap);

@@ -38,7 +38,7 @@ struct ParallaxIter : StageDefaults {
         SearchResult<F> result;
         result.s = F(ray.s_polygon);
         Mask<F> met_nan(false);
-        for (int i = 0; i < params.iterations; ++i) {
+        for (const auto k : steps<F>(1, params.iterations)) {
             const vec2<F> at = ray.at(result.s);
             const F z = F(1) - result.s;
             result.h = heights(ray.active, at);

@@ -56,7 +56,7 @@ Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int
 /// Halves the bracket `times` times, where one was found. `height` as above.
 template <Number F, class Height>
 void bisect(const Height& height, const SearchRay<F>& ray, int times, Bracket<F>& bracket) {
-    for (int i = 0; i < times; ++i) {
+    for (const auto k : steps<F>(1, times)) {
         const F middle = (bracket.s_above + bracket.s_below) * F(0.5f);
         const F h = height(bracket.found, middle, ray.at(middle), F(1) - middle);
         bracket.narrow(bracket.found, middle, h);
