@@ -314,7 +314,7 @@ std::shared_ptr<const OwnedMaxima> height_maxima(const Texture& map, const Sampl
     const TextureView& view = map.view();
     if (view.faces != 1) return nullptr;
     auto maxima = std::make_shared<OwnedMaxima>();
-    HeightMaxima& all = maxima->view;
+    HeightMaxima& all = maxima->maxima;
     all.levels = sampler.mip == MipFilter::none ? 1 : view.levels;
     all.slack = sampler.weight_bits > 0 ? std::ldexp(1.0f, -sampler.weight_bits) : 0;
     all.continuous =

@@ -12,7 +12,7 @@ namespace quadrel {
 
 /// The bounds of a height map, owned.
 struct OwnedMaxima {
-    HeightMaxima view{};
+    HeightMaxima maxima{};
     std::vector<std::shared_ptr<const Texture>> textures;  ///< two for each mip level
     int made = 0;                                          ///< of them; memory had the others
     double wall_ms = 0;                                    ///< that making them took

@@ -76,7 +76,7 @@ void bound_parts(RenderPlan& plan, std::size_t material, TextureCache& cache, st
     if (!maxima) return;
     for (const auto& texture : maxima->textures) cache.keep(texture->id(), texture);
     plan.maxima[material] = maxima;
-    uniforms.maxima = &maxima->view;
+    uniforms.maxima = &maxima->maxima;
 }
 
 bool reads_bounds(const PlannedStage& stage) { return stage.info->uses_height_bounds; }

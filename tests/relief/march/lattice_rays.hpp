@@ -16,8 +16,9 @@ inline std::vector<StressMap> wild_maps() {
     maps.push_back({"outside", [](int, int, int, Random& r) {
                         return float(r.chance(0.03) ? r.uniform(-3, 3) : r.uniform(-0.2, 0.4));
                     }});
-    maps.push_back(
-        {"deep", [](int, int, int, Random& r) { return float(r.chance(0.01) ? 1 : -1000); }});
+    maps.push_back({"deep", [](int, int, int, Random& r) {
+                        return float(r.chance(0.05) ? r.uniform(0.5, 1) : r.uniform(-1000, -900));
+                    }});
     maps.push_back({"low", [](int, int, int, Random& r) { return float(r.uniform(0, 0.1)); }});
     return maps;
 }
@@ -68,6 +69,25 @@ inline void fill_neighbouring_rays(Batch<float>& batch, const Map& map, Random& 
     batch.material.seat = float(random.below(3)) / 2;
 }
 
+/// Hits of those rays, and a light that stands at any height over them. The relief lies in the
+/// plane z = -1 of eye space.
+inline void light_hits(Batch<float>& batch, Random& random) {
+    batch.run("linear", {{"steps", 40}});
+    const double azimuth = random.uniform(0, 6.3), elevation = random.uniform(-0.1, 1.57);
+    const dvec3 L(cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation));
+    batch.frame.lights[0].directional = random.chance(0.5);
+    const double distance = batch.frame.lights[0].directional ? 1 : 5;
+    for (int c = 0; c < 3; ++c)
+        batch.frame.lights[0].position[c] = static_cast<float>(L[c] * distance);
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        batch.set(Value::frame_normal, lane, dvec3(0, 0, 1));
+        for (int c = 0; c < 6; ++c) batch.real(Value::J, lane, c) = c == 0 || c == 4 ? 1 : 0;
+        batch.set(
+            Value::hit_P, lane,
+            dvec3(batch.real(Value::hit_uv, lane, 0), batch.real(Value::hit_uv, lane, 1), -1));
+    }
+}
+
 /// Maxima that may be written to.
 class DamagedMaxima {
   public:
@@ -83,10 +103,21 @@ class DamagedMaxima {
     /// All nodes of a mip level, the finest first.
     std::vector<float>& nodes(int level) { return nodes_[static_cast<std::size_t>(level)]; }
 
+    /// Makes slopes out to be only a part of what they are.
+    void flatten(float part) {
+        for (int level = 0; level < maxima.levels; ++level) {
+            TextureView& slopes = maxima.level[level].slopes;
+            slopes_.emplace_back(
+                slopes.texels, slopes.texels + std::ptrdiff_t(slopes.width[0]) * slopes.height[0]);
+            for (float& slope : slopes_.back()) slope *= part;
+            slopes.texels = slopes_.back().data();
+        }
+    }
+
     HeightMaxima maxima;
 
   private:
-    std::vector<std::vector<float>> nodes_;
+    std::vector<std::vector<float>> nodes_, slopes_;
 };
 
 }  // namespace quadrel::test

@@ -41,7 +41,7 @@ Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int
     Mask<F> active = ray.active;
     for (const auto k : steps_near_surface<F>(height, ray, active, n, last, before)) {
         const F index = number<F>(k);
-        active = active & (index < n + F(1));
+        active = active & (index < n + F(1)) & (index <= number<F>(last));
         if (none(active)) break;
         const F s = min(index / n, F(1));
         const F h = height(active, s, ray.at(s), F(1) - s);

@@ -15,11 +15,12 @@ struct LatticeRays {
     F last;         ///< a lane's last sample, which is part of its result; infinite if it has none
 };
 
-/// Samples at s = k / n, a lane's own last one at s = 1.
+/// Samples at s = k / n, a lane's own last one at s = 1 or at step `last`.
 template <Number F>
-LatticeRays<F> even_steps_down(const SearchRay<F>& ray, F n) {
+LatticeRays<F> even_steps_down(const SearchRay<F>& ray, F n, int last) {
     const F part = F(1) / n;
-    return {ray.uv - ray.K * F(ray.s_polygon), ray.K * part, F(1), -part, ray.K, ceil(n)};
+    return {ray.uv - ray.K * F(ray.s_polygon), ray.K * part, F(1), -part, ray.K,
+            min(ceil(n), number<F>(last))};
 }
 
 /// What the last look-up of a march gave.

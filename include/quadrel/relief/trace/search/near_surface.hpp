@@ -5,7 +5,8 @@
 // gives 0, 1, ... last in order, and leaves out steps at which a lane of `active` is known to be
 // above the surface: k is a lane's own. A text may rely on nothing of a step that was left out but
 // that; where it reads the sample before, `Before::needed` has the last step of each gap given as
-// well. Lanes that are through go on with steps beyond their last: they are none of the loop's.
+// well. While other lanes go on, one that is through gets steps beyond `last`: texts take it out of
+// `active`.
 //
 // Two bounds leave out steps. The packet as a beam is led through the pyramid of maxima. Where it
 // is near the surface, each lane goes by the gap that its last look-up has left between the ray and
@@ -51,7 +52,7 @@ class GapLeaps {
         // A look-up is off by less than this, in cells, and so are those after it.
         const F largest = abs(rays.uv.x) + abs(rays.uv.y) + abs(rays.reach.x) + abs(rays.reach.y);
         const F off = F(0x1p-20f) * max(width, height) * (F(1) + largest);
-        rounding_ = F(2 * maxima.rounding + 0x1p-22f);
+        rounding_ = F(2 * maxima.rounding + 0x1p-21f);
         displaced_ = off + off;
         farthest_ = select(off < F(0.125f), F(1.75f) / max(x, y), F(0));
         if (any(active & (farthest_ >= F(1)))) level_ = &level;
@@ -107,16 +108,18 @@ class StepsNearSurface {
 
     /// `active` may lose lanes while the loop runs; it and `height` must outlive this object.
     StepsNearSurface(const Height& height, const LatticeRays<F>& rays, const Mask<F>& active,
-                     int last, Before before)
+                     int first, int last, Before before)
         : height_(height),
           rays_(rays),
           active_(active),
+          next_(number<F>(first)),
           end_(F(static_cast<Scalar<F>>(last))),
           last_(last),
           before_(before) {
         if (last < fewest_steps_to_leave_out) return;
         levels_ = height.ceiling(active);
         if (levels_.maxima == nullptr) return;
+        must_take_ = rays.last;
         gap_leaps_ = GapLeaps<F>(levels_, rays, active);
         start_beam();
     }
@@ -137,14 +140,16 @@ class StepsNearSurface {
             next_ = next_ + F(1);
             return;
         }
+        must_take_ =
+            select(next_ < rays_.last, rays_.last, F(std::numeric_limits<Scalar<F>>::infinity()));
         const F leap = gap_leaps_(height_.last_look());
         const F ahead = before_ == Before::needed ? max(leap, F(1)) : leap + F(1);
         move_to(next_ + ahead);
         if (--looks_ahead_ <= 0) advance_beam();
     }
 
-    /// Not beyond a lane's last sample, unless from there.
-    void move_to(F k) { next_ = select(next_ < rays_.last, min(k, rays_.last), k); }
+    /// Not beyond a lane's last sample before that was taken.
+    void move_to(F k) { next_ = min(k, must_take_); }
 
     void start_beam() {
         make_beam();
@@ -212,7 +217,8 @@ class StepsNearSurface {
     const Height& height_;
     LatticeRays<F> rays_;
     const Mask<F>& active_;
-    F next_ = F(0), end_;
+    F next_, end_;
+    F must_take_;  ///< the last sample of a lane that has not come to it
     int last_;
     Before before_;
     CeilingLevels levels_;
@@ -243,15 +249,22 @@ concept BoundedHeights = requires(const Height& height, M active) {
     height.ceiling(active);
 };
 
+/// Steps `first` to `last` of rays of any kind.
+template <Number F, class Height>
+auto steps_near_surface(const Height& height, const LatticeRays<F>& rays, const Mask<F>& active,
+                        int first, int last, Before before = Before::not_needed) {
+    if constexpr (BoundedHeights<Height, Mask<F>>) {
+        return StepsNearSurface<F, Height>(height, rays, active, first, last, before);
+    } else {
+        return steps<F>(first, last);
+    }
+}
+
 /// Steps 0 to `last` of rays whose samples are at s = k / n; n is a lane's own.
 template <Number F, class Height>
 auto steps_near_surface(const Height& height, const SearchRay<F>& ray, const Mask<F>& active, F n,
                         int last, Before before = Before::not_needed) {
-    if constexpr (BoundedHeights<Height, Mask<F>>) {
-        return StepsNearSurface<F, Height>(height, even_steps_down(ray, n), active, last, before);
-    } else {
-        return steps<F>(0, last);
-    }
+    return steps_near_surface<F>(height, even_steps_down(ray, n, last), active, 0, last, before);
 }
 
 }  // namespace quadrel
