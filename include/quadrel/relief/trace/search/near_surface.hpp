@@ -43,30 +43,26 @@ class GapLeaps {
     GapLeaps() = default;
     GapLeaps(const CeilingLevels& levels, const LatticeRays<F>& rays, Mask<F> active) {
         const HeightMaxima& maxima = *levels.maxima;
-        if (maxima.continuous == 0 || levels.finest != levels.coarsest) return;
-        const LevelMaxima& level = maxima.level[levels.finest];
-        const F width = number<F>(level.width), height = number<F>(level.height);
-        const F x = abs(rays.uv_step.x) * width, y = abs(rays.uv_step.y) * height;
-        cells_a_step_ = x + y;
+        const int count = levels.coarsest - levels.finest + 1;
+        if (maxima.continuous == 0 || count > most_levels) return;
         coming_down_ = -rays.height_step;
-        // A look-up is off by less than this, in cells, and so are those after it.
-        const F largest = abs(rays.uv.x) + abs(rays.uv.y) + abs(rays.reach.x) + abs(rays.reach.y);
-        const F off = F(0x1p-20f) * max(width, height) * (F(1) + largest);
         rounding_ = F(2 * maxima.rounding + 0x1p-21f);
-        displaced_ = off + off;
-        farthest_ = select(off < F(0.125f), F(1.75f) / max(x, y), F(0));
-        if (any(active & (farthest_ >= F(1)))) level_ = &level;
+        farthest_ = F(std::numeric_limits<Scalar<F>>::infinity());
+        for (int i = 0; i < count; ++i) add_level(i, maxima.level[levels.finest + i], rays);
+        if (any(active & (farthest_ >= F(1)))) count_ = count;
     }
 
     /// Steps that may be left out after the one that `last` is the look-up of.
     F operator()(const LastLook<F>& last) const {
-        if (level_ == nullptr) return F(0);
-        const LevelMaxima& of = *level_;
-        const Int<F> x = texel(last.uv.x, of.width, of.first_x, of.count_x, of.repeat_x != 0);
-        const Int<F> y = texel(last.uv.y, of.height, of.first_y, of.count_y, of.repeat_y != 0);
-        const F slope = gather<F>(of.slopes.texels, y * Int<F>(of.slopes.width[0]) + x);
-        const F gap = last.gap - rounding_ - slope * displaced_;
-        const F closing = max(coming_down_ + slope * cells_a_step_, F(1e-30f));
+        if (count_ == 0) return F(0);
+        F gap = last.gap, closing(1e-30f);
+        for (int i = 0; i < count_; ++i) {
+            const OfLevel& of = levels_[i];
+            const F slope = slope_at(*of.level, last.uv);
+            gap = min(gap, last.gap - slope * of.displaced);
+            closing = max(closing, coming_down_ + slope * of.cells_a_step);
+        }
+        gap = gap - rounding_;
         return select(gap > F(0), floor(min(gap / closing, farthest_)), F(0));
     }
 
@@ -86,8 +82,31 @@ class GapLeaps {
         return to_int(cell * F(0.25f));
     }
 
-    const LevelMaxima* level_ = nullptr;  ///< null: nothing is known
-    F rounding_, displaced_, cells_a_step_, coming_down_, farthest_;
+    static F slope_at(const LevelMaxima& of, const vec2<F>& uv) {
+        const Int<F> x = texel(uv.x, of.width, of.first_x, of.count_x, of.repeat_x != 0);
+        const Int<F> y = texel(uv.y, of.height, of.first_y, of.count_y, of.repeat_y != 0);
+        return gather<F>(of.slopes.texels, y * Int<F>(of.slopes.width[0]) + x);
+    }
+
+    void add_level(int i, const LevelMaxima& level, const LatticeRays<F>& rays) {
+        const F width = number<F>(level.width), height = number<F>(level.height);
+        const F x = abs(rays.uv_step.x) * width, y = abs(rays.uv_step.y) * height;
+        // A look-up is off by less than this, in cells, and so are those after it.
+        const F largest = abs(rays.uv.x) + abs(rays.uv.y) + abs(rays.reach.x) + abs(rays.reach.y);
+        const F off = F(0x1p-20f) * max(width, height) * (F(1) + largest);
+        levels_[i] = {&level, x + y, off + off};
+        farthest_ = min(farthest_, select(off < F(0.125f), F(1.75f) / max(x, y), F(0)));
+    }
+
+    /// Levels that lanes may read; a packet of more is left to the beam.
+    static constexpr int most_levels = 3;
+    struct OfLevel {
+        const LevelMaxima* level = nullptr;
+        F cells_a_step = F(0), displaced = F(0);
+    };
+    OfLevel levels_[most_levels];
+    int count_ = 0;  ///< 0: nothing is known
+    F rounding_ = F(0), coming_down_ = F(0), farthest_ = F(0);
 };
 
 /// Steps 0 to `last` of the lanes of `active`, those left out at which their rays are above the
