@@ -44,6 +44,13 @@ struct PhaseTime {
     double wall_ms = 0, cpu_ms = 0;
 };
 
+/// Bounds of height maps that were made for searches to leave out steps by; none where an earlier
+/// render had made them.
+struct MaximaStats {
+    std::uint64_t maps = 0, bytes = 0;
+    double wall_ms = 0;
+};
+
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size.
 struct RenderStats {
@@ -61,6 +68,7 @@ struct RenderStats {
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;
+    MaximaStats maxima;
     std::vector<std::string> left_out;  ///< stages, textures and materials that nothing asked for
     PhaseTime plan;                     ///< planning and geometry
     PhaseTime load;                     ///< textures

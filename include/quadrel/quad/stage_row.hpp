@@ -22,6 +22,9 @@ struct StageRow {
     /// See StageDefaults and StageInfo.
     std::int32_t uses_height_bounds, needs_height_map, reads_vertices;
     const char* not_reproduced;  ///< see StageInfo; never null
+    /// Of a search that leaves out steps by the maxima of the height map (MaterialUniforms), with
+    /// the same bits but for counts: how many it makes at most. Null for other stages.
+    std::int32_t (*lattice_steps)(const void* params);
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
     StageFunction run;         ///< on floats: Quad<float>, or the lanes of an instruction set
@@ -43,6 +46,19 @@ template <class Stage>
 constexpr const char* declared_not_reproduced() {
     if constexpr (requires { Stage::not_reproduced; }) return Stage::not_reproduced;
     return "";
+}
+
+/// How many steps a stage says that it makes at most, some of them left out:
+///     static std::int32_t lattice_steps(const Params& params) { return params.steps; }
+template <class Stage>
+constexpr auto declared_lattice_steps() {
+    using Params = typename Stage::Params;
+    std::int32_t (*steps)(const void*) = nullptr;
+    if constexpr (requires(Params params) { Stage::lattice_steps(params); })
+        steps = [](const void* params) {
+            return Stage::lattice_steps(*static_cast<const Params*>(params));
+        };
+    return steps;
 }
 }  // namespace detail
 
@@ -67,6 +83,7 @@ StageRow describe_stage() {
     row.needs_height_map = detail::declares_height_map<Stage>();
     row.reads_vertices = Stage::reads_vertices;
     row.not_reproduced = detail::declared_not_reproduced<Stage>();
+    row.lattice_steps = detail::declared_lattice_steps<Stage>();
     row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };
     return row;
 }
@@ -103,7 +120,7 @@ class Fingerprint {
 /// values, their order and the sizes of all that a stage is handed; `revision` is raised by hand
 /// when a meaning changes and no size does.
 inline constexpr std::uint32_t stage_abi_version = [] {
-    constexpr std::uint64_t revision = 3;
+    constexpr std::uint64_t revision = 4;
     detail::Fingerprint print;
     print.add(revision);
     for (const ValueInfo& value : value_table) {
@@ -114,9 +131,10 @@ inline constexpr std::uint32_t stage_abi_version = [] {
     for (const std::size_t size :
          {std::size_t(texture_slot_count), std::size_t(max_lights), sizeof(StageRow),
           sizeof(StageCall), sizeof(ParameterText), sizeof(ValueName), sizeof(FrameUniforms),
-          sizeof(LightUniforms), sizeof(MaterialUniforms), sizeof(PrimitiveData),
-          sizeof(PrimitiveFrame), sizeof(PrimitiveVertices), sizeof(PlaneSetup),
-          sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent), sizeof(MarchStep)})
+          sizeof(LightUniforms), sizeof(MaterialUniforms), sizeof(HeightMaxima),
+          sizeof(PrimitiveData), sizeof(PrimitiveFrame), sizeof(PrimitiveVertices),
+          sizeof(PlaneSetup), sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent),
+          sizeof(MarchStep)})
         print.add(size);
     return print.value();
 }();

@@ -6,6 +6,7 @@
 
 #include "quadrel/num/derivative.hpp"
 #include "quadrel/scene/settings.hpp"
+#include "quadrel/texture/height_maxima.hpp"
 #include "quadrel/texture/view.hpp"
 
 namespace quadrel {
@@ -77,6 +78,8 @@ struct MaterialUniforms {
     /// steps that cannot meet the surface may be left out.
     std::int32_t heights_bounded;
     float height_low, height_high;
+    /// Bounds of parts of the height map; null where every step is to be made.
+    const HeightMaxima* maxima;
     float ambient[3], diffuse[3], specular[3], emission[3];
     float shininess;
 };

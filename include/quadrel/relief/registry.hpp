@@ -24,11 +24,18 @@ struct StageInfo {
     /// noise do not serve it.
     bool needs_height_map;
     bool reads_vertices;  ///< see StageDefaults
+    /// Of a search that leaves out steps by the maxima of the height map: see StageRow. Else null.
+    std::int32_t (*lattice_steps)(const void* params);
     /// What its source does and the stage doesn't, in words; empty where it does all.
     std::string_view not_reproduced;
     /// Writes the parameters' defaults into `params` (params_size bytes, aligned for any type).
     void (*set_defaults)(void* params);
 };
+
+/// Whether the stage leaves out steps by what the height map's heights are.
+inline bool leaves_out_steps(const StageInfo& stage) {
+    return stage.uses_height_bounds || stage.lattice_steps != nullptr;
+}
 
 /// All stages: Quadrel's own in the order of the data flow, then those that were added, as they
 /// were. Adding keeps what was handed out valid; it must not happen while another thread renders.

@@ -66,7 +66,7 @@ std::string stages_that_leave_out_steps(const MaterialPlan& plan) {
     std::vector<std::string> ids;
     for (const PlannedStage& stage : plan.stages)
         if (const std::string id = stage.info->text.id;
-            stage.info->uses_height_bounds && std::find(ids.begin(), ids.end(), id) == ids.end())
+            leaves_out_steps(*stage.info) && std::find(ids.begin(), ids.end(), id) == ids.end())
             ids.push_back(id);
     return fmt::format("{}", fmt::join(ids, ", "));
 }
@@ -77,10 +77,13 @@ void describe_steps(const PreparedRender& prepared, std::size_t m, MaterialText&
     const MaterialUniforms& uniforms = prepared.plan.uniforms[m];
     if (!may_leave_out_steps(plan) || uniforms.noise_octaves > 0) return;
     const std::string stages = stages_that_leave_out_steps(plan);
-    if (uniforms.heights_bounded == 0)
+    if (uniforms.heights_bounded == 0 && uniforms.maxima == nullptr)
         text.does.push_back(fmt::format(
             "measures the height map, for steps of {} that no height can meet", stages));
-    else if (uniforms.height_low == uniforms.height_high)
+    if (uniforms.maxima != nullptr)
+        text.leaves_out.push_back(fmt::format("steps of {} above all heights around them", stages));
+    if (uniforms.heights_bounded == 0) return;
+    if (uniforms.height_low == uniforms.height_high)
         text.leaves_out.push_back(
             fmt::format("steps of {}: the height map is flat, {}", stages, uniforms.height_high));
     else if (uniforms.height_high < 1)

@@ -6,6 +6,7 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/quad/interpolate.hpp"
+#include "quadrel/relief/trace/search/near_surface.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/plan/height_bounds.hpp"
 
@@ -39,7 +40,7 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
                          "a texture: the material's relief stages read heights");
 }
 
-/// Tells the stages what the height map can give.
+/// Tells the stages what the height map can give anywhere.
 void bound_heights(RenderPlan& plan, std::size_t material) {
     const SampledTexture* map =
         plan.textures[material].bound(static_cast<int>(TextureSlot::height));
@@ -50,6 +51,35 @@ void bound_heights(RenderPlan& plan, std::size_t material) {
     uniforms.height_low = range->low;
     uniforms.height_high = range->high;
 }
+
+/// Whether bounds of parts of the map spare more than they take: some nanoseconds a texel, a few a
+/// step.
+bool pays_off(const MaterialPlan& plan, const TextureView& map, std::int64_t pixels) {
+    std::int64_t steps = 0;
+    for (const PlannedStage& stage : plan.stages)
+        if (stage.info->lattice_steps != nullptr) {
+            const std::int64_t made = stage.info->lattice_steps(stage.params.data());
+            if (made >= fewest_steps_to_leave_out) steps += made;
+        }
+    return steps * pixels >= 2 * std::int64_t(map.width[0]) * map.height[0];
+}
+
+/// Tells the stages what parts of the height map can give at most.
+void bound_parts(RenderPlan& plan, std::size_t material, TextureCache& cache, std::int64_t pixels) {
+    constexpr int slot = static_cast<int>(TextureSlot::height);
+    const SampledTexture* map = plan.textures[material].bound(slot);
+    MaterialUniforms& uniforms = plan.uniforms[material];
+    const bool flat = uniforms.heights_bounded != 0 && uniforms.height_low == uniforms.height_high;
+    if (!map || flat || uniforms.noise_octaves > 0) return;
+    if (!pays_off(plan.materials[material], map->view, pixels)) return;
+    const auto maxima = height_maxima(*plan.textures[material].owned[slot], map->sampler);
+    if (!maxima) return;
+    for (const auto& texture : maxima->textures) cache.keep(texture->id(), texture);
+    plan.maxima[material] = maxima;
+    uniforms.maxima = &maxima->maxima;
+}
+
+bool reads_bounds(const PlannedStage& stage) { return stage.info->uses_height_bounds; }
 
 }  // namespace
 
@@ -92,7 +122,7 @@ bool may_leave_out_steps(const MaterialPlan& plan) {
     for (const Value v : {Value::hit_steps, Value::hit_fetches, Value::shadow_steps})
         if (plan.values[static_cast<std::size_t>(v)]) return false;
     return std::any_of(plan.stages.begin(), plan.stages.end(),
-                       [](const PlannedStage& stage) { return stage.info->uses_height_bounds; });
+                       [](const PlannedStage& stage) { return leaves_out_steps(*stage.info); });
 }
 
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
@@ -104,13 +134,19 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
 }
 
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
-                        const BakingListener& baking) {
+                        const BakingListener& baking, std::int64_t pixels) {
     std::vector<SlotSet> slots(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)
         if (used[m]) slots[m] = plan.materials[m].textures | plan.discard[m].textures;
     plan.textures = load_textures(scene, slots, *scene.texture_cache, baking);
-    for (std::size_t m = 0; m < slots.size(); ++m)
-        if (used[m] && may_leave_out_steps(plan.materials[m])) bound_heights(plan, m);
+    plan.maxima.resize(scene.materials.size());
+    for (std::size_t m = 0; m < slots.size(); ++m) {
+        const MaterialPlan& material = plan.materials[m];
+        if (!used[m] || !may_leave_out_steps(material)) continue;
+        if (std::any_of(material.stages.begin(), material.stages.end(), reads_bounds))
+            bound_heights(plan, m);
+        bound_parts(plan, m, *scene.texture_cache, pixels);
+    }
 }
 
 RenderPlan plan_with_steps(const RenderPlan& plan) {

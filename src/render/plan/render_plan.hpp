@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "bake/pyramid/height_maxima.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/plan/plan.hpp"
 #include "render/plan/shortcuts.hpp"
@@ -22,6 +23,8 @@ struct RenderPlan {
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
+    /// Maxima of the height maps of those materials whose searches leave out steps by them.
+    std::vector<std::shared_ptr<const OwnedMaxima>> maxima;
 };
 
 /// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
@@ -42,9 +45,10 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
                                  const PixelRect& area);
 
 /// Loads the textures that the plan reads, of the materials in `used`, and measures the heights of
-/// those whose stages leave out steps by them. Tells `baking` of maps that are derived.
+/// those whose stages leave out steps by them, for an image of so many pixels. Tells `baking` of
+/// maps that are derived.
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
-                        const BakingListener& baking);
+                        const BakingListener& baking, std::int64_t pixels);
 
 /// The same plan, storing the step counts of the searches that it runs, too. What they leave out
 /// stays left out.

@@ -56,6 +56,10 @@ Json to_json(const TextureStats& texture) {
 
 Json to_json(const PhaseTime& time) { return {{"wall_ms", time.wall_ms}, {"cpu_ms", time.cpu_ms}}; }
 
+Json to_json(const MaximaStats& maxima) {
+    return {{"maps", maxima.maps}, {"bytes", maxima.bytes}, {"wall_ms", maxima.wall_ms}};
+}
+
 // What is baked comes from the file of the heights.
 std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
     const auto kind = static_cast<TextureSlot>(slot);
@@ -100,6 +104,15 @@ void record_textures(const PreparedRender& prepared, RenderStats& stats) {
     }
 }
 
+void record_maxima(const PreparedRender& prepared, RenderStats& stats) {
+    for (const auto& maxima : prepared.plan.maxima) {
+        if (!maxima || maxima->made == 0) continue;
+        ++stats.maxima.maps;
+        stats.maxima.bytes += maxima->bytes();
+        stats.maxima.wall_ms += maxima->wall_ms;
+    }
+}
+
 }  // namespace
 
 std::uint64_t peak_memory_kib() {
@@ -116,6 +129,7 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     stats.primitives = prepared.geometry.counts;
     stats.left_out = left_out(prepared);
     record_textures(prepared, stats);
+    record_maxima(prepared, stats);
 }
 
 void record_drawing(const DrawRecord& record, RenderStats& stats) {
@@ -169,6 +183,7 @@ std::string to_json(const RenderStats& stats) {
              {"primitives", to_json(stats.primitives)},
              {"stages", Json::array()},
              {"textures", Json::array()},
+             {"maxima", to_json(stats.maxima)},
              {"left_out", stats.left_out},
              {"phases",
               {{"plan", to_json(stats.plan)},

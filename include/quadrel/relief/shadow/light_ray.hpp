@@ -3,7 +3,7 @@
 //     uv(t) = hit.uv + t K, height z + t, t in (0, 1 - z]; occluded where the field is above it.
 #pragma once
 
-#include "quadrel/relief/heights.hpp"
+#include "quadrel/relief/trace/search/tested_heights.hpp"
 
 namespace quadrel {
 
@@ -42,6 +42,30 @@ LightRay<F> light_ray(const Io& io) {
     const Mask<F> framed = io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
     ray.active = io.active() & ray.lit_side & framed & (depth != F(0));
     return ray;
+}
+
+/// Samples at t = (k + offset) / n of the way to where the ray has climbed by `rise`.
+template <Number F>
+LatticeRays<F> even_steps_up(const LightRay<F>& ray, F n, F offset = F(0), F rise = F(1)) {
+    const F part = rise / n, start = offset * part;
+    return {ray.uv + ray.K * start,
+            ray.K * part,
+            ray.z + start,
+            part,
+            ray.K,
+            F(std::numeric_limits<Scalar<F>>::infinity())};
+}
+
+/// Samples at t = top (1 - k / n): from there back to the hit.
+template <Number F>
+LatticeRays<F> even_steps_back(const LightRay<F>& ray, F top, F n) {
+    const F part = top / n;
+    return {ray.uv + ray.K * top,
+            -(ray.K * part),
+            ray.z + top,
+            -part,
+            ray.K,
+            F(std::numeric_limits<Scalar<F>>::infinity())};
 }
 
 /// Stores visibility, 0 behind the surface, and the number of points that were tested.

@@ -25,24 +25,28 @@ struct ShadowMarchMcguire : StageDefaults {
             "steps_grazing", "1", "steps over the depth, light at the horizon", 1, 65536, 60),
         parameter<&Params::steps_normal>("steps_normal", "1",
                                          "steps over the depth, light overhead", 1, 65536, 5)};
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.steps_grazing, params.steps_normal);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
-        const auto height = march_heights(io);
+        const auto heights = march_heights(io);
+        const auto height = tested_heights(io, heights);
         const F n = max(trunc(mix(number<F>(params.steps_grazing), number<F>(params.steps_normal),
                                   saturate(ray.r))),
                         F(1));
         const int most = std::max(params.steps_grazing, params.steps_normal);
         Mask<F> active = ray.active, occluded(false);
         Int<F> points(0);
-        for (const auto k : steps<F>(1, most)) {
+        const LatticeRays<F> samples = even_steps_up(ray, n, F(0.1f));
+        for (const auto k : steps_near_surface<F>(height, samples, active, 1, most)) {
             const F t = (number<F>(k) + F(0.1f)) / n;
-            active = active & (ray.z + t < F(1));
+            active = active & (number<F>(k) <= number<F>(most)) & (ray.z + t < F(1));
             if (none(active)) break;
-            const F h = height(active, ray.uv + ray.K * t);
-            io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+            const F h = height(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t);
             count_in<F>(points, active);
             occluded = occluded | (active & (h >= ray.z + t));
             active = active & !occluded;

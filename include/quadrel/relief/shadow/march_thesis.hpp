@@ -23,6 +23,7 @@ struct ShadowMarchThesis : StageDefaults {
     };
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, 65536, 128)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -31,15 +32,17 @@ struct ShadowMarchThesis : StageDefaults {
         Mask<F> active = ray.active, occluded(false);
         Int<F> points(0);
         if (when(active)) {
-            const auto height = march_heights(io);
+            const auto heights = march_heights(io);
+            const auto height = tested_heights(io, heights);
+            const LatticeRays<F> samples = even_steps_up(ray, number<F>(params.steps));
             // Above the top plane, or the highest texel where it is known, nothing occludes.
             const F top(std::min(Scalar<F>(1), height_bounds(io).high));
-            for (const auto k : steps<F>(1, params.steps - 1)) {
+            for (const auto k :
+                 steps_near_surface<F>(height, samples, active, 1, params.steps - 1)) {
                 const F t = number<F>(k) / number<F>(params.steps);
-                active = active & (ray.z + t < top);
+                active = active & (number<F>(k) < number<F>(params.steps)) & (ray.z + t < top);
                 if (none(active)) break;
-                const F h = height(active, ray.uv + ray.K * t);
-                io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+                const F h = height(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t);
                 count_in<F>(points, active);
                 occluded = occluded | (active & (h > ray.z + t));
                 active = active & !occluded;

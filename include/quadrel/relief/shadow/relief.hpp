@@ -28,25 +28,29 @@ struct ShadowRelief : StageDefaults {
                                          6),
         parameter<&Params::bias>("bias", "depth", "how much earlier an occluder is met", 0, 1,
                                  0.02)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
-        const auto height = march_heights(io);
+        const auto heights = march_heights(io);
+        const auto height = tested_heights(io, heights);
         Int<F> points(0);
         // t falls from the top plane, 1 - z, to the hit, 0.
         const F top = F(1) - ray.z;
         const auto below = [&](Mask<F> active, F t) {
-            const F h = height(active, ray.uv + ray.K * t);
-            io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+            const F h = height(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t);
             count_in<F>(points, active);
             return active & (h >= ray.z + t);
         };
         F last_above = top, first_below(0);
         Mask<F> active = ray.active, found(false);
-        for (const auto k : steps<F>(0, params.steps - 1)) {
-            const F t = top * (F(1) - number<F>(k) / number<F>(params.steps));
+        const F n = number<F>(params.steps);
+        for (const auto k : steps_near_surface<F>(height, even_steps_back(ray, top, n), active, 0,
+                                                  params.steps - 1, Before::needed)) {
+            active = active & (number<F>(k) < n);
+            const F t = top * (F(1) - number<F>(k) / n);
             const Mask<F> hit = below(active, t);
             first_below = select(hit, t, first_below);
             last_above = select(active & !hit, t, last_above);

@@ -26,24 +26,27 @@ struct ShadowSoftRiccardi : StageDefaults {
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, 65536, 32),
         parameter<&Params::hardness>("hardness", "1", "factor of the depth below the surface", 0,
                                      1000, 4)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LightRay<F> ray = light_ray(io);
-        const auto height = march_heights(io);
+        const auto heights = march_heights(io);
+        const auto height = tested_heights(io, heights);
         const F rise = F(1) - ray.z;
         const F n = round_even(rise * number<F>(params.steps));
         F most(0);
         Int<F> points(0);
         Mask<F> active = ray.active;
-        for (const auto j : steps<F>(1, params.steps - 1)) {
+        // A sample above the surface takes nothing from `most`.
+        const LatticeRays<F> samples = even_steps_up(ray, n, F(0), rise);
+        for (const auto j : steps_near_surface<F>(height, samples, active, 1, params.steps - 1)) {
             const F index = number<F>(j);
-            active = active & (index < n);
+            active = active & (index < n) & (index < number<F>(params.steps));
             if (none(active)) break;
             const F part = index / n, t = rise * part;
-            const F h = height(active, ray.uv + ray.K * t);
-            io.march_step(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t, h);
+            const F h = height(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t);
             count_in<F>(points, active);
             const F depth = (h - (ray.z + t)) * (F(1) - part);
             most = select(active, max(most, depth), most);

@@ -27,6 +27,7 @@ struct Contact : HeightSearch {
         parameter<&Params::fine_steps>("fine_steps", "1", "steps within the last of those", 1,
                                        most_steps, 16),
         choice<&Params::interpolate>("interpolate", "the chord of the last heights", off_on, 0)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -22,6 +22,7 @@ struct HeightOutward : HeightSearch {
     };
     static constexpr std::array parameters{
         parameter<&Params::points>("points", "1", "points over the relief's depth", 1, 65536, 50)};
+    static std::int32_t lattice_steps(const Params& params) { return params.points - 1; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -29,9 +30,9 @@ struct HeightOutward : HeightSearch {
         const SearchRay<F> ray = search_ray(io);
         const auto heights = march_heights(io);
         const F n(static_cast<Scalar<F>>(params.points));
-        store_search(
-            io, ray,
-            result_of(first_bracket(tested_heights(io, heights), ray, n, params.points - 1)));
+        store_search(io, ray,
+                     result_of(first_bracket(tested_heights(io, heights), ray, n, params.points - 1,
+                                             Before::not_needed)));
     }
 };
 

@@ -6,18 +6,18 @@
 // May miss features thinner than |K| / n; the s that it returns is at most 1 / n late, never early.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/tested_heights.hpp"
 
 namespace quadrel {
 
 /// First k in [0, n] with height(uv(k/n)) >= 1 - k/n. NaN heights are never at or above the ray.
-/// `height(active, s, uv, ray height)` fetches. `start`: steps before it are known to be above the
-/// surface.
+/// `height(active, s, uv, ray height)` fetches.
 template <Number F, class Height>
-SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n, int start = 0) {
+SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n) {
     SearchResult<F> result;
     Mask<F> active = ray.active, found(false), met_nan(false);
-    for (const auto k : steps<F>(start, n)) {
+    for (const auto k : steps_near_surface<F>(height, ray, active, number<F>(n), n)) {
+        active = active & (number<F>(k) <= number<F>(n));
         const F s = number<F>(k) / number<F>(n);
         const F h = height(active, s, ray.at(s), F(1) - s);
         const Mask<F> below = active & (h >= F(1) - s);
@@ -56,6 +56,7 @@ struct Linear : HeightSearch {
     };
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, 65536, 128)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -65,14 +66,7 @@ struct Linear : HeightSearch {
         if (bounds.flat())
             return store_search(io, ray, flat_march<F>(ray, params.steps, bounds.low));
         const auto heights = march_heights(io);
-        const auto found = linear_march<F>(
-            [&](Mask<F> active, F s, const vec2<F>& uv, F ray_height) {
-                const F h = heights(active, uv);
-                io.march_step(active, s, uv, ray_height, h);
-                return h;
-            },
-            ray, params.steps, std::min(params.steps, first_step_below(bounds.high, params.steps)));
-        store_search(io, ray, found);
+        store_search(io, ray, linear_march<F>(tested_heights(io, heights), ray, params.steps));
     }
 };
 

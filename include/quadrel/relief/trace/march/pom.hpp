@@ -25,6 +25,9 @@ struct Pom : HeightSearch {
                                           most_steps, 50),
         parameter<&Params::steps_normal>("steps_normal", "1", "steps seen from above", 1,
                                          most_steps, 8)};
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.steps_grazing, params.steps_normal);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

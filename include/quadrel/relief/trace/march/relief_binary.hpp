@@ -25,6 +25,7 @@ struct ReliefBinary : HeightSearch {
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, most_steps, 15),
         parameter<&Params::binary_steps>("binary_steps", "1", "halvings of the last step", 0, 60,
                                          6)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

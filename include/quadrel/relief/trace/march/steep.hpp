@@ -21,6 +21,7 @@ struct Steep : HeightSearch {
     };
     static constexpr std::array parameters{parameter<&Params::steps>(
         "steps", "1", "steps seen from above; twice as many along the surface", 1, 32768, 5)};
+    static std::int32_t lattice_steps(const Params& params) { return 2 * params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -29,9 +30,9 @@ struct Steep : HeightSearch {
         const auto heights = march_heights(io);
         const F n = steps_by_angle(io.template load<Value::r>(), 2 * params.steps, params.steps,
                                    StepRounding::up);
-        store_search(
-            io, ray,
-            result_of(first_bracket(tested_heights(io, heights), ray, n, 2 * params.steps)));
+        store_search(io, ray,
+                     result_of(first_bracket(tested_heights(io, heights), ray, n, 2 * params.steps,
+                                             Before::not_needed)));
     }
 };
 

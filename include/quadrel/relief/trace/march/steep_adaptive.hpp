@@ -24,7 +24,9 @@ namespace quadrel {
 template <class Io, class F = typename Io::Number>
 void march_and_store(Io& io, const SearchRay<F>& ray, F n, int most) {
     const auto heights = march_heights(io);
-    store_search(io, ray, result_of(first_bracket(tested_heights(io, heights), ray, n, most)));
+    store_search(
+        io, ray,
+        result_of(first_bracket(tested_heights(io, heights), ray, n, most, Before::not_needed)));
 }
 
 struct SteepAdaptive : HeightSearch {
@@ -42,6 +44,9 @@ struct SteepAdaptive : HeightSearch {
         parameter<&Params::steps_normal>("steps_normal", "1", "steps seen from above", 1,
                                          most_steps, 10),
         choice<&Params::rounding>("rounding", "of the number of steps", rounding_names, 0)};
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.steps_grazing, params.steps_normal);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -65,6 +70,7 @@ struct SteepAdaptiveRabbid : HeightSearch {
                                            0.5),
         parameter<&Params::quality_grazing>("quality_grazing", "1", "quality along the surface", 0,
                                             2, 1)};
+    static std::int32_t lattice_steps(const Params&) { return 50; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -83,6 +89,7 @@ struct SteepQuality : HeightSearch {
         std::int32_t quality = 0;
     };
     static constexpr std::array parameters{quality_parameter<&Params::quality>()};
+    static std::int32_t lattice_steps(const Params& params) { return 16 << params.quality; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

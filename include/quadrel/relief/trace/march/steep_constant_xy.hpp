@@ -27,6 +27,7 @@ struct SteepConstantXy : HeightSearch {
         parameter<&Params::min_steps>("min_steps", "1", "least number of steps", 1, most_steps, 5),
         parameter<&Params::max_steps>("max_steps", "1", "greatest number of steps", 1, most_steps,
                                       1024)};
+    static std::int32_t lattice_steps(const Params& params) { return params.max_steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -36,9 +37,9 @@ struct SteepConstantXy : HeightSearch {
         const F most(static_cast<Scalar<F>>(params.max_steps));
         const F n = clamp(ceil(length(ray.K) / F(params.uv_step)),
                           F(static_cast<Scalar<F>>(params.min_steps)), most);
-        store_search(
-            io, ray,
-            result_of(first_bracket(tested_heights(io, heights), ray, n, params.max_steps)));
+        store_search(io, ray,
+                     result_of(first_bracket(tested_heights(io, heights), ray, n, params.max_steps,
+                                             Before::not_needed)));
     }
 };
 

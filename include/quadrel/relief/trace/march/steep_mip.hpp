@@ -36,6 +36,7 @@ struct SteepMip : HeightSearch {
     };
     static constexpr std::array parameters{parameter<&Params::steps>(
         "steps", "1", "steps over the relief's depth", 1, most_steps, 32)};
+    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -46,7 +47,8 @@ struct SteepMip : HeightSearch {
         const auto heights = march_heights_of_level(io, whole ? ceil(level) : level);
         const F n(static_cast<Scalar<F>>(params.steps));
         store_search(io, ray,
-                     result_of(first_bracket(tested_heights(io, heights), ray, n, params.steps)));
+                     result_of(first_bracket(tested_heights(io, heights), ray, n, params.steps,
+                                             Before::not_needed)));
     }
 };
 

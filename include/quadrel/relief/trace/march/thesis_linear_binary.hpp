@@ -44,6 +44,7 @@ struct ThesisLinearBinary : ThesisLinearBinarySearch {
     static constexpr StageText text{"thesis-linear-binary", "trace",
                                     "linear search by texels, then bisection",
                                     "correction of thesis-linear-binary@published"};
+    static std::int32_t lattice_steps(const Params& params) { return params.max_steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

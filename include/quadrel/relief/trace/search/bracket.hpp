@@ -5,21 +5,9 @@
 // NaN height is never at or above the ray.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/tested_heights.hpp"
 
 namespace quadrel {
-
-/// Heights of a march as first_bracket and its refinements take them: `height(active, s, uv, ray
-/// height)` fetches, and reports the step to a probe.
-template <class Io, class Heights>
-auto tested_heights(const Io& io, const Heights& heights) {
-    using F = typename Io::Number;
-    return [&io, &heights](Mask<F> active, F s, const vec2<F>& uv, F ray_height) {
-        const F h = heights(active, uv);
-        io.march_step(active, s, uv, ray_height, h);
-        return h;
-    };
-}
 
 /// The neighbouring samples of a march between which a ray enters the surface.
 template <Number F>
@@ -44,14 +32,16 @@ struct Bracket {
 };
 
 /// Tests s = min(k / n, 1) for k = 0, 1, ... ceil(n), at most `last`, until one is at or below the
-/// surface. n is a lane's own number of steps, at least 1, integral or not.
+/// surface. n is a lane's own number of steps, at least 1, integral or not. `before`: what of the
+/// last sample above is part of the caller's result.
 template <Number F, class Height>
-Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int last) {
+Bracket<F> first_bracket(const Height& height, const SearchRay<F>& ray, F n, int last,
+                         Before before = Before::needed) {
     Bracket<F> bracket;
     Mask<F> active = ray.active;
-    for (const auto k : steps<F>(0, last)) {
+    for (const auto k : steps_near_surface<F>(height, ray, active, n, last, before)) {
         const F index = number<F>(k);
-        active = active & (index < n + F(1));
+        active = active & (index < n + F(1)) & (index <= number<F>(last));
         if (none(active)) break;
         const F s = min(index / n, F(1));
         const F h = height(active, s, ray.at(s), F(1) - s);
