@@ -42,9 +42,9 @@ int report(const Run& run) {
     return run.disagreements.empty() ? 0 : disagreement;
 }
 
-int run_tables(const Options& options) {
+int run_tables(const Options& options, ProcessRunner& processes) {
     const TemporaryFolder folder;
-    Run run{options, folder.path(), {}, {}};
+    Run run{options, processes, folder.path()};
     write_wall(folder.path(), options.map);
     fmt::print("{}\n", heading(options));
     std::vector<Table> tables;
@@ -70,7 +70,8 @@ int main(int argc, char** argv) {
     // Derived maps are made in every run: what that takes is told.
     setenv("QUADREL_CACHE_MIB", "0", 1);
     try {
-        return run_tables(options);
+        ProcessRunner processes;  // first: it is to be small
+        return run_tables(options, processes);
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());
         return could_not;

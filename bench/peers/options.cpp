@@ -21,10 +21,10 @@ std::string multiple_of_4(const std::string& text) {
 
 /// Small enough for a test: every table and peer once, on small frames.
 void make_quick(Options& options, const CLI::App& app) {
-    if (app.count("--size") == 0) options.size = 128;
+    if (app.count("--size") == 0) options.size = 64;
     if (app.count("--map") == 0) options.map = 128;
     if (app.count("--repeats") == 0) options.repeats = 1;
-    if (app.count("--angles") == 0) options.angles = {0, 75};
+    if (app.count("--angles") == 0) options.angles = {60};
 }
 
 }  // namespace

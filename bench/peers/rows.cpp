@@ -40,12 +40,19 @@ Row with_levels(Row row) {
     return row;
 }
 
-Row plain() {
-    return {"plain",
-            "plain trilinear",
-            {R"(material.relief={"frame":"none","trace":"none","surface":"none","shadow":"none"})"},
-            {"surface", "plain"},
+constexpr const char* no_relief =
+    R"(material.relief={"frame":"none","trace":"none","surface":"none","shadow":"none"})";
+
+Row unlit() {
+    return {"unlit",
+            "trilinear texture, unlit",
+            {no_relief, "material.shade=shade-texture"},
+            {"surface", "unlit"},
             {}};
+}
+
+Row plain() {
+    return {"plain", "trilinear texture, one light", {no_relief}, {"surface", "plain"}, {}};
 }
 
 Row steep() {
@@ -88,6 +95,7 @@ std::vector<std::string> Row::judged_overrides() const {
 
 const std::vector<Row>& drawn_rows() {
     static const std::vector<Row> rows{
+        unlit(),
         plain(),
         searching("offset-limit", "offset-limit", "offset-limit", "", "trace_offset_limit", {}),
         linear(256),

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "measure.hpp"
-#include "process.hpp"
 #include "tables/tables.hpp"
 
 namespace quadrel::peers {
@@ -13,10 +12,10 @@ struct Used {
     double peak_mib = 0;
 };
 
-Used least_of(int repeats, const std::vector<std::string>& command) {
+Used least_of(Run& run, int repeats, const std::vector<std::string>& command, int processors) {
     Used used;
     for (int i = 0; i < repeats; ++i) {
-        const ProcessUse once = run_process(command);
+        const ProcessUse once = run.processes.run(command, processors);
         used.time.add(once.time);
         used.peak_mib = std::max(used.peak_mib, once.peak_mib);
     }
@@ -44,17 +43,18 @@ Table file_table(Run& run) {
     for (const char* scene : {"thesis-quad", "bricks-45"})
         for (const char* compression : {"zip", "none"})
             for (const int threads : {1, 2}) {
-                keep_to(threads);
                 const Used used = least_of(
-                    options.repeats,
+                    run, options.repeats,
                     {options.program, "render", scene, "--size",
                      fmt::format("{0}x{0}", options.size), "--compression", compression, "-t",
-                     std::to_string(threads), "--isa", options.isa, "--quiet", "-o", out});
+                     std::to_string(threads), "--isa", options.isa, "--quiet", "-o", out},
+                    threads);
                 table.rows.push_back(
                     cells(fmt::format("render {}", scene), compression, threads, used));
             }
     table.rows.push_back(
-        cells("--version", "-", 0, least_of(10 * options.repeats, {options.program, "--version"})));
+        cells("--version", "-", 0,
+              least_of(run, 10 * options.repeats, {options.program, "--version"}, 1)));
     return table;
 }
 

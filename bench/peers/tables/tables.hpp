@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options.hpp"
+#include "process.hpp"
 #include "report.hpp"
 
 namespace quadrel::peers {
@@ -13,9 +14,12 @@ namespace quadrel::peers {
 /// What a run of the program has at hand, and what it found.
 struct Run {
     const Options& options;
-    std::filesystem::path maps;              ///< folder of the wall's maps
-    std::vector<std::string> skipped;        ///< peers that are not there, and why
-    std::vector<std::string> disagreements;  ///< pictures that should be the same and are not
+    ProcessRunner& processes;
+    std::filesystem::path maps;  ///< folder of the wall's maps
+    /// Peers that are not there, and why.
+    std::vector<std::string> skipped = {};
+    /// Pictures that should be the same and are not.
+    std::vector<std::string> disagreements = {};
 
     /// Once, however often it is said.
     void skip(const std::string& peer, const std::string& why);
