@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "quadrel/error.hpp"
+#include "measure.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
 
@@ -83,6 +83,16 @@ Time Picture::draw(int threads) {
     if (!loaded_) load_ = {summary.load.wall_ms, summary.load.cpu_ms};
     loaded_ = true;
     return {summary.draw.wall_ms, summary.draw.cpu_ms};
+}
+
+Time Picture::render_counting(int threads, Counting counting) {
+    RenderStats stats;
+    RenderOptions options = options_;
+    options.threads = threads;
+    options.summary = nullptr;
+    options.stats = counting == Counting::nothing ? nullptr : &stats;
+    options.touched = counting == Counting::touched;
+    return time_of([&] { render_into(film_, scene_, options); });
 }
 
 }  // namespace quadrel::peers

@@ -28,6 +28,10 @@ class Picture {
     /// Draws on so many threads; what drawing alone took, without planning and loading.
     Time draw(int threads);
 
+    /// Renders with so much of statistics; what all of it took, planning and counting included.
+    enum class Counting { nothing, stats, touched };
+    Time render_counting(int threads, Counting counting);
+
     const Scene& scene() const { return scene_; }
     const Film& film() const { return film_; }
     /// What the first drawing loaded, derived maps included.

@@ -16,7 +16,7 @@ struct Row {
     /// Overrides of the picture that the shader draws, where that is not quite what is timed.
     std::vector<std::string> shader_draws = {};
     /// Mean difference of R, G and B above which two pictures are not the same.
-    double tolerance = 1e-4;
+    double tolerance = 2e-4;
 
     /// Overrides of the picture that the shader has to draw: as Quadrel draws it when it imitates
     /// llvmpipe's levels of detail and interpolation.

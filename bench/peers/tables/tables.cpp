@@ -24,7 +24,8 @@ const std::vector<Maker>& makers() {
         {"file", 2, file_table},
         {"maps", 1, map_table},
         {"frames", 1, frame_table},
-        {"threads", 2, thread_table}};
+        {"threads", 2, thread_table},
+        {"stats", 1, stats_table}};
     return all;
 }
 

@@ -41,5 +41,7 @@ Table file_table(Run& run);
 Table map_table(Run& run);
 Table frame_table(Run& run);
 Table thread_table(Run& run);
+/// What --stats adds to a render.
+Table stats_table(Run& run);
 
 }  // namespace quadrel::peers
