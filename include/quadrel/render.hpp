@@ -25,8 +25,11 @@ struct RenderOptions {
     int threads = 0;                    ///< 0: as many as the process may use; more are obeyed
     bool skip = true;                   ///< false: compute and load what no channel asks for, too
     RenderStats* stats = nullptr;       ///< receives what the render did and took
-    RenderSummary* summary = nullptr;   ///< receives the little of it that costs nothing
-    int tile = 64;                      ///< side of a tile in pixels, even, 2 to 1024
+    /// `stats` also tells what look-ups touched and how many steps searches made: by a second pass,
+    /// which takes three to four times as long as drawing.
+    bool touched = false;
+    RenderSummary* summary = nullptr;      ///< receives the little of it that costs nothing
+    int tile = 64;                         ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
     /// The same before the first tile, while a map that no cache has is derived from heights; `map`
     /// is what to call it.

@@ -35,8 +35,9 @@ struct TouchedStats {
 struct TextureStats {
     std::string material, slot, file;
     int width = 0, height = 0, levels = 0, faces = 1, channels = 0;
-    std::uint64_t non_finite = 0;       ///< texels of the finest level with NaN or infinity
-    std::vector<TouchedStats> touched;  ///< by mip level, the finest first; all faces together
+    std::uint64_t non_finite = 0;  ///< texels of the finest level with NaN or infinity
+    /// By mip level, the finest first; all faces together. Empty unless it was asked for.
+    std::vector<TouchedStats> touched;
 };
 
 /// Time of a part of a render; cpu_ms: of all threads of the process.
@@ -61,7 +62,8 @@ struct RenderStats {
     std::uint64_t covered_lanes = 0, helper_lanes = 0;
     FetchCounters fetches;                                 ///< all stages together
     std::map<std::string, std::uint64_t> fetches_by_kind;  ///< look-ups by texture slot
-    TouchedStats touched;  ///< a texture that several materials share is counted once
+    bool has_touched = false;  ///< RenderOptions::touched; else `touched` and steps are 0
+    TouchedStats touched;      ///< a texture that several materials share is counted once
     /// Points of rays that were tested, helper lanes included, by searches for the hit and towards
     /// lights.
     std::uint64_t trace_steps = 0, shadow_steps = 0;
@@ -73,7 +75,7 @@ struct RenderStats {
     PhaseTime plan;                     ///< planning and geometry
     PhaseTime load;                     ///< textures
     PhaseTime draw;                     ///< the image, and writing it where that is done meanwhile
-    PhaseTime mark;                     ///< the second pass that finds what was touched
+    PhaseTime mark;                     ///< the second pass that finds what was touched, if any
     std::uint64_t peak_memory_kib = 0;  ///< of the process so far (0 where the system cannot tell)
 };
 

@@ -184,6 +184,10 @@ void add_values(CLI::App& verb, RenderArguments& a) {
     add_compression_option(verb, a.compression);
     verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON")
         ->type_name("OUT.json");
+    verb.add_flag("--touched", a.options.touched,
+                  "with --stats: also which texels look-ups touched and how many steps searches "
+                  "made; takes several times as long as the render")
+        ->needs("--stats");
     verb.add_option("--preview", a.preview, "also write an 8-bit sRGB PNG to look at")
         ->type_name("OUT.png");
 }

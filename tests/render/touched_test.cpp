@@ -17,6 +17,7 @@ using Statist = std::function<RenderStats(const Scene&, const RenderOptions&)>;
 RenderStats stats_of(const Scene& scene, RenderOptions options) {
     RenderStats stats;
     options.stats = &stats;
+    options.touched = true;
     render(scene, options);
     return stats;
 }
@@ -216,6 +217,25 @@ TEST(Touched, DoesNotDependOnHowTheRenderIsRun) {
     }));
 }
 
+/// What is not asked for is neither counted nor in the JSON; all other counts are the same.
+TEST(Touched, OnlyWhereItIsAskedFor) {
+    const Scene scene = varied_scene();
+    RenderStats with = stats_of(scene, {}), without;
+    RenderOptions options;
+    options.stats = &without;
+    render(scene, options);
+    EXPECT_TRUE(with.has_touched);
+    EXPECT_FALSE(without.has_touched);
+    EXPECT_EQ(without.mark.wall_ms, 0);
+    EXPECT_EQ(marked(without), std::vector<std::uint64_t>(4, 0));
+    EXPECT_EQ(without.fetches.fetches, with.fetches.fetches);
+    EXPECT_EQ(without.fetches_by_kind, with.fetches_by_kind);
+    for (const char* key : {"\"touched\"", "\"steps\"", "\"mark\""}) {
+        EXPECT_NE(to_json(with).find(key), std::string::npos) << key;
+        EXPECT_EQ(to_json(without).find(key), std::string::npos) << key;
+    }
+}
+
 /// Asking for statistics changes no bit, and what is touched is never more than there is, nor less
 /// than nothing.
 TEST(Touched, LeavesTheImageAlone) {
@@ -224,6 +244,7 @@ TEST(Touched, LeavesTheImageAlone) {
     const Film film = render(scene, options);
     RenderStats stats;
     options.stats = &stats;
+    options.touched = true;
     EXPECT_TRUE(same_bits(film, render(scene, options)));
     ASSERT_FALSE(stats.textures.empty());
     for (const TextureStats& texture : stats.textures) {

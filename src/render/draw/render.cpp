@@ -92,7 +92,15 @@ RenderSummary summarize(const PreparedRender& prepared, const DrawRecord& record
             phases.draw};
 }
 
-/// With a second pass, for what was touched.
+void count_touched(const PreparedRender& prepared, const RenderOptions& options,
+                   RenderStats& stats) {
+    DrawRecord marking;
+    Stopwatch watch;
+    const TouchedTexels touched = mark_touched(prepared, options, marking);
+    stats.mark = watch.lap();
+    record_marks(prepared, marking, touched, stats);
+}
+
 RenderStats count_all(const PreparedRender& prepared, const RenderOptions& options,
                       const DrawRecord& record, const Phases& phases) {
     RenderStats stats;
@@ -101,11 +109,7 @@ RenderStats count_all(const PreparedRender& prepared, const RenderOptions& optio
     stats.draw = phases.draw;
     record_plan(prepared, options, stats);
     record_drawing(record, stats);
-    DrawRecord marking;
-    Stopwatch watch;
-    const TouchedTexels touched = mark_touched(prepared, options, marking);
-    stats.mark = watch.lap();
-    record_marks(prepared, marking, touched, stats);
+    if (options.touched) count_touched(prepared, options, stats);
     return stats;
 }
 

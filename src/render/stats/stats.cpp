@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,7 @@ Json to_json(const TextureStats& texture) {
              {"faces", texture.faces},
              {"channels", texture.channels},
              {"non_finite", texture.non_finite}};
+    if (texture.touched.empty()) return out;
     TouchedStats sum;
     Json levels = Json::array();
     for (std::size_t level = 0; level < texture.touched.size(); ++level) {
@@ -68,12 +70,27 @@ std::string file_of_slot(const Scene& scene, const Material& material, int slot)
     return material.textures.at(std::string(slot_name(source))).file.string();
 }
 
+/// Integers of 8 and 16 bits stand for finite numbers alone.
+bool may_be_non_finite(TexelFormat format) {
+    return format == TexelFormat::half || format == TexelFormat::float32;
+}
+
+/// Quicker than looking at each texel.
+bool all_finite(const float* values, std::size_t count) {
+    std::uint32_t greatest = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        greatest = std::max(greatest, std::bit_cast<std::uint32_t>(values[i]) & 0x7fffffffu);
+    return greatest < 0x7f800000u;
+}
+
 std::uint64_t count_non_finite(const Texture& texture) {
+    if (!may_be_non_finite(texture.format())) return 0;
     const TextureView& view = texture.view();
     const std::size_t texels = static_cast<std::size_t>(view.width[0]) * view.height[0];
     std::uint64_t count = 0;
     for (int face = 0; face < view.faces; ++face) {
         const float* texel = texture.level_texels(0, face);
+        if (all_finite(texel, texels * static_cast<std::size_t>(view.channels))) continue;
         for (std::size_t i = 0; i < texels; ++i, texel += view.channels)
             count += std::any_of(texel, texel + view.channels,
                                  [](float value) { return !std::isfinite(value); });
@@ -160,6 +177,7 @@ void record_marks(const PreparedRender& prepared, const DrawRecord& record,
                 row->touched.push_back(touched.count(m, slot, level));
             ++row;
         }
+    stats.has_touched = true;
     stats.touched = touched.total();
     stats.trace_steps = record.trace_steps;
     stats.shadow_steps = record.shadow_steps;
@@ -178,8 +196,6 @@ std::string to_json(const RenderStats& stats) {
                {"nan_coordinates", stats.fetches.nan_coordinates},
                {"huge_coordinates", stats.fetches.huge_coordinates},
                {"by_kind", stats.fetches_by_kind}}},
-             {"touched", to_json(stats.touched)},
-             {"steps", {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}}},
              {"primitives", to_json(stats.primitives)},
              {"stages", Json::array()},
              {"textures", Json::array()},
@@ -188,9 +204,13 @@ std::string to_json(const RenderStats& stats) {
              {"phases",
               {{"plan", to_json(stats.plan)},
                {"load", to_json(stats.load)},
-               {"draw", to_json(stats.draw)},
-               {"mark", to_json(stats.mark)}}},
+               {"draw", to_json(stats.draw)}}},
              {"peak_memory_kib", stats.peak_memory_kib}};
+    if (stats.has_touched) {
+        out["touched"] = to_json(stats.touched);
+        out["steps"] = {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}};
+        out["phases"]["mark"] = to_json(stats.mark);
+    }
     for (const StageStats& stage : stats.stages) out["stages"].push_back(to_json(stage));
     for (const TextureStats& texture : stats.textures) out["textures"].push_back(to_json(texture));
     return out.dump(2) + "\n";

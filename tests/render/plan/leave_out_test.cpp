@@ -218,6 +218,7 @@ RenderStats stats_of(const Scene& scene, const std::vector<std::string>& channel
     options.channels = channels;
     options.skip = skip;
     options.stats = &stats;
+    options.touched = true;
     render(scene, options);
     return stats;
 }

@@ -1,0 +1,26 @@
+// The maps that the pictures show: the bricks of data/textures, of any size.
+#pragma once
+
+#include <filesystem>
+
+namespace quadrel::peers {
+
+/// A folder of its own under the system's temporary one, removed at the end.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// Writes height.exr, color.exr and gloss.exr, `side` texels a side, a power of two; above 1024 the
+/// wall of 1024 texels, interpolated. Where `heights_alone`, only the first.
+void write_wall(const std::filesystem::path& folder, int side, bool heights_alone = false);
+
+}  // namespace quadrel::peers

@@ -1,0 +1,47 @@
+// The tables, one a function.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "options.hpp"
+#include "process.hpp"
+#include "report.hpp"
+
+namespace quadrel::peers {
+
+/// What a run of the program has at hand, and what it found.
+struct Run {
+    const Options& options;
+    ProcessRunner& processes;
+    std::filesystem::path maps;  ///< folder of the wall's maps
+    /// Peers that are not there, and why.
+    std::vector<std::string> skipped = {};
+    /// Pictures that should be the same and are not.
+    std::vector<std::string> disagreements = {};
+
+    /// Once, however often it is said.
+    void skip(const std::string& peer, const std::string& why);
+};
+
+/// The names that --tables takes, in the order in which they are made.
+std::vector<std::string> table_names();
+
+/// Makes a table. The names are those above.
+Table make_table(const std::string& name, Run& run);
+
+/// Quadrel beside llvmpipe, each on so many threads.
+Table drawn_table(Run& run, int threads);
+/// Exact hits beside Embree.
+Table traced_table(Run& run, int threads);
+/// The command line as a process: from start to file.
+Table file_table(Run& run);
+/// Quadrel alone: maps from small to large, frames from small to large, one thread and two.
+Table map_table(Run& run);
+Table frame_table(Run& run);
+Table thread_table(Run& run);
+/// What --stats adds to a render.
+Table stats_table(Run& run);
+
+}  // namespace quadrel::peers
