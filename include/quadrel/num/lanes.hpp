@@ -217,34 +217,54 @@ struct PacketOps<Lanes> {
             return gather(table, index);
         }
     }
-    /// Pairs by 64-bit loads, then a transpose within each quad: cheaper than two gathers.
+    /// Pairs by 64-bit gathers where a register holds 16 lanes; else by 64-bit loads, then a
+    /// transpose within each quad: either is cheaper than two gathers.
     static void gather2(const float* base, LanesInt index, Lanes out[2]) {
-        alignas(64) std::int32_t at[simd::lanes];
-        hn::Store(index.v, simd::IntTag(), at);
         const simd::FloatTag tag;
-        const auto pair01 = hn::BitCast(tag, load_pairs(base, at));
-        const auto pair23 = hn::BitCast(tag, load_pairs(base, at + 2));
-        const auto even = hn::InterleaveLower(tag, pair01, pair23);
-        const auto odd = hn::InterleaveUpper(tag, pair01, pair23);
-        out[0] = Lanes(hn::InterleaveLower(tag, even, odd));
-        out[1] = Lanes(hn::InterleaveUpper(tag, even, odd));
+        if constexpr (simd::lanes == 16) {
+            const hn::Half<simd::IntTag> half;
+            const auto low = gather_pairs(base, hn::LowerHalf(half, index.v));
+            const auto high = gather_pairs(base, hn::UpperHalf(half, index.v));
+            out[0] = Lanes(hn::ConcatEven(tag, high, low));
+            out[1] = Lanes(hn::ConcatOdd(tag, high, low));
+        } else {
+            alignas(64) std::int32_t at[simd::lanes];
+            hn::Store(index.v, simd::IntTag(), at);
+            const auto pair01 = hn::BitCast(tag, load_pairs(base, at));
+            const auto pair23 = hn::BitCast(tag, load_pairs(base, at + 2));
+            const auto even = hn::InterleaveLower(tag, pair01, pair23);
+            const auto odd = hn::InterleaveUpper(tag, pair01, pair23);
+            out[0] = Lanes(hn::InterleaveLower(tag, even, odd));
+            out[1] = Lanes(hn::InterleaveUpper(tag, even, odd));
+        }
     }
     /// Row k: the four elements of lane k of every quad; then a 4x4 transpose within each quad.
     static void gather4(const float* base, LanesInt index, Lanes out[4]) {
         alignas(64) std::int32_t at[simd::lanes];
         hn::Store(index.v, simd::IntTag(), at);
-        const hn::RepartitionToWide<simd::FloatTag> wide;
-        const auto row0 = load_quads(base, at), row1 = load_quads(base, at + 1);
-        const auto row2 = load_quads(base, at + 2), row3 = load_quads(base, at + 3);
-        const simd::FloatTag tag;
-        const auto low01 = hn::BitCast(wide, hn::InterleaveLower(tag, row0, row1));
-        const auto low23 = hn::BitCast(wide, hn::InterleaveLower(tag, row2, row3));
-        const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(tag, row0, row1));
-        const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(tag, row2, row3));
-        out[0] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, low01, low23)));
-        out[1] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, low01, low23)));
-        out[2] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, high01, high23)));
-        out[3] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, high01, high23)));
+        simd::FloatVector rows[4];
+        for (int k = 0; k < 4; ++k) rows[k] = load_quads(base, at + k);
+        transpose(rows, out);
+    }
+    /// Blended as they are stored, so that one transpose does for the four texels.
+    static void bilinear4(const float* base, const LanesInt index[4], Lanes weight_x,
+                          Lanes weight_y, Lanes out[4]) {
+        alignas(64) std::int32_t at[4][simd::lanes];
+        for (int i = 0; i < 4; ++i) hn::Store(index[i].v, simd::IntTag(), at[i]);
+        const auto mix = [](auto a, auto b, auto t) {
+            return hn::Add(a, hn::Mul(t, hn::Sub(b, a)));
+        };
+        const auto row = [&](int k, simd::FloatVector x, simd::FloatVector y) {
+            const auto top = mix(load_quads(base, at[0] + k), load_quads(base, at[1] + k), x);
+            const auto bottom = mix(load_quads(base, at[2] + k), load_quads(base, at[3] + k), x);
+            return mix(top, bottom, y);
+        };
+        const simd::FloatVector rows[4] = {
+            row(0, hn::Broadcast<0>(weight_x.v), hn::Broadcast<0>(weight_y.v)),
+            row(1, hn::Broadcast<1>(weight_x.v), hn::Broadcast<1>(weight_y.v)),
+            row(2, hn::Broadcast<2>(weight_x.v), hn::Broadcast<2>(weight_y.v)),
+            row(3, hn::Broadcast<3>(weight_x.v), hn::Broadcast<3>(weight_y.v))};
+        transpose(rows, out);
     }
     template <int a, int b, int c, int d>
     static Lanes swizzle(Lanes x) {
@@ -261,6 +281,28 @@ struct PacketOps<Lanes> {
     }
 
   private:
+    /// A 4x4 transpose within each quad.
+    static void transpose(const simd::FloatVector rows[4], Lanes out[4]) {
+        const simd::FloatTag tag;
+        const hn::RepartitionToWide<simd::FloatTag> wide;
+        const auto low01 = hn::BitCast(wide, hn::InterleaveLower(tag, rows[0], rows[1]));
+        const auto low23 = hn::BitCast(wide, hn::InterleaveLower(tag, rows[2], rows[3]));
+        const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(tag, rows[0], rows[1]));
+        const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(tag, rows[2], rows[3]));
+        out[0] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, low01, low23)));
+        out[1] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, low01, low23)));
+        out[2] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, high01, high23)));
+        out[3] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, high01, high23)));
+    }
+    /// base[index] and base[index + 1] of half of the lanes, side by side.
+    template <class Half>
+    static simd::FloatVector gather_pairs(const float* base, Half index) {
+        const hn::RepartitionToWide<simd::IntTag> wide;
+        const auto bytes = hn::ShiftLeft<2>(hn::PromoteTo(wide, index));
+        return hn::BitCast(
+            simd::FloatTag(),
+            hn::GatherOffset(wide, reinterpret_cast<const std::int64_t*>(base), bytes));
+    }
     /// Of a table of one register.
     static LanesInt look_up(const std::int32_t* table, LanesInt index) {
         const simd::IntTag tag;

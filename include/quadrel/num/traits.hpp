@@ -43,6 +43,8 @@ concept Packet = Number<F> && lanes_of<F>
 ///   gather(base, Int index)              base[index] lane by lane, converted to F
 ///   look_up16(table, Int index)          table[index] of a table of 16
 ///   gather2, gather4(base, index, out)   base[index + c] for c = 0, 1 (, 2, 3) into out[c]
+///   bilinear4(base, index[4], x, y, out)  optional: four elements each at the taps of a bilinear
+///                                        footprint, blended with the weights x and y
 ///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
 ///                                        quad; packets only
 template <class F>

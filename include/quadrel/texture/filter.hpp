@@ -187,6 +187,20 @@ template <int channels, Number F>
 Texel<channels, F> sample_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
                                  const vec2<F>& uv) {
     const Footprint<F> at = address(texture, level, uv, Filter::linear);
+    if constexpr (channels == 4 && requires { &PacketOps<F>::bilinear4; }) {
+        if (!has_border(texture.sampler)) {
+            const auto index = [&](Int<F> x, Int<F> y) {
+                return texel_index<channels, F>(level, x, y);
+            };
+            const Int<F> taps[4] = {index(at.x.first, at.y.first), index(at.x.second, at.y.first),
+                                    index(at.x.first, at.y.second),
+                                    index(at.x.second, at.y.second)};
+            Texel<channels, F> result;
+            PacketOps<F>::bilinear4(texture.view.texels, taps, at.x.weight, at.y.weight,
+                                    result.channel);
+            return result;
+        }
+    }
     return blend(load_taps<channels, F>(texture, level, at), at.x.weight, at.y.weight);
 }
 

@@ -76,7 +76,7 @@ ScaleFactor<F> scale_factor(LodForm form, const vec2<F>& dx, const vec2<F>& dy) 
         return {rho, log2(rho)};
     }
     const F square = largest_square(dx, dy);
-    const F rho = max(sqrt(dot(dx, dx)), sqrt(dot(dy, dy)));
+    const F rho = sqrt(square);  // the larger of both roots: sqrt is monotonic, rounded as well
     if (form == LodForm::linear_log2) return {rho, linear_log2(square) * F(0.5f)};
     if (form == LodForm::quartic_log2) return {rho, packed_log2(square * square) * F(0.25f)};
     return {rho, log2(rho)};
