@@ -37,6 +37,9 @@ void write_json(const std::string& file, const std::vector<Table>& tables) {
 }
 
 int report(const Run& run) {
+    if (run.options.planted)
+        fmt::print("planted errors: {} {} noticed\n", run.refused == run.judged ? "all" : "not all",
+                   run.judged);
     for (const std::string& line : run.skipped) fmt::print(stderr, "{}\n", line);
     for (const std::string& line : run.disagreements) fmt::print(stderr, "error: {}\n", line);
     return run.disagreements.empty() ? 0 : disagreement;

@@ -57,7 +57,8 @@ Options read_options(int argc, char** argv, int& exit_code) {
         ->check(CLI::ExistingFile);
     app.add_option("--json", options.json, "write the tables to this file, too");
     app.add_flag("--quick", options.quick, "small frames, once: whether all works, no figures");
-    app.add_flag("--planted", options.planted, "wrong shaders, which have to be noticed");
+    app.add_flag("--planted", options.planted,
+                 "wrong shaders and geometry, which have to be noticed");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -17,7 +17,7 @@ struct Options {
     std::string program;  ///< the quadrel that the tables of processes run
     std::string json;     ///< file to write the tables to, too; empty: none
     bool quick = false;
-    bool planted = false;  ///< draw with wrong shaders, to see that it is noticed
+    bool planted = false;  ///< wrong shaders and geometry, to see that it is noticed
 };
 
 /// Reads the command line. Where the program is to end at once, what with is put into `exit_code`,

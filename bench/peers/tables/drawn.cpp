@@ -23,11 +23,8 @@ double judge(Run& run, const Row& row, double angle, const std::vector<float>& d
                     run.options.isa, colour_channels);
     picture.draw(1);
     const double difference = mean_difference(picture.film(), drawn);
-    if (!(difference <= row.tolerance))
-        run.disagreements.push_back(
-            fmt::format("{} at {} degrees: Quadrel's picture and llvmpipe's differ by {:.6f} on "
-                        "average, more than {}",
-                        row.name, angle, difference, row.tolerance));
+    run.judge(fmt::format("{} at {} degrees: Quadrel's picture and llvmpipe's", row.name, angle),
+              difference, row.tolerance);
     return difference;
 }
 

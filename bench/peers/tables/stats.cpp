@@ -22,7 +22,7 @@ std::vector<Cell> added(const Run& run, const Row& row) {
     }
     const double without = plain.of(1);
     const auto percent = [&](const LeastTime& with) { return 100 * (with.of(1) / without - 1); };
-    return {row.title, {without, 1}, {percent(stats), 1}, {percent(touched), 0}};
+    return {row.name, {without, 1}, {percent(stats), 1}, {percent(touched), 0}};
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tables/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -30,6 +32,14 @@ const std::vector<Maker>& makers() {
 }
 
 }  // namespace
+
+void Run::judge(const std::string& what, double difference, double tolerance) {
+    ++judged;
+    if (difference <= tolerance) return;
+    ++refused;
+    disagreements.push_back(
+        fmt::format("{} differ by {:.6f} on average, more than {}", what, difference, tolerance));
+}
 
 void Run::skip(const std::string& peer, const std::string& why) {
     const std::string line = peer + ": skipped: " + why;

@@ -20,7 +20,11 @@ struct Run {
     std::vector<std::string> skipped = {};
     /// Pictures that should be the same and are not.
     std::vector<std::string> disagreements = {};
+    int judged = 0;   ///< pictures that were held against a peer's
+    int refused = 0;  ///< of these
 
+    /// A picture that lies `difference` from a peer's; `what` is said where that is too far.
+    void judge(const std::string& what, double difference, double tolerance);
     /// Once, however often it is said.
     void skip(const std::string& peer, const std::string& why);
 };

@@ -46,7 +46,7 @@ Table thread_table(Run& run) {
     for (const Row& row : drawn_rows()) {
         if (!chosen(run.options.rows, row.name)) continue;
         Picture picture = picture_of(run, row.overrides);
-        table.rows.push_back(speed_up(run, row.title, picture));
+        table.rows.push_back(speed_up(run, row.name, picture));
     }
     if (run.options.rows.empty()) {
         Picture picture = mcguire(run);

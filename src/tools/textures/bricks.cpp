@@ -2,6 +2,7 @@
 // and a small copy as PNG.
 #include "brick_wall.hpp"
 #include "recipes.hpp"
+#include "shaping.hpp"
 #include "write_image.hpp"
 
 namespace quadrel::textures {
