@@ -124,6 +124,14 @@ template <Number F>
     return gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
 }
 
+/// Both channels of a texel of level 0 of a map of two.
+template <Number F>
+[[gnu::always_inline]] inline vec2<F> both_channels(const TextureView& view, Int<F> x, Int<F> y) {
+    F channel[2];
+    const Int<F> texel = y * Int<F>(view.width[0]) + x;
+    gather2<F>(view.texels + view.offset[0], texel + texel, channel);
+    return {channel[0], channel[1]};
+}
 /// Texel `index` of a map of one channel, counted over all levels.
 template <Number F>
 [[gnu::always_inline]] inline F only_channel(const TextureView& view, Int<F> index) {
