@@ -124,12 +124,6 @@ template <Number F>
     return gather<F>(view.texels + view.offset[0], texel * Int<F>(view.channels));
 }
 
-/// Texel `index` of a map of one channel, counted over all levels.
-template <Number F>
-[[gnu::always_inline]] inline F only_channel(const TextureView& view, Int<F> index) {
-    return gather<F>(view.texels, index);
-}
-
 /// Heights at the corners of a cell.
 template <Number F>
 struct CellHeights {
@@ -152,6 +146,20 @@ CellHeights<F> cell_heights(const SampledTexture& texture, const Grid& cells, In
             height(x.second, y.first, x.second_inside & y.first_inside),
             height(x.first, y.second, x.first_inside & y.second_inside),
             height(x.second, y.second, x.second_inside & y.second_inside)};
+}
+
+/// Both channels of a texel of level 0 of a map of two.
+template <Number F>
+[[gnu::always_inline]] inline vec2<F> both_channels(const TextureView& view, Int<F> x, Int<F> y) {
+    F channel[2];
+    const Int<F> texel = y * Int<F>(view.width[0]) + x;
+    gather2<F>(view.texels + view.offset[0], texel + texel, channel);
+    return {channel[0], channel[1]};
+}
+/// Texel `index` of a map of one channel, counted over all levels.
+template <Number F>
+[[gnu::always_inline]] inline F only_channel(const TextureView& view, Int<F> index) {
+    return gather<F>(view.texels, index);
 }
 
 }  // namespace quadrel

@@ -21,10 +21,8 @@ struct CellCone {
 template <class Io, class F = typename Io::Number>
 CellCone<F> cell_cone(const Io& io, const PatchSearch<Io>& search) {
     const TextureView& view = io.template texture<TextureSlot::cone_cell>()->view;
-    F cone[2];
-    const Int<F> cell = search.stored_j() * Int<F>(view.width[0]) + search.stored_i();
-    gather2<F>(view.texels + view.offset[0], cell + cell, cone);
-    return {cone[0], cone[1]};
+    const vec2<F> cone = both_channels<F>(view, search.stored_i(), search.stored_j());
+    return {cone.x, cone.y};
 }
 
 struct ConeCell : StageDefaults {

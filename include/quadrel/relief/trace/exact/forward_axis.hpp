@@ -3,6 +3,8 @@
 // their parameters, and a search has nothing to choose by the ray's direction.
 #pragma once
 
+#include <bit>
+
 #include "quadrel/relief/trace/exact/cell_ray.hpp"
 
 namespace quadrel {
@@ -47,7 +49,9 @@ class PowerOfTwoAxis : public ForwardAxis<F> {
         return grid.periodic && grid.first == 0 && is_power_of_two(grid.count);
     }
     explicit PowerOfTwoAxis(const CellRayAxis<F>& axis)
-        : ForwardAxis<F>(axis), mask_(axis.grid.count - 1), log_(log2_of(axis.grid.count)) {}
+        : ForwardAxis<F>(axis),
+          mask_(axis.grid.count - 1),
+          log_(std::countr_zero(static_cast<std::uint32_t>(axis.grid.count))) {}
 
     NodeSpan<F> node(Int<F> cell, Int<F> level) const {
         const Int<F> log = min(level, log_), next = shift_right(cell, log) + Int<F>(1);
@@ -63,11 +67,6 @@ class PowerOfTwoAxis : public ForwardAxis<F> {
     Int<F> cell(F low) const { return to_int_in_range(low); }
 
   private:
-    static int log2_of(std::int32_t n) {
-        int log = 0;
-        while (n >> (log + 1) > 0) ++log;
-        return log;
-    }
     Int<F> mask_, log_;
 };
 

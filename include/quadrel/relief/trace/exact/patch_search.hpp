@@ -37,8 +37,8 @@ class PatchSearch : public CellSearch<typename Io::Number> {
     }
 
     /// Counts look-ups in a map that was baked for this search, and tells a probe what they gave.
-    template <TextureSlot slot>
-    void record_node(Mask<F> mask, F height, int fetches = 1) {
+    template <TextureSlot slot, int fetches = 1>
+    void record_node(Mask<F> mask, F height) {
         const SampleContext<F> context = io_.template context<slot>(mask);
         for (int k = 0; k < fetches; ++k) {
             count_fetch(context);

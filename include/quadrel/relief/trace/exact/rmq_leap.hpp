@@ -8,6 +8,8 @@
 // bounds of the base are needed. The same hits as texel-exact, bit for bit, for heights in [0, 1].
 #pragma once
 
+#include <bit>
+
 #include "quadrel/relief/trace/exact/patch_search.hpp"
 
 namespace quadrel {
@@ -16,9 +18,10 @@ namespace quadrel {
 template <Number F>
 class RangeMaxima {
   public:
-    RangeMaxima(const SampledTexture& map, const Grid& grid) : view_(map.view), grid_(grid) {
-        while (view_.width[0] >> (last_column_log_ + 1) > 0) ++last_column_log_;
-    }
+    RangeMaxima(const SampledTexture& map, const Grid& grid)
+        : view_(map.view),
+          grid_(grid),
+          last_column_log_(std::bit_width(static_cast<std::uint32_t>(map.view.width[0])) - 1) {}
 
     /// Whether the table has the rectangle: not more than a period.
     Mask<F> holds(const CellBlock<F>& block) const {
@@ -33,9 +36,9 @@ class RangeMaxima {
         const Side x = side(block.low_i, block.high_i, grid_.u, held);
         const Side y = side(block.low_j, block.high_j, grid_.v, held);
         const Int<F> layer = y.log * Int<F>(last_column_log_ + 1) + x.log;
-        const Int<F> rows(view_.height[0]), columns(view_.width[0]);
+        const Int<F> rows(view_.height[0]);
         const auto look_up = [&](Int<F> i, Int<F> j) {
-            return gather<F>(view_.texels + view_.offset[0], (layer * rows + j) * columns + i);
+            return first_channel<F>(view_, i, layer * rows + j);
         };
         const F a = either(look_up(x.low, y.low), look_up(x.high, y.low));
         return either(a, either(look_up(x.low, y.high), look_up(x.high, y.high)));
@@ -56,7 +59,7 @@ class RangeMaxima {
 
     const TextureView& view_;
     Grid grid_;
-    int last_column_log_ = 0;
+    int last_column_log_;
 };
 
 struct RmqLeap : StageDefaults {
@@ -82,7 +85,7 @@ struct RmqLeap : StageDefaults {
             const F target = min(s + length, F(1));
             const CellBlock<F> swept = sweep(search, target);
             const F bound = maxima(swept) + search.ray.margin;
-            search.template record_node<TextureSlot::rmq>(active, bound - search.ray.margin, 4);
+            search.template record_node<TextureSlot::rmq, 4>(active, bound - search.ray.margin);
             const CellExit<F> exit = search.exit(search.cell());
             // Nothing but this cell, or it has no part ahead: the ray passes through its corner.
             const Mask<F> one =
