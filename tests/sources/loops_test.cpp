@@ -7,14 +7,6 @@
 namespace quadrel::source_tests {
 namespace {
 
-/// Written before there were words for loops.
-bool is_older(const std::string& path) {
-    static const std::regex exact(
-        "relief/(trace/exact/(max_mip|height_pyramid|patch_search|cell_search|cone_cell|rmq_leap|"
-        "texel_exact|block_search)|shadow/exact)\\.hpp$");
-    return std::regex_search(path, exact);
-}
-
 /// What the words do, and no text.
 bool is_behind_words(const std::string& path) {
     static const std::regex words("relief/trace/search/(beam|height_ceiling|near_surface)\\.hpp$");
@@ -23,8 +15,7 @@ bool is_behind_words(const std::string& path) {
 
 bool is_text(const SourceFile& file) {
     static const std::regex rooms("^include/quadrel/(relief|shade|texture|quad)/");
-    return std::regex_search(file.path, rooms) && !is_older(file.path) &&
-           !is_behind_words(file.path);
+    return std::regex_search(file.path, rooms) && !is_behind_words(file.path);
 }
 
 testing::AssertionResult keeps_the_rules(const SourceFile& file) {

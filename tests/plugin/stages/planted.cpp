@@ -21,6 +21,7 @@ const StageRow row{{id, "surface", "stores nothing", "these tests"},
                    0,
                    0,
                    "",
+                   nullptr,
                    [](void*) {},
                    [](const StageCall*) {},
                    [](const StageCall*) {}};

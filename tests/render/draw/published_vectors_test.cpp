@@ -52,9 +52,9 @@ struct Corners {
     std::array<listings::WelshVertex, 3> vertex;
 };
 
-class Object {
+class ShearedObject {
   public:
-    explicit Object(const Scene& scene)
+    explicit ShearedObject(const Scene& scene)
         : mesh_(scene.meshes[0]),
           model_view_(glm::dmat4(scene.camera.view) * glm::dmat4(scene.objects[0].transform)),
           tangents_(uv_tangents(mesh_)) {}
@@ -122,7 +122,7 @@ Vec2 welsh(const Vec2& uv, const Vec3& eye, bool limited) {
         .uv;
 }
 
-const Row rows[] = {
+const Row vector_rows[] = {
     {"offset-limit@published", [](const Vec2& uv, const Vec3& eye) { return welsh(uv, eye, true); },
      1e-6},
     {"parallax-bias@published",
@@ -154,7 +154,7 @@ Film picture(const Scene& scene) {
 }
 
 Difference difference(const Scene& scene, const Film& film, const Row& row, EyeVector of) {
-    const Object object(scene);
+    const ShearedObject object(scene);
     Difference result;
     for (int y = 0; y < scene.height; ++y) {
         for (int x = 0; x < scene.width; ++x) {
@@ -186,7 +186,7 @@ glm::dmat4 tilted(double degrees) {
 }
 
 TEST(PublishedVectors, ComeFromTheVerticesOfShearedQuads) {
-    for (const Row& row : rows) {
+    for (const Row& row : vector_rows) {
         const Scene scene = scene_of(mapped(make_quad(2), sheared), tilted(75), row.id);
         const Film film = picture(scene);
         EXPECT_TRUE(as_listed(scene, film, row, of_the_vertices));
@@ -199,7 +199,7 @@ TEST(PublishedVectors, ComeFromTheVerticesOfShearedQuads) {
 /// Spheres of few facets, whose vertices' axes differ by 45 degrees.
 TEST(PublishedVectors, ComeFromTheVerticesOfCurvedMeshes) {
     const Mesh sphere = make_sphere(1.2, 8, 6);
-    for (const Row& row : rows) {
+    for (const Row& row : vector_rows) {
         for (const glm::dmat2& map : {glm::dmat2(1), mirrored, rotated_uv}) {
             for (const glm::dmat4& transform :
                  {rotation(50, {1, 2, 0.5}), rotation(50, {1, 2, 0.5}) * scaling({1, 0.6, 1.3}),
@@ -215,7 +215,7 @@ TEST(PublishedVectors, ComeFromTheVerticesOfCurvedMeshes) {
 
 /// A near plane through the mesh: where both pictures show it, they show the same.
 TEST(PublishedVectors, SurviveClipping) {
-    for (const Row& row : rows) {
+    for (const Row& row : vector_rows) {
         const auto scene = [&](double near) {
             return scene_of(make_sphere(1.2, 8, 6), rotation(50, {1, 2, 0.5}), row.id, near);
         };
@@ -264,7 +264,7 @@ glm::dvec3 renk_normal(const Scene& scene, const Corners& corners, const glm::dv
 /// Largest distance of N from the listing's.
 double normal_difference(const Scene& scene, bool normalised) {
     const Film film = take(render, scene, {"A", "id.primitive", "bary", "N"});
-    const Object object(scene);
+    const ShearedObject object(scene);
     double worst = 0;
     for (int y = 0; y < scene.height; ++y) {
         for (int x = 0; x < scene.width; ++x) {
