@@ -22,8 +22,8 @@ namespace quadrel {
 /// Whether a text reads, at a sample, what it found at the one before.
 enum class Before { not_needed, needed };
 
-/// Marches of fewer steps make them all: there is less to gain than a walk takes.
-inline constexpr int fewest_steps_to_leave_out = 8;
+/// Marches of fewer steps make them all: there is less to gain than looking ahead takes. Measured.
+inline constexpr int fewest_steps_to_leave_out = 96;
 
 /// The numbers of a step, a lane's own.
 template <Packet F>
@@ -49,7 +49,8 @@ class GapLeaps {
         rounding_ = F(2 * maxima.rounding + 0x1p-21f);
         farthest_ = F(std::numeric_limits<Scalar<F>>::infinity());
         for (int i = 0; i < count; ++i) add_level(i, maxima.level[levels.finest + i], rays);
-        if (any(active & (farthest_ >= F(1)))) count_ = count;
+        // A leap of a step or two is not worth asking for.
+        if (any(active & (farthest_ >= F(3)))) count_ = count;
     }
 
     /// Steps that may be left out after the one that `last` is the look-up of.
