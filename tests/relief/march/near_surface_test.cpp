@@ -17,26 +17,25 @@ struct LatticeRow {
 const std::vector<LatticeRow>& lattice_rows() {
     static const std::vector<LatticeRow> rows{
         {"linear", {{"steps", 128}}},
-        {"linear", {{"steps", 9}}},
-        {"steep", {{"steps", 30}}},
-        {"steep-adaptive", {{"steps_grazing", 60}, {"steps_normal", 10}, {"rounding", 2}}},
-        {"steep-adaptive-rabbid", {}},
-        {"steep-constant-xy", {{"min_steps", 16}, {"max_steps", 200}}},
-        {"steep-quality", {{"quality", 2}}},
-        {"steep-mip-c", {{"steps", 64}}},
-        {"steep-mip-i", {{"steps", 64}}},
-        {"height-outward", {{"points", 50}}},
-        {"pom", {{"steps_grazing", 50}, {"steps_normal", 20}}},
-        {"relief-binary", {{"steps", 64}, {"binary_steps", 7}}},
-        {"secant", {{"steps", 40}}},
-        {"interval", {{"steps", 40}}},
-        {"contact", {{"steps", 32}, {"fine_steps", 8}}},
-        {"contact", {{"steps", 32}, {"fine_steps", 8}, {"interpolate", 1}}},
-        {"thesis-linear-binary", {{"min_steps", 20}}},
-        {"shadow-march-mcguire", {}},
-        {"shadow-march-thesis", {{"steps", 60}}},
-        {"shadow-soft-riccardi", {}},
-        {"shadow-relief", {{"steps", 30}}},
+        {"linear", {{"steps", 1000}}},
+        {"steep", {{"steps", 60}}},
+        {"steep-adaptive", {{"steps_grazing", 200}, {"steps_normal", 30}, {"rounding", 2}}},
+        {"steep-constant-xy", {{"min_steps", 16}, {"max_steps", 400}}},
+        {"steep-quality", {{"quality", 3}}},
+        {"steep-mip-c", {{"steps", 128}}},
+        {"steep-mip-i", {{"steps", 128}}},
+        {"height-outward", {{"points", 150}}},
+        {"pom", {{"steps_grazing", 200}, {"steps_normal", 80}}},
+        {"relief-binary", {{"steps", 128}, {"binary_steps", 7}}},
+        {"secant", {{"steps", 128}}},
+        {"interval", {{"steps", 128}}},
+        {"contact", {{"steps", 128}, {"fine_steps", 8}}},
+        {"contact", {{"steps", 128}, {"fine_steps", 8}, {"interpolate", 1}}},
+        {"thesis-linear-binary", {{"min_steps", 100}}},
+        {"shadow-march-mcguire", {{"steps_grazing", 200}, {"steps_normal", 60}}},
+        {"shadow-march-thesis", {{"steps", 128}}},
+        {"shadow-soft-riccardi", {{"steps", 128}}},
+        {"shadow-relief", {{"steps", 128}}},
     };
     return rows;
 }
@@ -129,7 +128,7 @@ struct HastyPom : Pom {
 };
 
 void run_hasty_pom(Batch<float>& batch, const Parameters&) {
-    const Pom::Params params{50, 20};
+    const Pom::Params params{200, 80};
     batch.run(&run_stage<HastyPom, Quad<float>>, &params);
 }
 
@@ -161,7 +160,7 @@ TEST(NearSurface, PlantedErrorsAreCaught) {
                 if (std::isinf(node)) node = 0;
     }));
     EXPECT_FALSE(leaves_no_trace_on_all_maps({.id = "pom", .instead = run_hasty_pom},
-                                             {{"steps_grazing", 50}, {"steps_normal", 20}}, 4));
+                                             {{"steps_grazing", 200}, {"steps_normal", 80}}, 4));
 }
 
 // ---- The beam

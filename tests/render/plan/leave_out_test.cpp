@@ -132,6 +132,52 @@ testing::AssertionResult low_maps_leave_no_trace(const Renderer& renderer) {
     return testing::AssertionSuccess();
 }
 
+struct Search {
+    const char *trace, *parameter;
+    const char* shadow;
+};
+
+/// Rows that go by bounds of parts of the map, over maps with high and low places and levels.
+testing::AssertionResult searches_by_parts_leave_no_trace(const Renderer& renderer) {
+    constexpr Search searches[] = {
+        {"linear", "steps", "shadow-march-thesis"}, {"relief-binary", "steps", "shadow-relief"},
+        {"steep", "steps", "shadow-soft-riccardi"}, {"pom", "steps_grazing", "shadow-march-thesis"},
+        {"secant", "steps", "shadow-relief"},       {"contact", "steps", "shadow-soft-riccardi"},
+    };
+    std::mt19937 random(5);
+    const std::vector<std::string> isas = built_isas();
+    for (unsigned i = 0; i < 24; ++i) {
+        const Search& search = searches[i % std::size(searches)];
+        Scene scene = relief_scene("parts" + std::to_string(i % 5) + ".exr", [&](int x, int y) {
+            return (x + 3 * y) % 8 == 0 ? 1 : 0.4 * noise(x, y, 1 + int(i % 5));
+        });
+        choose_settings(scene, random);
+        Material& material = scene.materials[0];
+        material.trace.id = search.trace;
+        material.trace.parameters.clear();
+        material.trace.parameters[search.parameter] = 100 + random() % 200;
+        material.shadow.id = search.shadow;
+        material.shadow.parameters["steps"] = 100 + random() % 100;
+        const bool wide = i % 5 == 4;
+        if (auto same = leaves_no_trace(renderer, scene, wide ? "scalar" : isas[i % isas.size()],
+                                        wide ? "double" : "float");
+            !same)
+            return same << ", " << search.trace << " and " << search.shadow;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(LeaveOut, SearchesByPartsOfTheMap) {
+    EXPECT_TRUE(searches_by_parts_leave_no_trace(render));
+    static HeightMaxima shifted;
+    EXPECT_FALSE(searches_by_parts_leave_no_trace(render_with_bounds([](MaterialUniforms& m) {
+        if (m.maxima == nullptr) return;
+        shifted = *m.maxima;
+        for (LevelMaxima& level : shifted.level) level.first_y += 3;
+        m.maxima = &shifted;
+    })));
+}
+
 TEST(LeaveOut, FlatMaps) { EXPECT_TRUE(flat_maps_leave_no_trace(render)); }
 TEST(LeaveOut, LowMaps) { EXPECT_TRUE(low_maps_leave_no_trace(render)); }
 

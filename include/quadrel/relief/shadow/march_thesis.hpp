@@ -34,13 +34,14 @@ struct ShadowMarchThesis : StageDefaults {
         if (when(active)) {
             const auto heights = march_heights(io);
             const auto height = tested_heights(io, heights);
-            const LatticeRays<F> samples = even_steps_up(ray, number<F>(params.steps));
+            const F n = number<F>(params.steps);
+            const LatticeRays<F> samples = even_steps_up(ray, n);
+            const int last = params.steps - 1;
             // Above the top plane, or the highest texel where it is known, nothing occludes.
             const F top(std::min(Scalar<F>(1), height_bounds(io).high));
-            for (const auto k :
-                 steps_near_surface<F>(height, samples, active, 1, params.steps - 1)) {
-                const F t = number<F>(k) / number<F>(params.steps);
-                active = active & (number<F>(k) < number<F>(params.steps)) & (ray.z + t < top);
+            for (const auto k : steps_near_surface<F>(height, samples, active, 1, last)) {
+                const F t = number<F>(k) / n;
+                active = active & (number<F>(k) < n) & (ray.z + t < top);
                 if (none(active)) break;
                 const F h = height(active, F(1) - (ray.z + t), ray.uv + ray.K * t, ray.z + t);
                 count_in<F>(points, active);

@@ -11,12 +11,14 @@
 namespace quadrel {
 
 /// First k in [0, n] with height(uv(k/n)) >= 1 - k/n. NaN heights are never at or above the ray.
-/// `height(active, s, uv, ray height)` fetches.
+/// `height(active, s, uv, ray height)` fetches. `start`: steps before it are known to be above the
+/// surface.
 template <Number F, class Height>
-SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n) {
+SearchResult<F> linear_march(const Height& height, const SearchRay<F>& ray, int n, int start = 0) {
     SearchResult<F> result;
+    const LatticeRays<F> samples = even_steps_down(ray, number<F>(n), n);
     Mask<F> active = ray.active, found(false), met_nan(false);
-    for (const auto k : steps_near_surface<F>(height, ray, active, number<F>(n), n)) {
+    for (const auto k : steps_near_surface<F>(height, samples, active, start, n)) {
         active = active & (number<F>(k) <= number<F>(n));
         const F s = number<F>(k) / number<F>(n);
         const F h = height(active, s, ray.at(s), F(1) - s);
@@ -66,7 +68,9 @@ struct Linear : HeightSearch {
         if (bounds.flat())
             return store_search(io, ray, flat_march<F>(ray, params.steps, bounds.low));
         const auto heights = march_heights(io);
-        store_search(io, ray, linear_march<F>(tested_heights(io, heights), ray, params.steps));
+        const int start = std::min(params.steps, first_step_below(bounds.high, params.steps));
+        store_search(io, ray,
+                     linear_march<F>(tested_heights(io, heights), ray, params.steps, start));
     }
 };
 

@@ -70,7 +70,6 @@ struct SteepAdaptiveRabbid : HeightSearch {
                                            0.5),
         parameter<&Params::quality_grazing>("quality_grazing", "1", "quality along the surface", 0,
                                             2, 1)};
-    static std::int32_t lattice_steps(const Params&) { return 50; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -22,8 +22,8 @@ namespace quadrel {
 /// Whether a text reads, at a sample, what it found at the one before.
 enum class Before { not_needed, needed };
 
-/// Marches of fewer steps make them all: there is less to gain than a walk takes.
-inline constexpr int fewest_steps_to_leave_out = 8;
+/// Marches of fewer steps make them all: there is less to gain than looking ahead takes. Measured.
+inline constexpr int fewest_steps_to_leave_out = 96;
 
 /// The numbers of a step, a lane's own.
 template <Packet F>
@@ -49,7 +49,8 @@ class GapLeaps {
         rounding_ = F(2 * maxima.rounding + 0x1p-21f);
         farthest_ = F(std::numeric_limits<Scalar<F>>::infinity());
         for (int i = 0; i < count; ++i) add_level(i, maxima.level[levels.finest + i], rays);
-        if (any(active & (farthest_ >= F(1)))) count_ = count;
+        // A leap of a step or two is not worth asking for.
+        if (any(active & (farthest_ >= F(3)))) count_ = count;
     }
 
     /// Steps that may be left out after the one that `last` is the look-up of.
@@ -161,10 +162,20 @@ class StepsNearSurface {
         }
         must_take_ =
             select(next_ < rays_.last, rays_.last, F(std::numeric_limits<Scalar<F>>::infinity()));
-        const F leap = gap_leaps_(height_.last_look());
+        const F leap = leap_by_gaps();
         const F ahead = before_ == Before::needed ? max(leap, F(1)) : leap + F(1);
         move_to(next_ + ahead);
         if (--looks_ahead_ <= 0) advance_beam();
+    }
+
+    /// Asked for more and more seldom while it gets few lanes on.
+    F leap_by_gaps() {
+        if (--samples_to_gaps_ > 0) return F(0);
+        const F leap = gap_leaps_(height_.last_look());
+        const bool pays = 2 * count_lanes<F>(active_ & (leap >= F(1))) >= count_lanes<F>(active_);
+        gap_pause_ = pays ? 1 : std::min(2 * gap_pause_, longest_pause);
+        samples_to_gaps_ = gap_pause_;
+        return leap;
     }
 
     /// Not beyond a lane's last sample before that was taken.
@@ -244,10 +255,11 @@ class StepsNearSurface {
     GapLeaps<F> gap_leaps_;
     Beam beam_;
     Mask<F> beam_lanes_ = Mask<F>(false);
-    int shortest_ = 1;            ///< fewest steps that it looks at
-    int limit_ = -1;              ///< the last step that the beam may leave out
-    int length_ = 1;              ///< how many steps it looks at next
-    int looks_ahead_ = 1;         ///< how many samples until it is asked again
+    int shortest_ = 1;                         ///< fewest steps that it looks at
+    int samples_to_gaps_ = 1, gap_pause_ = 1;  ///< likewise for leaps by gaps
+    int limit_ = -1;                           ///< the last step that the beam may leave out
+    int length_ = 1;                           ///< how many steps it looks at next
+    int looks_ahead_ = 1;                      ///< how many samples until it is asked again
     int pause_ = shortest_pause;  ///< how many after the next time that it finds the surface near
 };
 
