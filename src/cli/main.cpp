@@ -1,7 +1,9 @@
 // The command line: parsing, and exceptions to exit codes.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <new>
+#include <string_view>
 
 #include "cli/common/console.hpp"
 #include "cli/common/examples.hpp"
@@ -40,16 +42,27 @@ int run(const Action& action, const SpelledVerb& verb) {
     }
 }
 
-void add_verbs(CLI::App& app, Action& action) {
-    add_render(app, action);
-    add_compare(app, action);
-    add_list(app, action);
-    add_info(app, action);
-    add_probe(app, action);
-    add_sheet(app, action);
-    add_mips(app, action);
-    add_bake(app, action);
-    add_explain(app, action);
+struct Verb {
+    std::string_view name;
+    void (*add)(CLI::App&, Action&);
+};
+
+constexpr Verb verbs[] = {
+    {"render", add_render}, {"compare", add_compare}, {"list", add_list},
+    {"info", add_info},     {"probe", add_probe},     {"sheet", add_sheet},
+    {"mips", add_mips},     {"bake", add_bake},       {"explain", add_explain}};
+
+/// All verbs, since help and a mistake name them; but where the command line begins with one, that
+/// alone: to describe the options of all takes most of the time of starting.
+void add_verbs(CLI::App& app, Action& action, const std::vector<std::string>& arguments) {
+    const auto named = std::find_if(std::begin(verbs), std::end(verbs), [&](const Verb& verb) {
+        return !arguments.empty() && verb.name == arguments.front();
+    });
+    const bool version = arguments == std::vector<std::string>{"--version"};
+    if (named != std::end(verbs))
+        named->add(app, action);
+    else if (!version)
+        for (const Verb& verb : verbs) verb.add(app, action);
     add_examples(app);
 }
 
@@ -75,9 +88,9 @@ int parse_and_run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer(exit_code_help());
     Action action;
-    add_verbs(app, action);
     const std::vector<std::string> arguments =
         with_help_words({argv + std::min(argc, 1), argv + argc});
+    add_verbs(app, action, arguments);
     const SpelledVerb verb = spelled_verb(app, arguments);
     if (!verb.unknown.empty()) return complain(unknown_verb_message(verb), ExitCode::usage);
     return run([&] { return parse(app, action, verb, arguments)(); }, verb);

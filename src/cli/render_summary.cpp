@@ -29,6 +29,8 @@ std::string left_out_text(const std::vector<std::string>& lines) {
         text += text.empty() ? "" : ", ";
         if (kind == "steps") {
             text += "steps that no height can meet";
+        } else if (kind == "levels" || kind == "channels") {
+            text += kind + " that nothing samples";
         } else {
             text += fmt::format("{} {}{}", n, kind, n == 1 ? "" : "s");
         }

@@ -38,6 +38,7 @@ class AtomicFile {
     friend class OutputGroup;
     void open_temporary();
     void open_through();
+    void send_ahead();
     void finish();
     void publish();
     void publish_through();
@@ -52,6 +53,7 @@ class AtomicFile {
     bool through_ = false;  ///< target cannot be seeked or renamed onto: bytes wait in spool_
     std::string spool_;
     std::uint64_t position_ = 0;
+    std::uint64_t sent_ = 0;  ///< up to where the disk has been told to begin
 };
 
 /// Throws the OutputError that AtomicFile would throw now: for finding out before long work. Leaves

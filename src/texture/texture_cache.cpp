@@ -33,6 +33,7 @@ std::shared_ptr<const Texture> TextureCache::add(const std::string& id,
                                                  std::shared_ptr<const Texture> made) {
     const std::lock_guard lock(mutex_);
     std::erase_if(textures_, [](const auto& entry) { return entry.second.expired(); });
+    ++made_;
     if (auto found = textures_[id].lock()) return found;
     textures_[id] = made;
     return made;

@@ -31,9 +31,9 @@ constexpr std::array rooms = {"text",    "file",   "num",     "texture", "scene"
 
 /// The rooms of the headers that stand in front of all folders.
 const std::map<std::string, std::string> front = {
-    {"check", "text"},    {"error", "text"},   {"compare", "film"},
-    {"plugin", "shade"},  {"shader", "shade"}, {"testing", "shade"},
-    {"render", "render"}, {"probe", "render"}, {"stats", "render"}};
+    {"check", "text"},   {"error", "text"},    {"compare", "film"},  {"plugin", "shade"},
+    {"shader", "shade"}, {"testing", "shade"}, {"render", "render"}, {"prepare", "render"},
+    {"probe", "render"}, {"stats", "render"}};
 
 /// Position in `rooms`; -1 for other folders.
 int room_index(const std::string& name) {

@@ -1,6 +1,8 @@
 // Textures shared between materials, scenes and renders: one for each content and set of options.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <span>
@@ -41,12 +43,16 @@ class TextureCache {
     /// Keeps nothing any more. Textures that somebody else holds are still found.
     void clear();
 
+    /// How many textures were not there and had to be made so far.
+    std::uint64_t made() const { return made_; }
+
   private:
     std::shared_ptr<const Texture> find(const std::string& id);
     /// The texture, or the one that another thread has put there first.
     std::shared_ptr<const Texture> add(const std::string& id, std::shared_ptr<const Texture> made);
 
     std::mutex mutex_;
+    std::atomic<std::uint64_t> made_ = 0;
     std::map<std::string, std::weak_ptr<const Texture>> textures_;  ///< by content and options
     std::map<std::string, std::shared_ptr<const Texture>> kept_;    ///< by what was asked for
 };

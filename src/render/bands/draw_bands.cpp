@@ -142,15 +142,16 @@ void draw_bands(const PreparedRender& prepared, const RenderOptions& options, Ba
     drawing.add_records(record);
 }
 
-void render_bands(const Scene& scene, const RenderOptions& options, const BandSinkMaker& make) {
-    render_by(scene, options,
-              [&](const PreparedRender& prepared, DrawRecord& record, Recording recording) {
-                  Film layout;
-                  name_planes(layout, scene, prepared.window, prepared.channels);
-                  const std::unique_ptr<BandSink> sink = make(layout);
-                  draw_bands(prepared, options, *sink, record, recording);
-                  sink->end();
-              });
+void render_bands(const Scene& scene, const RenderOptions& options, const BandSinkMaker& make,
+                  GeometryCache* geometry) {
+    const auto draw = [&](const PreparedRender& prepared, DrawRecord& record, Recording recording) {
+        Film layout;
+        name_planes(layout, scene, prepared.window, prepared.channels);
+        const std::unique_ptr<BandSink> sink = make(layout);
+        draw_bands(prepared, options, *sink, record, recording);
+        sink->end();
+    };
+    render_by(scene, options, draw, geometry);
 }
 
 }  // namespace quadrel

@@ -1,6 +1,8 @@
 // Drawing whose film is never there as a whole.
 #pragma once
 
+#include <filesystem>
+
 #include "film/band_sink.hpp"
 #include "render/plan/prepared.hpp"
 
@@ -13,6 +15,11 @@ void draw_bands(const PreparedRender& prepared, const RenderOptions& options, Ba
 
 /// Renders into the sink that `make` makes once the scene is planned and its textures are loaded,
 /// and ends it. Throws as `render` and the sink do; any size of frame is possible.
-void render_bands(const Scene& scene, const RenderOptions& options, const BandSinkMaker& make);
+void render_bands(const Scene& scene, const RenderOptions& options, const BandSinkMaker& make,
+                  GeometryCache* geometry = nullptr);
+
+/// Makes the sinks of render_to_exr.
+BandSinkMaker to_exr(const std::filesystem::path& file, const Scene& scene,
+                     const RenderOptions& options, ExrCompression compression);
 
 }  // namespace quadrel

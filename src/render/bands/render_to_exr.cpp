@@ -26,13 +26,16 @@ void render_in_bands(const Scene& scene, const RenderOptions& options,
     render_bands(scene, options, [&](const Film&) { return std::make_unique<CallingSink>(take); });
 }
 
+BandSinkMaker to_exr(const std::filesystem::path& file, const Scene& scene,
+                     const RenderOptions& options, ExrCompression compression) {
+    const auto named = render_attributes(scene, options);
+    return [file, attributes = Attributes(named.begin(), named.end()), compression](
+               const Film& layout) { return exr_file_sink(file, layout, attributes, compression); };
+}
+
 void render_to_exr(const std::filesystem::path& file, const Scene& scene,
                    const RenderOptions& options, ExrCompression compression) {
-    const auto named = render_attributes(scene, options);
-    const Attributes attributes(named.begin(), named.end());
-    render_bands(scene, options, [&](const Film& layout) {
-        return exr_file_sink(file, layout, attributes, compression);
-    });
+    render_bands(scene, options, to_exr(file, scene, options, compression));
 }
 
 }  // namespace quadrel

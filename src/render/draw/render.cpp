@@ -12,6 +12,7 @@
 #include "render/draw/planes.hpp"
 #include "render/draw/tile_progress.hpp"
 #include "render/plan/prepared.hpp"
+#include "render/prepare/geometry_cache.hpp"
 #include "render/registry/added_stages.hpp"
 #include "render/stats/stats_record.hpp"
 #include "render/stats/stopwatch.hpp"
@@ -116,13 +117,16 @@ RenderStats count_all(const PreparedRender& prepared, const RenderOptions& optio
 }  // namespace
 
 PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
-                           const KernelTable& kernels) {
+                           const KernelTable& kernels, GeometryCache* geometry) {
     check_options(options);
     PreparedRender prepared{
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
     prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
     prepared.plan.isa = options.isa;
-    prepared.geometry = assemble_geometry(scene, prepared.plan.hardware, parts_read(prepared.plan));
+    const GeometryParts parts = parts_read(prepared.plan);
+    prepared.geometry = geometry != nullptr
+                            ? geometry->take(scene, prepared.plan.hardware, parts)
+                            : assemble_geometry(scene, prepared.plan.hardware, parts);
     prepared.used = std::vector<bool>(scene.materials.size(), true);
     if (options.skip) {
         const Viewport viewport{scene.width, scene.height, scene.conventions};
@@ -204,12 +208,13 @@ std::string explain(const Scene& scene, const RenderOptions& options) {
     return explain(prepared);
 }
 
-void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing) {
+void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing,
+               GeometryCache* geometry) {
     const KernelTable& kernels = select_kernels(options);
     const AllowedThreads allowed(options.threads);
     Phases phases;
     Stopwatch watch;
-    PreparedRender prepared = plan_render(scene, options, kernels);
+    PreparedRender prepared = plan_render(scene, options, kernels, geometry);
     phases.plan = watch.lap();
     load_textures_of(prepared, options);
     phases.load = watch.lap();
@@ -218,13 +223,25 @@ void render_by(const Scene& scene, const RenderOptions& options, const Drawing& 
     phases.draw = watch.lap();
     if (options.summary != nullptr) *options.summary = summarize(prepared, record, phases);
     if (options.stats != nullptr) *options.stats = count_all(prepared, options, record, phases);
+    if (geometry != nullptr) geometry->give_back(std::move(prepared.geometry));
+}
+
+void load_ahead(const Scene& scene, const RenderOptions& options, GeometryCache& geometry) {
+    const KernelTable& kernels = select_kernels(options);
+    const AllowedThreads allowed(options.threads);
+    PreparedRender prepared = plan_render(scene, options, kernels, &geometry);
+    load_textures_of(prepared, options);
+    geometry.give_back(std::move(prepared.geometry));
+}
+
+Drawing drawing_into(Film& film, const RenderOptions& options) {
+    return [&](const PreparedRender& prepared, DrawRecord& record, Recording recording) {
+        draw_into(film, prepared, options, &record, recording);
+    };
 }
 
 void render_into(Film& film, const Scene& scene, const RenderOptions& options) {
-    render_by(scene, options,
-              [&](const PreparedRender& prepared, DrawRecord& record, Recording recording) {
-                  draw_into(film, prepared, options, &record, recording);
-              });
+    render_by(scene, options, drawing_into(film, options));
 }
 
 Film render(const Scene& scene, const RenderOptions& options) {

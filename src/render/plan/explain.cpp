@@ -98,6 +98,20 @@ std::string height_note(const TextureReference& reference) {
     return ": heights from " + swizzle.substr(0, swizzle.starts_with("1-") ? 3 : 1);
 }
 
+void describe_texels(const PreparedRender& prepared, std::size_t m, const SlotSet& slots,
+                     MaterialText& text) {
+    const TexelsRead& read = prepared.plan.texels_read[m];
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (!slots[i]) continue;
+        const std::string slot(slot_name(static_cast<TextureSlot>(i)));
+        if (read.first_channel[i])
+            text.leaves_out.push_back(fmt::format("channels of {} but the first", slot));
+        if (read.finest_level[i] &&
+            prepared.scene->materials[m].textures.at(slot).mip_rule != MipRule::none)
+            text.leaves_out.push_back(fmt::format("levels of {} but the finest", slot));
+    }
+}
+
 void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
     const Scene& scene = *prepared.scene;
     const SlotSet slots = prepared.plan.materials[m].textures | prepared.plan.discard[m].textures;
@@ -114,6 +128,7 @@ void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialTe
     for (const auto& [slot, reference] : scene.materials[m].textures)
         describe(slot, reference.file.string(),
                  slot == slot_name(TextureSlot::height) ? height_note(reference) : "");
+    describe_texels(prepared, m, slots, text);
     if (scene.environment) describe("environment", scene.environment->faces[0].string());
     for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i) {
         if (!slots[i]) continue;

@@ -1,9 +1,13 @@
 #include "render/plan/height_bounds.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <mutex>
 
 #include "quadrel/texture/filter.hpp"
 
@@ -49,6 +53,19 @@ std::optional<HeightRange> height_range(const SampledTexture& map) {
     const HeightRange bounds{range.low - margin, range.high + margin};
     if (!finite(bounds.low, bounds.high)) return std::nullopt;
     return bounds;
+}
+
+std::optional<HeightRange> height_range(const SampledTexture& map, const std::string& id) {
+    constexpr std::size_t most = 10000;
+    static std::mutex mutex;
+    static std::map<std::string, std::optional<HeightRange>> known;
+    const std::string key =
+        fmt::format("{} {} {:a} {}", id, map.sampler.mip == MipFilter::none,
+                    has_border(map.sampler) ? map.sampler.border[0] : 0, has_border(map.sampler));
+    const std::lock_guard lock(mutex);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+    if (known.size() >= most) known.clear();
+    return known[key] = height_range(map);
 }
 
 }  // namespace quadrel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "quadrel/texture/view.hpp"
 
@@ -16,5 +17,8 @@ struct HeightRange {
 /// it may read that; rounding of the filters included. None for cube maps and where a bound would
 /// not be finite.
 std::optional<HeightRange> height_range(const SampledTexture& map);
+
+/// The same of a texture of this id (Texture::id), measured once in the life of the process.
+std::optional<HeightRange> height_range(const SampledTexture& map, const std::string& id);
 
 }  // namespace quadrel

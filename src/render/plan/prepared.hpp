@@ -10,6 +10,8 @@
 
 namespace quadrel {
 
+class GeometryCache;
+
 /// Everything that a render needs before its first tile. Refers to the scene, which must outlive
 /// it; may be drawn any number of times.
 struct PreparedRender {
@@ -21,9 +23,10 @@ struct PreparedRender {
     std::vector<bool> used;  ///< materials that have a triangle in the window
 };
 
-/// Checks the options, plans and assembles geometry; loads no texture.
+/// Checks the options, plans and assembles geometry, or takes it from where one is given; loads no
+/// texture.
 PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
-                           const KernelTable& kernels);
+                           const KernelTable& kernels, GeometryCache* geometry = nullptr);
 
 /// plan_render, and loads the textures that the plan reads. Throws as `render` does.
 PreparedRender prepare_render(const Scene& scene, const RenderOptions& options,
@@ -43,8 +46,15 @@ void draw_into(Film& film, const PreparedRender& prepared, const RenderOptions& 
 using Drawing = std::function<void(const PreparedRender&, DrawRecord&, Recording)>;
 
 /// A whole render: plans, loads, draws by `drawing`, and hands out summary and statistics where
-/// they are asked for.
-void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing);
+/// they are asked for. Leaves the geometry in the cache.
+void render_by(const Scene& scene, const RenderOptions& options, const Drawing& drawing,
+               GeometryCache* geometry = nullptr);
+
+/// Draws by draw_into. `film` and `options` must outlive it.
+Drawing drawing_into(Film& film, const RenderOptions& options);
+
+/// The part of render_by that comes before drawing, for the one that follows.
+void load_ahead(const Scene& scene, const RenderOptions& options, GeometryCache& geometry);
 
 /// Runs all that `draw` runs once more, without a film, and marks the texels that look-ups touch.
 /// Adds to `record` the steps that searches make. Equal for any number of threads and tile size.

@@ -42,9 +42,10 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
 
 /// Tells the stages what the height map can give anywhere.
 void bound_heights(RenderPlan& plan, std::size_t material) {
-    const SampledTexture* map =
-        plan.textures[material].bound(static_cast<int>(TextureSlot::height));
-    const auto range = map ? height_range(*map) : std::nullopt;
+    constexpr auto slot = static_cast<std::size_t>(TextureSlot::height);
+    const MaterialTextures& textures = plan.textures[material];
+    const SampledTexture* map = textures.bound(static_cast<int>(slot));
+    const auto range = map ? height_range(*map, textures.owned[slot]->id()) : std::nullopt;
     MaterialUniforms& uniforms = plan.uniforms[material];
     if (!range || uniforms.noise_octaves > 0) return;
     uniforms.heights_bounded = 1;
@@ -100,6 +101,9 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         check_height(scene, material, plan.materials.back());
         check_height(scene, material, plan.discard.back());
         plan.uniforms.push_back(material_uniforms(material));
+        plan.texels_read.push_back(
+            skip ? texels_read(material, plan.materials.back(), plan.discard.back())
+                 : TexelsRead());
     }
     plan.textures.resize(scene.materials.size());
     return plan;
@@ -138,7 +142,7 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
     std::vector<SlotSet> slots(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)
         if (used[m]) slots[m] = plan.materials[m].textures | plan.discard[m].textures;
-    plan.textures = load_textures(scene, slots, *scene.texture_cache, baking);
+    plan.textures = load_textures(scene, slots, plan.texels_read, *scene.texture_cache, baking);
     plan.maxima.resize(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m) {
         const MaterialPlan& material = plan.materials[m];

@@ -21,6 +21,7 @@ struct RenderPlan {
     FrameUniforms frame{};
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
+    std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
     /// Maxima of the height maps of those materials whose searches leave out steps by them.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "quadrel/bake/baked_texture.hpp"
@@ -31,6 +32,8 @@ struct Need {
     std::size_t material;
     TextureSlot slot;
     TextureReference reference;
+    bool finest_level = false, first_channel = false;  ///< nothing else is read (TexelsRead)
+    bool reads_all() const { return !finest_level && !first_channel; }
 };
 
 std::optional<Need> need_of(const Scene& scene, std::size_t material, TextureSlot slot) {
@@ -44,14 +47,41 @@ std::optional<Need> need_of(const Scene& scene, std::size_t material, TextureSlo
     return need;
 }
 
+/// Whether both are level by level one texture.
+bool is_same_texture(const Need& a, const Need& b) {
+    const TextureReference &x = a.reference, &y = b.reference;
+    return x.file == y.file && x.selection == y.selection && x.srgb == y.srgb &&
+           x.format == y.format && x.mip_rule == y.mip_rule && x.flip_v == y.flip_v &&
+           texture_options(x, a.slot).swizzle == texture_options(y, b.slot).swizzle &&
+           x.allow_nan == y.allow_nan;
+}
+
+/// What is not read is left out, unless another need has the whole texture.
+void leave_out_texels(std::vector<Need>& needs) {
+    for (Need& need : needs)
+        if (std::any_of(needs.begin(), needs.end(), [&](const Need& other) {
+                return other.reads_all() && is_same_texture(need, other);
+            }))
+            need.finest_level = need.first_channel = false;
+    for (Need& need : needs) {
+        if (need.finest_level) need.reference.mip_rule = MipRule::none;
+        if (need.first_channel) need.reference.swizzle = "r";
+    }
+}
+
 /// In the order of materials and slots.
-std::vector<Need> all_needs(const Scene& scene, const std::vector<SlotSet>& slots) {
+std::vector<Need> all_needs(const Scene& scene, const std::vector<SlotSet>& slots,
+                            const std::vector<TexelsRead>& read) {
     std::vector<Need> needs;
     for (std::size_t material = 0; material < slots.size(); ++material)
         for (int i = 0; i < texture_slot_count; ++i)
             if (slots[material][static_cast<std::size_t>(i)])
-                if (auto need = need_of(scene, material, static_cast<TextureSlot>(i)))
+                if (auto need = need_of(scene, material, static_cast<TextureSlot>(i))) {
+                    need->finest_level = read[material].finest_level[static_cast<std::size_t>(i)];
+                    need->first_channel = read[material].first_channel[static_cast<std::size_t>(i)];
                     needs.push_back(*std::move(need));
+                }
+    leave_out_texels(needs);
     return needs;
 }
 
@@ -133,8 +163,9 @@ std::string height_swizzle(const TextureReference& reference) {
 }
 
 std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vector<SlotSet>& slots,
+                                            const std::vector<TexelsRead>& read,
                                             TextureCache& cache, const BakingListener& baking) {
-    const std::vector<Need> needs = all_needs(scene, slots);
+    const std::vector<Need> needs = all_needs(scene, slots, read);
     const auto loaded = load_all(needs, cache);
     std::vector<MaterialTextures> textures(slots.size());
     for (std::size_t n = 0; n < needs.size(); ++n) {

@@ -10,6 +10,7 @@
 
 #include "quadrel/texture/texture_cache.hpp"
 #include "render/plan/plan.hpp"
+#include "render/plan/texels_read.hpp"
 
 namespace quadrel {
 
@@ -34,8 +35,9 @@ struct BakingListener {
 std::string height_swizzle(const TextureReference& reference);
 
 /// Loads of each material the textures that are in its set of slots, from `cache` where that has
-/// them, and keeps them there.
+/// them, and keeps them there; of these what `read` says, at least.
 std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vector<SlotSet>& slots,
+                                            const std::vector<TexelsRead>& read,
                                             TextureCache& cache, const BakingListener& baking);
 
 }  // namespace quadrel

@@ -161,6 +161,12 @@ StageFunction find_added_kernel(const KernelTable& table, std::string_view id) {
     return (lanes != nullptr ? lanes : row)->run;
 }
 
+bool is_added(std::string_view id) {
+    AddedStages& stages = added();
+    const std::lock_guard lock(stages.mutex);
+    return find_row(stages.rows, id) != nullptr;
+}
+
 bool runs_on_plain_lanes(const KernelTable& table, std::string_view id) {
     AddedStages& stages = added();
     const std::lock_guard lock(stages.mutex);

@@ -22,6 +22,9 @@ void append_to_registry(std::span<const StageRow* const> rows);
 /// Null if there is no such stage.
 StageFunction find_added_kernel(const KernelTable& table, std::string_view id);
 
+/// Whether the registry did not have a stage from the start.
+bool is_added(std::string_view id);
+
 /// Whether a stage, though added, has no function of its own for the lanes of a table.
 bool runs_on_plain_lanes(const KernelTable& table, std::string_view id);
 

@@ -96,7 +96,7 @@ MaterialTextures load_at_once(const Scene& scene, const Slots& slots, TextureCac
                               const BakingListener& baking) {
     SlotSet set;
     for (const TextureSlot slot : slots) set.set(static_cast<std::size_t>(slot));
-    return load_textures(scene, {set}, cache, baking).at(0);
+    return load_textures(scene, {set}, {TexelsRead()}, cache, baking).at(0);
 }
 
 /// Each map for itself.

@@ -1,0 +1,22 @@
+// Which textures have but a part of their texels read, so that nothing else is made.
+#pragma once
+
+#include "render/plan/plan.hpp"
+
+namespace quadrel {
+
+/// Of a material's slots. Faces of an environment, and slots that stages from outside may read as
+/// they like, are in neither set.
+struct TexelsRead {
+    /// No planned stage can read a coarser level, whatever is drawn: the sampler takes none, or
+    /// only stages read the map that are known to read texels of level 0.
+    SlotSet finest_level;
+    /// Only stages read the map that are known to read its first channel alone, and the scene has
+    /// not said which channels it shall have.
+    SlotSet first_channel;
+};
+
+TexelsRead texels_read(const Material& material, const MaterialPlan& drawn,
+                       const MaterialPlan& discard);
+
+}  // namespace quadrel
