@@ -26,8 +26,7 @@ Depth graded(Planted planted = Planted::none) {
             break;
         case Planted::back_faces_kept:
             depth.before = [](Batch<float>& b) {
-                each_lane(b,
-                             [&](int lane) { b.set(Value::Ng, lane, -b.vector3(Value::P, lane)); });
+                each_lane(b, [&](int lane) { b.set(Value::Ng, lane, -b.vector3(Value::P, lane)); });
             };
             break;
         default:
