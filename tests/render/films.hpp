@@ -34,6 +34,15 @@ inline std::vector<std::string> all_channels(const Scene& scene) {
     return names;
 }
 
+/// Everything but the counts that tell how it came about.
+inline std::vector<std::string> channels_without_counts(const Scene& scene) {
+    std::vector<std::string> names = all_channels(scene);
+    std::erase_if(names, [](const std::string& name) {
+        return name.ends_with("steps") || name.ends_with("fetches");
+    });
+    return names;
+}
+
 /// `names` without those that equal one of `left_out` or begin with it and a dot.
 inline std::vector<std::string> without(std::vector<std::string> names,
                                         const std::vector<std::string>& left_out) {

@@ -211,4 +211,10 @@ inline Scene varied_scene(int samples = 1, Conventions conventions = Conventions
     return scene;
 }
 
+/// The scene with one of its objects alone.
+inline Scene only(Scene scene, std::size_t object) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].visible = i == object;
+    return scene;
+}
+
 }  // namespace quadrel::render_tests

@@ -33,7 +33,7 @@ SweepFunction* open_sweep(const std::string& isa) {
 
 void sweep_reference(SweepRequest* request) { sweep<Quad<float>>(*request); }
 
-constexpr int count = 128;
+constexpr int sweep_lanes = 128;
 
 struct Sweep {
     std::vector<float> input, output;
@@ -41,15 +41,15 @@ struct Sweep {
     FetchCounters counters;
 
     Sweep(std::uint32_t seed, int width, int height_, int channels)
-        : input(sweep_inputs * count),
-          output(sweep_outputs * count),
+        : input(sweep_inputs * sweep_lanes),
+          output(sweep_outputs * sweep_lanes),
           flat(width, height_, channels, 1, seed),
           height(width, height_, 1, 1, seed + 1),
           cube(std::min(width, 8), std::min(width, 8), 4, 6, seed + 2) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> uniform(-1, 1), exponent(-6, 3);
-        for (int i = 0; i < sweep_inputs * count; ++i) {
-            const int array = i / count;
+        for (int i = 0; i < sweep_inputs * sweep_lanes; ++i) {
+            const int array = i / sweep_lanes;
             const float size = array >= 3 ? std::exp2(exponent(random)) / 8 : 3;
             input[i] = uniform(random) * size;
             if (random() % 32 == 0) input[i] = std::round(input[i] * 8) / 8;
@@ -73,23 +73,24 @@ struct Sweep {
     std::int32_t run(SweepFunction* function) {
         counters = {};
         SweepRequest request{
-            &flat.sampled, &height.sampled, &cube.sampled, {}, {}, count, &counters, 0};
-        for (int i = 0; i < sweep_inputs; ++i) request.input[i] = &input[i * count];
-        for (int i = 0; i < sweep_outputs; ++i) request.output[i] = &output[i * count];
+            &flat.sampled, &height.sampled, &cube.sampled, {}, {}, sweep_lanes, &counters, 0};
+        for (int i = 0; i < sweep_inputs; ++i) request.input[i] = &input[i * sweep_lanes];
+        for (int i = 0; i < sweep_outputs; ++i) request.output[i] = &output[i * sweep_lanes];
         function(&request);
         return request.lanes;
     }
 };
 
-/// All NaNs count as one value.
+/// All NaNs sweep_lanes as one value.
 std::uint32_t bits(float x) { return x != x ? 0x7fc00000u : std::bit_cast<std::uint32_t>(x); }
 
 testing::AssertionResult equal_bits(const Sweep& a, const std::vector<float>& want,
                                     const FetchCounters& counters) {
     for (std::size_t i = 0; i < want.size(); ++i) {
         if (bits(a.output[i]) == bits(want[i])) continue;
-        return testing::AssertionFailure() << "output " << i / count << " lane " << i % count
-                                           << ": " << a.output[i] << ", want " << want[i];
+        return testing::AssertionFailure()
+               << "output " << i / sweep_lanes << " lane " << i % sweep_lanes << ": " << a.output[i]
+               << ", want " << want[i];
     }
     if (std::memcmp(&counters, &a.counters, sizeof counters) != 0) {
         return testing::AssertionFailure() << "counters differ";

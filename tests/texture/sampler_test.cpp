@@ -14,7 +14,7 @@ using Double = Quad<double>;
 struct Size {
     int width, height;
 };
-constexpr Size sizes[] = {{1, 1}, {1, 7}, {5, 1}, {4, 4}, {13, 6}, {64, 32}};
+constexpr Size texture_sizes[] = {{1, 1}, {1, 7}, {5, 1}, {4, 4}, {13, 6}, {64, 32}};
 
 /// Every wrap, filter and mip combination at random coordinates, against the reference;
 /// `bound(size)` is the largest difference allowed at a side of that many texels.
@@ -22,7 +22,7 @@ testing::AssertionResult matches_reference(const Sampler& sampler,
                                            const std::function<double(int)>& bound) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> coordinate(-2.5f, 3.5f), level(-1, 7);
-    for (const Size size : sizes) {
+    for (const Size size : texture_sizes) {
         for (int channels : {1, 2, 4}) {
             RandomTexture texture(size.width, size.height, channels);
             SamplerState& s = texture.sampled.sampler;
@@ -252,7 +252,7 @@ using HeightPair = std::function<bool(const SampledTexture&, const vec2<Float>&)
 testing::AssertionResult models_agree(const HeightPair& agree) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> coordinate(-3, 3);
-    for (const Size size : sizes) {
+    for (const Size size : texture_sizes) {
         RandomTexture texture(size.width, size.height, 1);
         SamplerState& s = texture.sampled.sampler;
         s.mip = MipFilter::none;

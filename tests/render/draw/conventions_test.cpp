@@ -18,7 +18,7 @@ namespace {
 
 using MakeScene = std::function<Scene(Conventions)>;
 
-const std::vector<std::string> turned = {"dUVdy", "dPdy"};
+const std::vector<std::string> negated = {"dUVdy", "dPdy"};
 const std::vector<std::string> window_bound = {"quad", "depth", "frag.depth", "B.X", "B.Y", "B.Z"};
 
 std::vector<std::string> plus(std::vector<std::string> a, const std::vector<std::string>& b) {
@@ -50,7 +50,7 @@ testing::AssertionResult even_frames_agree(const Renderer& renderer, const MakeS
                                            const std::vector<std::string>& but = {}) {
     const Scene scene = make(Conventions::gl);
     const auto all = without(all_channels(scene), but);
-    const auto equal = without(all, plus(turned, window_bound));
+    const auto equal = without(all, plus(negated, window_bound));
     const Film gl = take(renderer, scene, all);
     const Film vulkan = take(renderer, make(Conventions::vulkan), all);
     const Film d3d = take(renderer, make(Conventions::d3d), all);

@@ -29,11 +29,6 @@ Scene solid_plate(Scene scene) {
     return scene;
 }
 
-Scene only(Scene scene, std::size_t object) {
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].visible = i == object;
-    return scene;
-}
-
 /// Alpha of the colour map at a texture coordinate.
 bool is_hole(float u, float v) {
     const int x = static_cast<int>(std::floor(u * 16)), y = static_cast<int>(std::floor(v * 16));

@@ -20,11 +20,6 @@ Scene cut_scene(bool relief_first, int samples = 1, bool reversed_z = false) {
     return scene;
 }
 
-Scene only(Scene scene, std::size_t object) {
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) scene.objects[i].visible = i == object;
-    return scene;
-}
-
 /// Every pixel shows the object whose depth, drawn alone, is nearer; the relief's depth is the one
 /// of its hits.
 testing::AssertionResult nearer_hit_wins(const Renderer& renderer, const Scene& scene) {

@@ -40,14 +40,6 @@ Scene relief_scene(const std::string& name, const Height& height) {
     return scene;
 }
 
-/// Everything but the counts that tell how it came about.
-std::vector<std::string> channels_without_counts(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const std::string& name : all_channels(scene))
-        if (!name.ends_with("steps") && !name.ends_with("fetches")) names.push_back(name);
-    return names;
-}
-
 testing::AssertionResult leaves_no_trace(const Renderer& renderer, const Scene& scene,
                                          const std::string& isa, const std::string& number) {
     RenderOptions options;

@@ -24,13 +24,13 @@ std::uint64_t bytes_read() {
     return name == "rchar:" ? count : 0;
 }
 
-constexpr int side = 192;
+constexpr int cached_side = 192;
 
 void write_heights(const std::filesystem::path& file, int seed) {
-    Film film{{0, 0, side, side}, {0, 0, side, side}, {}};
+    Film film{{0, 0, cached_side, cached_side}, {0, 0, cached_side, cached_side}, {}};
     for (const char* name : {"R", "G", "B", "A"}) {
         Plane& plane = film.add(name, ChannelType::float32);
-        for (int i = 0; i < side * side; ++i)
+        for (int i = 0; i < cached_side * cached_side; ++i)
             plane.bits[static_cast<std::size_t>(i)] =
                 std::bit_cast<std::uint32_t>(static_cast<float>(noise(i, seed, 0)));
     }

@@ -43,14 +43,6 @@ RenderOptions options_for(int i, std::vector<std::string> channels) {
     return options;
 }
 
-std::vector<std::string> channels_without_counts(const Scene& scene) {
-    std::vector<std::string> names = all_channels(scene);
-    std::erase_if(names, [](const std::string& name) {
-        return name.ends_with("steps") || name.ends_with("fetches");
-    });
-    return names;
-}
-
 testing::AssertionResult is_as_without_skipping(const Renderer& renderer, bool counts) {
     std::mt19937 random(21);
     for (int i = 0; i < 36; ++i) {
