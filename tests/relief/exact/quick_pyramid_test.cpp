@@ -155,11 +155,12 @@ TEST(QuickPyramid, MasksAndShiftsAgreeWithAnyAxis) {
 
 TEST(QuickPyramid, PlantedErrorsAreCaught) {
     using F = Quad<float>;
+    // With few rays only: in time it reads beyond the map.
+    EXPECT_FALSE(agrees<float>(run_stage<QuickMaxMip<WrongMask>, F>, Sizes::powers_of_two));
     // As many batches under the sanitizers, too: the first do not show every error.
     const auto passes = [](StageFunction quick) {
         return agrees<float>(quick, Sizes::powers_of_two, "max-mip", &no_params, 6);
     };
-    EXPECT_FALSE(passes(run_stage<QuickMaxMip<WrongMask>, F>));
     EXPECT_FALSE(passes(run_stage<QuickMaxMip<PowerOfTwoAxis, NanIsLow>, F>));
     EXPECT_FALSE(passes(run_stage<QuickMaxMip<PowerOfTwoAxis, PyramidLevels, Impatient>, F>));
 }
