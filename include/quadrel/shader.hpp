@@ -1,7 +1,7 @@
 // Shaders of one's own, in a program: any text over a number type, most simply a generic lambda.
 //
 //     using namespace quadrel;
-//     using F = Quad<float>;                       // or Quad<double>
+//     using F = Quad<float>;                       // or Quad<double>, or Quad<Dual>: testing.hpp
 //
 //     // over one quad (testing.hpp: derivatives, mip levels, texels)
 //     auto quad = unit::run_quad<F>(10, 20, [](const auto& xy) { return xy * 0.25f; });
@@ -118,7 +118,17 @@ class PieceVaryings {
     EdgeValues<F> edges(const QuadCoverage& quad) const {
         double e[3][4];
         attribute_edges(screen_, quad_centres(quad.x, quad.y), e[0], e[1], e[2]);
-        return {load_wide<F>(e[0]), load_wide<F>(e[1]), load_wide<F>(e[2])};
+        const EdgeSlopes s = edge_slopes(screen_);
+        const auto edge = [&](int i) { return changing(load_wide<F>(e[i]), s.dx[i], s.dy[i]); };
+        return {edge(0), edge(1), edge(2)};
+    }
+    /// With its derivatives, where the number type carries them.
+    template <class Packet>
+    static Packet changing(const Packet& value, double dx, double dy) {
+        if constexpr (Differentiated<F>)
+            return with_derivatives(value, dx, dy);
+        else
+            return value;
     }
     vec4<F> coordinates(const QuadCoverage& quad, F w) const {
         const QuadPoints centres = quad_centres(quad.x, quad.y);
@@ -129,7 +139,11 @@ class PieceVaryings {
             y[i] = static_cast<Scalar<F>>(lane_y(quad, lane)) + Scalar<F>(0.5);
             z[i] = static_cast<Scalar<F>>(depth_at(screen_, centres.x[i], centres.y[i]));
         }
-        return {load<F>(x), load<F>(y), load<F>(z), F(1) / w};
+        const EdgeSlopes s = edge_slopes(screen_);
+        return {changing(load<F>(x), 1, 0), changing(load<F>(y), 0, 1),
+                changing(load<F>(z), s.dx[1] * screen_.depth1 + s.dx[2] * screen_.depth2,
+                         s.dy[1] * screen_.depth1 + s.dy[2] * screen_.depth2),
+                F(1) / w};
     }
     static Mask<F> covered(const QuadCoverage& quad) {
         std::uint32_t lanes[4];
@@ -145,11 +159,12 @@ class PieceVaryings {
 
 /// Runs `shader(fragments)` for every quad that the triangle covers a pixel of, and gives what it
 /// returned: a packet of F, or a vector of them. Clipping, snapping, fill rule and interpolation
-/// are those of `render`, bit for bit. F is Quad<float> or Quad<double>.
+/// are those of `render`, bit for bit. F is Quad<float>, Quad<double> or Quad<Dual>, on which every
+/// varying has its exact derivatives.
 template <Packet F, int n, class Shader>
 auto shade_triangle(const RasterState& state, const std::array<ShaderVertex<n>, 3>& triangle,
                     const Shader& shader) {
-    static_assert(lanes_of<F> == 4, "plain numbers: Quad<float> or Quad<double>");
+    static_assert(lanes_of<F> == 4, "plain numbers: Quad<float>, Quad<double> or Quad<Dual>");
     using V = std::decay_t<decltype(shader(std::declval<const Fragments<F, n>&>()))>;
     std::vector<ShadedQuad<V>> out;
     for (const TriangleQuads& part : triangle_quads(

@@ -12,18 +12,31 @@
 //         const auto mip = unit::select_level({256, 256}, q.dFdx_fine(0), q.dFdy_fine(0));
 //         EXPECT_EQ(mip.level, 2.0);                  // 4 texels a pixel
 //     }
+//
+// On dual numbers (num/dual.hpp) the same text also has its exact derivatives at each lane's own
+// position, and so what the finite differences are off by:
+//
+//     TEST(Shader, CurvedGradient) {
+//         const auto q = unit::run_quad<Quad<Dual>>(10, 20, [](const auto& xy) {
+//             return xy.x * xy.x;
+//         });
+//         EXPECT_EQ(q.exact_dx(0), 21);               // 2 x at x = 10.5
+//         EXPECT_EQ(q.dFdx_fine(0), 22);              // 11.5^2 - 10.5^2
+//         EXPECT_EQ(q.dFdx_coarse(3) - q.exact_dx(3), -1);
+//     }
 #pragma once
 
 #include <array>
 #include <ostream>
 
 #include "quadrel/num/derivative.hpp"
+#include "quadrel/num/dual.hpp"
 #include "quadrel/texture/footprint.hpp"
 #include "quadrel/texture/texture.hpp"
 
 namespace quadrel::unit {
 
-/// One lane of a packet: float or double, or a vector of them.
+/// One lane of a packet: float or double (the value of a dual number), or a vector of them.
 template <Packet F>
 Scalar<F> lane_of(const F& packet, int lane) {
     Scalar<F> all[lanes_of<F>];
@@ -49,9 +62,13 @@ struct QuadResult {
     auto dFdy_fine(int lane) const { return lane_of(dFdy(value, DerivativeMode::fine), lane); }
     auto dFdx_coarse(int lane) const { return lane_of(dFdx(value, DerivativeMode::coarse), lane); }
     auto dFdy_coarse(int lane) const { return lane_of(dFdy(value, DerivativeMode::coarse), lane); }
+    /// On Quad<Dual>: the derivatives of the text itself at the lane's position.
+    auto exact_dx(int lane) const { return lane_of(quadrel::exact_dx(value), lane); }
+    auto exact_dy(int lane) const { return lane_of(quadrel::exact_dy(value), lane); }
 };
 
-/// Four positions as a packet of F; wider packets repeat the quad.
+/// Four positions as a packet of F; wider packets repeat the quad. Dual numbers are differentiated
+/// by them.
 template <Packet F>
 vec2<F> positions(const std::array<vec2<double>, 4>& at) {
     Scalar<F> x[lanes_of<F>], y[lanes_of<F>];
@@ -59,7 +76,11 @@ vec2<F> positions(const std::array<vec2<double>, 4>& at) {
         x[i] = static_cast<Scalar<F>>(at[i % 4].x);
         y[i] = static_cast<Scalar<F>>(at[i % 4].y);
     }
-    return {load<F>(x), load<F>(y)};
+    const vec2<F> all(load<F>(x), load<F>(y));
+    if constexpr (Differentiated<F>)
+        return {with_derivatives(all.x, 1, 0), with_derivatives(all.y, 0, 1)};
+    else
+        return all;
 }
 
 /// Runs `shader(position)` at four given positions, in lane order.

@@ -44,6 +44,32 @@ void add_derivatives(Table& table) {
     add_vector(table, "dPdy", "XYZ", "eye-space length a pixel", "dFdy of P, window y");
 }
 
+/// Beside the finite differences that stages take, and what these are off by.
+void add_exact(Table& table) {
+    struct Kind {
+        const char *prefix, *what;
+    };
+    for (const Kind kind : {Kind{"exact", "exact derivative"},
+                            Kind{"derr", "finite difference as drawn minus exact derivative"}}) {
+        const std::string prefix(kind.prefix), what(kind.what);
+        for (const std::string axis : {"x", "y"}) {
+            const std::string in = " in window " + axis;
+            add_vector(table, prefix + ".dUVd" + axis, "UV", "texture coordinates a pixel",
+                       what + " of uv" + in);
+            add_vector(table, prefix + ".dPd" + axis, "XYZ", "eye-space length a pixel",
+                       what + " of P" + in);
+            add_vector(table, prefix + ".dhitUVd" + axis, "UV", "texture coordinates a pixel",
+                       what + " of hit.U and hit.V" + in);
+        }
+    }
+    table.push_back(
+        {"exact.lod.rho", real, "texels a pixel", "lod.rho of the exact derivatives of uv"});
+    table.push_back(
+        {"exact.lod.lambda", real, "levels", "lod.lambda of the exact derivatives of uv"});
+    table.push_back({"derr.lod.rho", real, "texels a pixel", "lod.rho as drawn minus exact"});
+    table.push_back({"derr.lod.lambda", real, "levels", "lod.lambda as drawn minus exact"});
+}
+
 void add_frame(Table& table) {
     add_vector(table, "J.U", "XYZ", "1 / eye-space length",
                "surface gradient of u: first row of J");
@@ -109,6 +135,7 @@ Table make_table() {
     add_color(table);
     add_geometry(table);
     add_derivatives(table);
+    add_exact(table);
     add_frame(table);
     add_hit(table);
     add_level_of_detail(table);

@@ -80,6 +80,10 @@ const ChannelInfo* find_channel(const std::string& name) {
     return nullptr;
 }
 
+bool is_exact_derivative(const std::string& name) {
+    return is_below(name, "exact") || is_below(name, "derr");
+}
+
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {
     if (requests.empty()) return default_channels();
     std::vector<std::string> all;

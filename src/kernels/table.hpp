@@ -29,7 +29,7 @@ struct KernelTable {
     std::uint32_t magic, abi_version;
     const char* isa;
     std::int32_t lanes;
-    std::int32_t scalar_bytes;  ///< 4: float values, 8: double values
+    std::int32_t scalar_bytes;  ///< 4: float values, 8: double values, sizeof(Dual): duals
     std::int32_t count;
     const KernelGroup* groups;
 };
@@ -46,5 +46,7 @@ inline constexpr const char* kernel_symbol = "quadrel_kernel_table";
 /// The tables compiled into the library: plain x86-64, Quad<float> and Quad<double>.
 const KernelTable& scalar_float_kernels();
 const KernelTable& scalar_double_kernels();
+/// Quad<Dual>: the stages up to the hit that declare runs_on_duals. Values are arrays of Dual.
+const KernelTable& dual_kernels();
 
 }  // namespace quadrel

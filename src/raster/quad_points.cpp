@@ -113,4 +113,13 @@ void attribute_edges(const ScreenTriangle& triangle, int x, int y, int quads, do
     }
 }
 
+EdgeSlopes edge_slopes(const ScreenTriangle& triangle) {
+    EdgeSlopes slopes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        slopes.dx[i] = static_cast<double>(triangle.edge[i].a) * subpixel_units;
+        slopes.dy[i] = static_cast<double>(triangle.edge[i].b) * subpixel_units;
+    }
+    return slopes;
+}
+
 }  // namespace quadrel

@@ -26,6 +26,10 @@ const std::vector<std::string>& default_channels();
 /// The table's line for a full name ("uv.U", "shadow.2.visibility"), or null.
 const ChannelInfo* find_channel(const std::string& name);
 
+/// Whether a full name is one of exact.* or derr.*, for which stages run once more, on dual numbers,
+/// where they do at all.
+bool is_exact_derivative(const std::string& name);
+
 /// Full names for what a user asks for: each request is a full name or a group, which stands for
 /// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*; "B" is blue, the bitangent
 /// is "B.X" and so on). Order is kept, repetition dropped; no request at all gives the default.

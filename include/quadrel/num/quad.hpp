@@ -2,6 +2,7 @@
 // truth for the bits of every other float type; Quad<double> measures rounding.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -104,13 +105,15 @@ inline QuadInt select(QuadMask m, QuadInt a, QuadInt b) {
 inline QuadInt min(QuadInt a, QuadInt b) { return select(b < a, b, a); }
 inline QuadInt max(QuadInt a, QuadInt b) { return select(a < b, b, a); }
 
-/// Four floating-point lanes; T is float or double.
+/// Four floating-point lanes; T is float, double or Dual (dual.hpp).
 template <class T>
 struct Quad {
     T lane[4];
 
     Quad() = default;
     Quad(T all) : lane{all, all, all, all} {}
+    /// A constant, where a lane is more than its value.
+    Quad(Scalar<Quad> all) requires(!std::same_as<Scalar<Quad>, T>) : Quad(T(all)) {}
     Quad(T a, T b, T c, T d) : lane{a, b, c, d} {}
 
     friend Quad operator+(Quad a, Quad b) { return map_lanes<Quad>(std::plus(), a, b); }

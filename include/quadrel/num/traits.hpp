@@ -30,6 +30,27 @@ concept Number = requires {
     typename NumberTraits<F>::Scalar;
 };
 
+/// A number type whose lanes carry more than a value, window-space derivatives (dual.hpp): its
+/// traits name an Element, what a lane is in memory.
+template <class F>
+concept Differentiated = requires {
+    typename NumberTraits<F>::Element;
+};
+
+namespace detail {
+template <class F>
+struct ElementOf {
+    using Type = Scalar<F>;
+};
+template <Differentiated F>
+struct ElementOf<F> {
+    using Type = typename NumberTraits<F>::Element;
+};
+}  // namespace detail
+/// What a lane is in the arrays that values are kept in.
+template <class F>
+using MemoryElement = typename detail::ElementOf<F>::Type;
+
 /// A number type whose lanes form whole quads: what neighbours and derivatives need.
 template <class F>
 concept Packet = Number<F> && lanes_of<F>

@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct Differentiate : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"differentiate", "quad",
                                     "dFdx and dFdy of position and texture coordinates",
                                     "Vulkan specification, derivative operations"};

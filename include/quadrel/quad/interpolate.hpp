@@ -79,21 +79,34 @@ class Interpolator {
     }
 
   private:
-    EdgeValues<F> edges() const {
-        return {load_wide<F>(call_.edges[0] + first_lane_),
-                load_wide<F>(call_.edges[1] + first_lane_),
-                load_wide<F>(call_.edges[2] + first_lane_)};
+    EdgeValues<F> edges() const { return {edge(0), edge(1), edge(2)}; }
+    Wide<F> edge(int i) const {
+        const Wide<F> value = load_wide<F>(call_.edges[i] + first_lane_);
+        if constexpr (Differentiated<F>) {
+            const EdgeSlopes& slopes = call_.edge_slopes[first_lane_ / 4];
+            return with_derivatives(value, slopes.dx[i], slopes.dy[i]);
+        } else {
+            return value;
+        }
+    }
+    /// The evaluation point in pixels; along each axis it changes by itself.
+    vec2<F> window() const {
+        const vec2<F> at(load<F>(call_.window[0] + first_lane_),
+                         load<F>(call_.window[1] + first_lane_));
+        if constexpr (Differentiated<F>)
+            return {with_derivatives(at.x, 1, 0), with_derivatives(at.y, 0, 1)};
+        else
+            return at;
     }
     /// Not inline: it would be many times as long as the exact way beside it.
     [[gnu::noinline]] F by_planes(const PerVertex<F>& value) const {
         const PrimitiveReader<F> row(call_, first_lane_, call_.planes);
         const auto at = [&](int offset) { return row.at(offset); };
-        const F x = load<F>(call_.window[0] + first_lane_),
-                y = load<F>(call_.window[1] + first_lane_);
+        const vec2<F> p = window();
         if (call_.frame->interpolation == Interpolation::llvmpipe)
-            return llvmpipe_value(value, x, y, at);
+            return llvmpipe_value(value, p.x, p.y, at);
         const F zero(0), one(1);
-        return swiftshader_value(value, x, y, select(lane_is_right<F>(), one, zero),
+        return swiftshader_value(value, p.x, p.y, select(lane_is_right<F>(), one, zero),
                                  select(lane_is_below<F>(), one, zero), at);
     }
 
@@ -112,6 +125,7 @@ Interpolator<typename Io::Number> interpolator(const Io& io) {
 }
 
 struct Interpolate : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"interpolate", "quad", "perspective-correct varyings",
                                     "Vulkan specification, basic polygon rasterization"};
     static constexpr std::array<Value, 0> inputs{};

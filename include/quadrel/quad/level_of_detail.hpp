@@ -7,6 +7,7 @@
 namespace quadrel {
 
 struct LevelOfDetail : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "lod", "quad", "footprint and mip level of the undisplaced UV",
         "Vulkan specification, texel scale factors and level of detail"};

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct DepthConstant : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"depth-constant", "depth", "the material's depth", "-"};
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs = values(Value::relief_depth);
@@ -22,6 +23,7 @@ struct DepthConstant : StageDefaults {
 };
 
 struct DepthGraded : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"depth-graded", "depth",
                                     "depth in tiles of the texture, and faded at grazing angles",
                                     "Derivative-Based Relief Mapping (2012), conclusions"};

@@ -63,6 +63,7 @@ struct StageCall {
     const PrimitiveFrame* frames;       ///< parallel to `primitives`; null where no stage asks
     const PrimitiveVertices* vertices;  ///< likewise, for stages with a vertex program
     const PlaneSetup* planes;           ///< likewise; null if the frame's interpolation is exact
+    const EdgeSlopes* edge_slopes;      ///< per quad; read by number types with derivatives alone
 };
 
 using StageFunction = void (*)(const StageCall*);
@@ -88,6 +89,10 @@ struct StageDefaults {
     static constexpr bool uses_height_bounds = false;
     /// Whether the stage has a vertex program (vertex_program.hpp).
     static constexpr bool reads_vertices = false;
+    /// Whether the stage's text, on Quad<Dual> (num/dual.hpp), gives the exact window-space
+    /// derivatives of what it computes: for each function its own, for texels a constant, for the
+    /// steps of a lattice 0, for an exact hit the implicit derivative.
+    static constexpr bool runs_on_duals = false;
     using Params = NoParams;
     static constexpr auto parameters = no_parameters;
 };
@@ -204,10 +209,10 @@ class StageIo {
 
   private:
     F real(int slot) const {
-        return quadrel::load<F>(static_cast<const Scalar<F>*>(call_.values[slot]) + lane_);
+        return quadrel::load<F>(static_cast<const MemoryElement<F>*>(call_.values[slot]) + lane_);
     }
     void put(int slot, F x) const {
-        detail::store_packet(static_cast<Scalar<F>*>(call_.values[slot]) + lane_, x);
+        detail::store_packet(static_cast<MemoryElement<F>*>(call_.values[slot]) + lane_, x);
     }
 
     const StageCall& call_;

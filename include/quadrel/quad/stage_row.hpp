@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "quadrel/num/dual.hpp"
 #include "quadrel/num/quad.hpp"
 #include "quadrel/quad/stage.hpp"
 
@@ -20,7 +21,7 @@ struct StageRow {
     std::int32_t input_count, output_count, texture_count, parameter_count;
     std::int64_t params_size;
     /// See StageDefaults and StageInfo.
-    std::int32_t uses_height_bounds, needs_height_map, reads_vertices;
+    std::int32_t uses_height_bounds, needs_height_map, reads_vertices, runs_on_duals;
     const char* not_reproduced;  ///< see StageInfo; never null
     /// Of a search that leaves out steps by the maxima of the height map (MaterialUniforms), with
     /// the same bits but for counts: how many it makes at most. Null for other stages.
@@ -29,6 +30,7 @@ struct StageRow {
     void (*set_defaults)(void* params);
     StageFunction run;         ///< on floats: Quad<float>, or the lanes of an instruction set
     StageFunction run_double;  ///< on Quad<double>; null in what is for one instruction set
+    StageFunction run_dual;    ///< on Quad<Dual>; null there, and where it is not declared
 };
 
 namespace detail {
@@ -82,18 +84,23 @@ StageRow describe_stage() {
     row.uses_height_bounds = Stage::uses_height_bounds;
     row.needs_height_map = detail::declares_height_map<Stage>();
     row.reads_vertices = Stage::reads_vertices;
+    row.runs_on_duals = Stage::runs_on_duals;
     row.not_reproduced = detail::declared_not_reproduced<Stage>();
     row.lattice_steps = detail::declared_lattice_steps<Stage>();
     row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };
     return row;
 }
 
-/// The row of a stage whose float kernel runs on F; with a double kernel where F is Quad<float>.
+/// The row of a stage whose float kernel runs on F; where F is Quad<float> with a double kernel,
+/// and one on duals if the stage declares it.
 template <class Stage, class F>
 StageRow make_stage_row() {
     StageRow row = describe_stage<Stage>();
     row.run = &run_stage<Stage, F>;
-    if constexpr (std::is_same_v<F, Quad<float>>) row.run_double = &run_stage<Stage, Quad<double>>;
+    if constexpr (std::is_same_v<F, Quad<float>>) {
+        row.run_double = &run_stage<Stage, Quad<double>>;
+        if constexpr (Stage::runs_on_duals) row.run_dual = &run_stage<Stage, Quad<Dual>>;
+    }
     return row;
 }
 
@@ -133,8 +140,8 @@ inline constexpr std::uint32_t stage_abi_version = [] {
           sizeof(StageCall), sizeof(ParameterText), sizeof(ValueName), sizeof(FrameUniforms),
           sizeof(LightUniforms), sizeof(MaterialUniforms), sizeof(HeightMaxima),
           sizeof(PrimitiveData), sizeof(PrimitiveFrame), sizeof(PrimitiveVertices),
-          sizeof(PlaneSetup), sizeof(SampledTexture), sizeof(FetchCounters), sizeof(FetchEvent),
-          sizeof(MarchStep)})
+          sizeof(PlaneSetup), sizeof(EdgeSlopes), sizeof(SampledTexture), sizeof(FetchCounters),
+          sizeof(FetchEvent), sizeof(MarchStep)})
         print.add(size);
     return print.value();
 }();

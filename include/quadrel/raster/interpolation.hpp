@@ -42,6 +42,12 @@ struct PerVertex {
 template <Number F>
 using EdgeValues = PerVertex<Wide<F>>;
 
+/// Derivatives of the three edge functions in window x and y, per pixel, by the same multiple:
+/// they are linear, so that these hold anywhere.
+struct EdgeSlopes {
+    double dx[3], dy[3];
+};
+
 /// v0, then v1, then v2.
 template <class F>
 F sum(const PerVertex<F>& a) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "quadrel/raster/coverage.hpp"
+#include "quadrel/raster/interpolation.hpp"
 #include "quadrel/raster/setup.hpp"
 
 namespace quadrel {
@@ -35,5 +36,8 @@ void attribute_edges(const ScreenTriangle& triangle, const QuadPoints& points, d
 /// lane 0 is pixel (x, y) on: the same values, stepped from quad to quad.
 void attribute_edges(const ScreenTriangle& triangle, int x, int y, int quads, double* e0,
                      double* e1, double* e2);
+
+/// Their derivatives in window x and y.
+EdgeSlopes edge_slopes(const ScreenTriangle& triangle);
 
 }  // namespace quadrel

@@ -17,7 +17,7 @@ struct StageInfo {
     std::span<const Value> inputs, outputs;
     std::span<const TextureSlot> textures;
     std::span<const ParameterText> parameters;
-    std::span<const std::string_view> number_types;
+    std::span<const std::string_view> number_types;  ///< float, double, and dual if it declares it
     std::size_t params_size;
     bool uses_height_bounds;  ///< see StageDefaults
     /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of

@@ -22,6 +22,7 @@ inline constexpr auto frame_outputs =
 
 /// A frame of the derivatives of P and UV, face and vertex normal.
 struct DerivativeFrame : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr auto inputs =
         values(Value::P, Value::vertex_normal, Value::Ng, Value::dPdx, Value::dPdy, Value::dUVdx,
                Value::dUVdy, Value::relief_depth);

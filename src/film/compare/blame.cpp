@@ -42,6 +42,8 @@ constexpr std::array data_flow = {
     std::string_view{"hit.flags"},
     std::string_view{"hit.steps"},
     std::string_view{"hit.fetches"},
+    std::string_view{"exact"},
+    std::string_view{"derr"},
     std::string_view{"N"},
     std::string_view{"shadow"},
     std::string_view{"occlusion"},

@@ -57,7 +57,8 @@ void Batch::prepare(const MaterialPlan& plan) {
     const ValueSet& values = plan.values;
     // One size for every array, whatever its kind: alignment stays simple.
     const std::size_t array_bytes = std::size_t(batch_lanes) * scalar_bytes_;
-    const std::size_t arrays_an_edge = sizeof(double) / static_cast<std::size_t>(scalar_bytes_);
+    const std::size_t arrays_an_edge =
+        std::max<std::size_t>(1, sizeof(double) / static_cast<std::size_t>(scalar_bytes_));
     std::size_t arrays = 4 + 3 * arrays_an_edge;
     for (std::size_t v = 0; v < values.size(); ++v)
         if (values[v]) arrays += arrays_of(static_cast<Value>(v));
@@ -107,6 +108,7 @@ void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
     }
     // Padding repeats the last quad, inactive: every address that it computes is valid.
     for (int q = count; q < lanes_ / 4; ++q) load_one(quads[count - 1], q);
+    if (scalar_bytes_ == sizeof(Dual)) load_slopes(quads, geometry);
     std::fill_n(active_, 4 * count, 0xffffffffu);
     std::fill(active_ + 4 * count, active_ + lanes_, 0u);
 }
@@ -130,6 +132,13 @@ void Batch::load_run(const QuadCoverage& quad, int q, int count, const Geometry&
     std::fill_n(primitive_ + 4 * q, 4 * count, static_cast<std::int32_t>(quad.triangle));
 }
 
+void Batch::load_slopes(const QuadCoverage* quads, const Geometry& geometry) {
+    slopes_.resize(static_cast<std::size_t>(lanes_ / 4));
+    for (int q = 0; q < lanes_ / 4; ++q)
+        slopes_[static_cast<std::size_t>(q)] =
+            edge_slopes(geometry.triangles[quads[std::min(q, quads_ - 1)].triangle].screen);
+}
+
 void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
                 StageClock* clock) {
     call.values = values_.data();
@@ -142,6 +151,7 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.primitives = geometry.data.data();
     call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
     call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
+    call.edge_slopes = slopes_.data();
     for (const PlannedStage& stage : plan.stages) {
         call.parameters = stage.params.data();
         call.light = stage.light;
@@ -167,6 +177,16 @@ std::uint64_t Batch::sum(int slot) const {
 float Batch::real(int slot, int lane) const {
     if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
     return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
+}
+
+double Batch::number(int slot, int lane) const {
+    if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
+    return static_cast<const double*>(values_[slot])[lane];
+}
+
+double Batch::difference(int slot, int a, int b) const {
+    if (scalar_bytes_ == sizeof(float)) return real(slot, a) - real(slot, b);
+    return number(slot, a) - number(slot, b);
 }
 
 LaneBits Batch::bits(const ChannelSource& source) const {

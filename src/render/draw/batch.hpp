@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "quadrel/num/dual.hpp"
 #include "quadrel/quad/stage.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "render/draw/geometry.hpp"
@@ -15,8 +16,8 @@
 
 namespace quadrel {
 
-/// The arrays of a batch, for one scalar type (float or double). One per thread, used again and
-/// again; arrays are 64-byte aligned.
+/// The arrays of a batch, for one type of element (float, double or Dual). One per thread, used
+/// again and again; arrays are 64-byte aligned.
 class Batch {
   public:
     /// `command`, if given, is what failed checks name. It must outlive the batch.
@@ -43,6 +44,14 @@ class Batch {
     /// The array that a channel's bits come from. The channel is a value or Z.
     LaneBits bits(const ChannelSource& source) const;
     float real(int slot, int lane) const;
+    /// The same, unrounded.
+    double number(int slot, int lane) const;
+    /// number(slot, a) - number(slot, b), in the batch's number type.
+    double difference(int slot, int a, int b) const;
+    /// An element of a batch of duals.
+    const Dual& dual(int slot, int lane) const {
+        return static_cast<const Dual*>(values_[slot])[lane];
+    }
     std::uint32_t integer(int slot, int lane) const {
         return static_cast<const std::uint32_t*>(values_[slot])[lane];
     }
@@ -56,6 +65,7 @@ class Batch {
     void load_quad(const QuadCoverage& quad, int q, const Geometry& geometry,
                    const QuadPoints& points);
     void load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry);
+    void load_slopes(const QuadCoverage* quads, const Geometry& geometry);
     void check_border(const PlannedStage& stage) const;
 
     int scalar_bytes_;
@@ -69,6 +79,7 @@ class Batch {
     float* window_[2]{};
     std::int32_t* primitive_ = nullptr;
     std::uint32_t* active_ = nullptr;
+    std::vector<EdgeSlopes> slopes_;  ///< per quad, for duals
 };
 
 }  // namespace quadrel

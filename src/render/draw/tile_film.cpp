@@ -165,7 +165,7 @@ void TileFilm::add_fragments(const QuadCoverage* quads, std::uint32_t* plane,
 
 void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
                          const QuadCoverage* quads, const Geometry& geometry,
-                         const TileBuffer& tile) const {
+                         const TileBuffer& tile, const ExactBatch* exact) const {
     const auto add = [&](const auto& bits) { add_fragments(quads, plane, bits); };
     switch (source.kind) {
         case Kind::value:
@@ -190,17 +190,23 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
             return add([](auto&, int lane, int) { return static_cast<std::uint32_t>(lane); });
         case Kind::quad_coverage:
             return add([](auto& quad, int, int) { return covered_lanes(quad); });
+        case Kind::exact:
+        case Kind::exact_error:
+            return add([&](auto& quad, int lane, int) {
+                const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
+                return float_bits(static_cast<float>(exact->value(source, batch, in_batch)));
+            });
     }
 }
 
 void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
-                   const TileBuffer& tile) {
+                   const TileBuffer& tile, const ExactBatch* exact) {
     collect(quads, batch.quads(), tile);
     if (sample_count_ > 1) add_samples(batch);
     for (std::size_t c = 0; c < target_.channels->size(); ++c) {
         const ChannelSource& source = (*target_.channels)[c];
         // Of pixels that are resolved in the end, too: it writes over them.
-        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile);
+        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile, exact);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "quadrel/film/resolve.hpp"
 #include "quadrel/raster/tile_buffer.hpp"
 #include "render/draw/batch.hpp"
+#include "render/exact/exact_batch.hpp"
 #include "render/plan/channel_source.hpp"
 
 namespace quadrel {
@@ -41,9 +42,10 @@ class TileFilm {
     /// Starts a tile: every pixel of it becomes background. `covered`: each will be written.
     void begin(const PixelRect& rect, bool covered);
 
-    /// Stores the shaded quads of a batch.
+    /// Stores the shaded quads of a batch. `exact`: the same on dual numbers, where channels ask
+    /// for exact derivatives.
     void add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
-             const TileBuffer& tile);
+             const TileBuffer& tile, const ExactBatch* exact = nullptr);
 
     /// Ends the tile: resolves the samples.
     void end();
@@ -88,8 +90,8 @@ class TileFilm {
     template <class Bits>
     void add_fragments(const QuadCoverage* quads, std::uint32_t* plane, const Bits& bits) const;
     void add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
-                   const QuadCoverage* quads, const Geometry& geometry,
-                   const TileBuffer& tile) const;
+                   const QuadCoverage* quads, const Geometry& geometry, const TileBuffer& tile,
+                   const ExactBatch* exact) const;
     std::uint32_t resolved_bits(const ChannelSource& source, const ColorSample& pixel) const;
 
     const FilmTarget& target_;

@@ -67,7 +67,9 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       batch_(plan.scalar_bytes, &command_),
       recording_(recording),
       touched_(touched),
-      solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {}
+      solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {
+    if (!plan.exact.empty()) exact_.emplace(&command_);
+}
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
     return geometry_.triangles[quad.triangle].material;
@@ -204,9 +206,20 @@ void TileRenderer::shade() {
         const int count = static_cast<int>(end - first);
         run(plan_.materials[material], material, quads_.data() + first, count);
         if (recording_ != Recording::marks)
-            film_.add(batch_, quads_.data() + first, geometry_, buffer_);
+            film_.add(batch_, quads_.data() + first, geometry_, buffer_,
+                      run_exact(material, quads_.data() + first, count));
         first = end;
     }
+}
+
+/// The quads on dual numbers; null where no channel asks.
+const ExactBatch* TileRenderer::run_exact(std::uint32_t material, const QuadCoverage* quads,
+                                          int count) {
+    if (!exact_) return nullptr;
+    const QuadContext context(command_, {quads, static_cast<std::size_t>(count)});
+    exact_->run(plan_.exact[material], stage_call(plan_, material), quads, count, geometry_,
+                scene_.samples, scene_.centroid);
+    return &*exact_;
 }
 
 void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,

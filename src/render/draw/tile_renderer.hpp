@@ -12,6 +12,7 @@
 #include "render/draw/draw_record.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/draw/tile_film.hpp"
+#include "render/exact/exact_batch.hpp"
 #include "render/plan/render_plan.hpp"
 #include "render/stats/touched_texels.hpp"
 
@@ -62,6 +63,7 @@ class TileRenderer {
     void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
     bool is_discarded(const Material& material, int i) const;
     void shade();
+    const ExactBatch* run_exact(std::uint32_t material, const QuadCoverage* quads, int count);
     void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
@@ -80,6 +82,7 @@ class TileRenderer {
     TileFilm film_;
     ProbeCommand command_;
     Batch batch_;
+    std::optional<ExactBatch> exact_;  ///< the same quads on dual numbers, where channels ask
     const MaterialPlan* prepared_ = nullptr;  ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;

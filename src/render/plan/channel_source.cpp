@@ -14,6 +14,7 @@ using Kind = ChannelSource::Kind;
 struct Component {
     Value value;
     int component;
+    int axis = 0;
 };
 
 using Table = std::map<std::string, Component>;
@@ -75,6 +76,40 @@ void add_shading(Table& table) {
     table["shadow.steps"] = {Value::shadow_steps, 0};
 }
 
+/// What exact.* and derr.* are about, without these words.
+const Table& exact_channels() {
+    static const Table table = [] {
+        Table made;
+        const auto add_axes = [&](const std::string& name, const std::string& suffixes, Value v) {
+            for (int axis = 0; axis < 2; ++axis)
+                for (std::size_t i = 0; i < suffixes.size(); ++i)
+                    made["d" + name + "d" + "xy"[axis] + "." + suffixes[i]] = {
+                        v, static_cast<int>(i), axis};
+        };
+        add_axes("P", "XYZ", Value::P);
+        add_axes("UV", "UV", Value::uv);
+        add_axes("hitUV", "UV", Value::hit_uv);
+        made["lod.rho"] = {Value::lod_rho, 0};
+        made["lod.lambda"] = {Value::lod_lambda, 0};
+        return made;
+    }();
+    return table;
+}
+
+/// The source of exact.* or derr.*; false for other channels.
+bool find_exact(const std::string& name, ChannelSource& source) {
+    const std::size_t dot = name.find('.');
+    const std::string first = name.substr(0, dot);
+    if (dot == std::string::npos || (first != "exact" && first != "derr")) return false;
+    const auto found = exact_channels().find(name.substr(dot + 1));
+    QUADREL_CHECK(found != exact_channels().end(), name);
+    source.kind = first == "exact" ? Kind::exact : Kind::exact_error;
+    source.value = found->second.value;
+    source.component = found->second.component;
+    source.axis = found->second.axis;
+    return true;
+}
+
 const Table& value_channels() {
     static const Table table = [] {
         Table made;
@@ -126,6 +161,7 @@ ChannelSource channel_source(const std::string& name) {
         source.kind = special->second;
         return source;
     }
+    if (find_exact(name, source)) return source;
     const auto found = value_channels().find(without_light(name, source.light));
     QUADREL_CHECK(found != value_channels().end(), name);
     source.value = found->second.value;

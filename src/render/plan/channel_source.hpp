@@ -18,12 +18,15 @@ struct ChannelSource {
         primitive,  ///< id.primitive
         lane,       ///< quad.lane
         quad_coverage,
+        exact,        ///< exact derivative of a component of a stage value
+        exact_error,  ///< the drawn finite difference minus it
     };
     std::string name;
     ChannelType type = ChannelType::float32;
     Kind kind = Kind::value;
     Value value = Value::P;
     int component = 0, light = 0;
+    int axis = 0;  ///< of a derivative: 0 window x, 1 window y
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

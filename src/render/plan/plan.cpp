@@ -165,6 +165,9 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
 Wanted wanted_values(const std::vector<ChannelSource>& channels) {
     Wanted wanted;
     for (const ChannelSource& channel : channels) {
+        if (channel.kind == ChannelSource::Kind::exact ||
+            channel.kind == ChannelSource::Kind::exact_error)
+            wanted.values.set(index_of(channel.value));  // drawn, too: what it is compared with
         if (channel.kind == ChannelSource::Kind::value) {
             wanted.values.set(index_of(channel.value));
             if (info(channel.value).per_light)

@@ -8,6 +8,7 @@
 #include "quadrel/quad/interpolate.hpp"
 #include "quadrel/relief/trace/search/near_surface.hpp"
 #include "render/draw/border_check.hpp"
+#include "render/exact/exact_plan.hpp"
 #include "render/plan/height_bounds.hpp"
 
 namespace quadrel {
@@ -105,6 +106,7 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
             skip ? texels_read(material, plan.materials.back(), plan.discard.back())
                  : TexelsRead());
     }
+    plan.exact = plan_exact(scene, channels);
     plan.textures.resize(scene.materials.size());
     return plan;
 }

@@ -21,6 +21,7 @@ struct RenderPlan {
     FrameUniforms frame{};
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
+    std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;

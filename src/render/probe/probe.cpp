@@ -9,6 +9,8 @@
 #include "quadrel/film/channels.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "render/exact/exact_batch.hpp"
+#include "render/exact/exact_plan.hpp"
 #include "render/plan/names.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
@@ -95,8 +97,9 @@ void append_value(const Batch& batch, Value v, int light, std::vector<ProbeValue
     }
 }
 
-/// Fine and coarse differences of one component.
-void append_derivatives(const Batch& batch, Value v, int component, std::vector<ProbeValue>& out) {
+/// Fine and coarse differences of one component, and its exact derivatives.
+void append_derivatives(const Batch& batch, const ExactBatch& exact, Value v, int component,
+                        std::vector<ProbeValue>& out) {
     Quad<float> q;
     for (int lane = 0; lane < quad_lanes; ++lane)
         q.lane[lane] = batch.real(slot_of(v) + component, lane);
@@ -110,6 +113,28 @@ void append_derivatives(const Batch& batch, Value v, int component, std::vector<
     add("dFdx coarse of {}", dFdx(q, DerivativeMode::coarse));
     add("dFdy fine of {}", dFdy(q, DerivativeMode::fine));
     add("dFdy coarse of {}", dFdy(q, DerivativeMode::coarse));
+    const auto derivatives = [&](int axis) {
+        Quad<float> d;
+        for (int lane = 0; lane < quad_lanes; ++lane)
+            d.lane[lane] = static_cast<float>(exact.derivative(v, component, axis, lane));
+        return d;
+    };
+    add("exact d/dx of {}", derivatives(0));
+    add("exact d/dy of {}", derivatives(1));
+}
+
+/// Of P and uv, of a quad whose stages have run in `batch`.
+void append_derivatives(const PreparedRender& prepared, const QuadCoverage& quad,
+                        const Batch& batch, std::vector<ProbeValue>& out) {
+    const Scene& scene = *prepared.scene;
+    const std::uint32_t material = prepared.geometry.triangles[quad.triangle].material;
+    const MaterialPlan plan =
+        plan_on_duals(scene, scene.materials[material], {Value::P, Value::uv}, "probe");
+    ExactBatch exact;
+    exact.run(plan, stage_call(prepared.plan, material), &quad, 1, prepared.geometry, scene.samples,
+              scene.centroid);
+    for (int c = 0; c < 3; ++c) append_derivatives(batch, exact, Value::P, c, out);
+    for (int c = 0; c < 2; ++c) append_derivatives(batch, exact, Value::uv, c, out);
 }
 
 std::vector<ProbeStage> run_stages(const PreparedRender& prepared, const MaterialPlan& plan,
@@ -156,16 +181,16 @@ ProbeFragment probe_fragment(const PreparedRender& prepared, const QuadCoverage&
     batch.prepare(plan);
     batch.load(&quad, 1, prepared.geometry, scene.samples, scene.centroid);
     fragment.stages = run_stages(prepared, plan, triangle.material, batch);
-    for (int c = 0; c < 3; ++c) append_derivatives(batch, Value::P, c, fragment.derivatives);
-    for (int c = 0; c < 2; ++c) append_derivatives(batch, Value::uv, c, fragment.derivatives);
+    append_derivatives(prepared, quad, batch, fragment.derivatives);
     return fragment;
 }
 
-/// Every channel that needs no light's number: between them they read every value.
+/// Every channel of a value that needs no light's number: between them they read every value.
 std::vector<std::string> every_channel() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos) names.push_back(channel.name);
+        if (channel.name.find('<') == std::string::npos && !is_exact_derivative(channel.name))
+            names.push_back(channel.name);
     return names;
 }
 

@@ -157,6 +157,7 @@ StageFunction find_added_kernel(const KernelTable& table, std::string_view id) {
     const StageRow* row = find_row(stages.rows, id);
     if (row == nullptr) return nullptr;
     if (table.scalar_bytes == sizeof(double)) return row->run_double;
+    if (table.scalar_bytes == sizeof(Dual)) return row->run_dual;
     const StageRow* lanes = row_of_plugins(stages, row, table.isa);
     return (lanes != nullptr ? lanes : row)->run;
 }

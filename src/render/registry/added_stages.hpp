@@ -18,8 +18,8 @@ namespace quadrel {
 void append_to_registry(std::span<const StageRow* const> rows);
 
 /// The function of an added stage that goes with a table of kernels: on the table's lanes if there
-/// are some, else on Quad<float>, which has the same bits; on Quad<double> for a table of doubles.
-/// Null if there is no such stage.
+/// are some, else on Quad<float>, which has the same bits; on Quad<double> for a table of doubles,
+/// on Quad<Dual> for one of duals. Null if there is no such stage.
 StageFunction find_added_kernel(const KernelTable& table, std::string_view id);
 
 /// Whether the registry did not have a stage from the start.

@@ -10,8 +10,8 @@
 namespace quadrel {
 namespace {
 
-/// Every stage so far works on all of them.
-constexpr std::array<std::string_view, 2> number_types{"float", "double"};
+/// Every stage works on the first two of them.
+constexpr std::array<std::string_view, 3> number_types{"float", "double", "dual"};
 
 /// More than any program adds; so that what all_stages gave out stays where it is.
 constexpr std::size_t added_capacity = 4096;
@@ -27,7 +27,7 @@ StageInfo describe(const StageRow& row) {
             .outputs = list(row.outputs, row.output_count),
             .textures = list(row.textures, row.texture_count),
             .parameters = list(row.parameters, row.parameter_count),
-            .number_types = number_types,
+            .number_types = list(number_types.data(), row.runs_on_duals != 0 ? 3 : 2),
             .params_size = static_cast<std::size_t>(row.params_size),
             .uses_height_bounds = row.uses_height_bounds != 0,
             .needs_height_map = row.needs_height_map != 0,

@@ -20,11 +20,13 @@ const StageRow row{{id, "surface", "stores nothing", "these tests"},
                    0,
                    0,
                    0,
+                   0,
                    "",
                    nullptr,
                    [](void*) {},
                    [](const StageCall*) {},
-                   [](const StageCall*) {}};
+                   [](const StageCall*) {},
+                   nullptr};
 const PluginRows rows{&row, 1, nullptr};
 const PluginTable table{plugin_magic, stage_abi_version + (PLANTED == 1 ? 1u : 0u), "scalar", 4,
                         &rows};

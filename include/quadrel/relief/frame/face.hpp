@@ -17,6 +17,7 @@
 namespace quadrel {
 
 struct FrameFace : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frame-face", "frame",
                                     "J of the triangle from its vertices, in double",
                                     "Policarpo, Oliveira and Comba 2005, solved a triangle"};

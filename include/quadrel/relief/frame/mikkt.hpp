@@ -26,6 +26,7 @@ F inverse_density(const vec3<F>& grad, const vec3<F>& grad_other) {
 }
 
 struct FrameMikkt : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frame-mikkt", "frame",
                                     "MikkTSpace: for normal maps; density of the triangle",
                                     "Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008"};

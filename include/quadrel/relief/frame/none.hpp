@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct FrameNone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frame-none", "frame", "no frame: plain texturing", "-"};
     static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::Ng);
     static constexpr auto outputs = frame_outputs;

@@ -50,6 +50,7 @@ SubSurfaceRay<F> sub_surface_ray(const vec3<F>& E, const vec3<F>& N) {
 }
 
 struct FrameThesis : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "frame-thesis", "frame", "derivative frame of the thesis, unorthogonalised tangents",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};

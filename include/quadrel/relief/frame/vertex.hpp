@@ -32,6 +32,7 @@ vec3<F> over_length(const vec3<F>& x, F length) {
 }
 
 struct FrameVertex : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frame-vertex", "frame",
                                     "interpolated vertex tangents, density kept",
                                     "Policarpo, Oliveira and Comba 2005; correction of Welsh 2004"};

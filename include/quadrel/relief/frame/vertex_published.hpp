@@ -21,6 +21,7 @@
 namespace quadrel {
 
 struct FrameVertexPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frame-vertex@published", "frame",
                                     "tangent-space eye vector of the vertices, unit tangents",
                                     "Welsh, Parallax Mapping with Offset Limiting, 2004, 4.2, 7"};

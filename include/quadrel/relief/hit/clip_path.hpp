@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct ClipPath : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"clip-path", "clip",
                                     "demotes rays that leave a UV rectangle before their hit",
                                     "correction of clip-uv for relief above its polygon"};

@@ -27,6 +27,7 @@ Mask<F> inside_clip(const ClipParams& keep, const vec2<F>& uv) {
 }
 
 struct ClipUv : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"clip-uv", "clip", "demotes hits outside of a UV rectangle",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18"};
     static constexpr auto inputs = values(Value::hit_uv, Value::hit_status);

@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct Displace : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"displace", "hit", "the hit as a point in eye space",
                                     "Derivative-Based Relief Mapping (2012), P + SSR * Offset"};
     static constexpr auto inputs = values(Value::P, Value::r, Value::hit_depth);

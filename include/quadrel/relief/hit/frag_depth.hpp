@@ -9,6 +9,7 @@
 namespace quadrel {
 
 struct FragDepth : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frag-depth", "frag-depth",
                                     "window depth of the hit by the projection",
                                     "OpenGL specification, coordinate transformations"};

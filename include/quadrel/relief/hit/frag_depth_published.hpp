@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct FragDepthPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"frag-depth@published", "frag-depth",
                                     "1 / (eye-space depth + distance along the ray)",
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};

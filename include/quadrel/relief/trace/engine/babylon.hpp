@@ -41,6 +41,7 @@ struct BabylonParams {
 };
 
 struct Babylon : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"babylon", "trace", "Babylon.js' parallax, plain and occlusion",
                                     "Babylon.js, bumpFragmentFunctions.fx"};
     static constexpr auto inputs =

@@ -26,6 +26,7 @@
 namespace quadrel {
 
 struct Bevy : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"bevy", "trace", "Bevy's depth map, occlusion or relief",
                                     "Bevy, bevy_pbr/src/render/parallax_mapping.wesl"};
     static constexpr auto inputs = tangent_search_inputs;

@@ -19,6 +19,7 @@
 namespace quadrel {
 
 struct Godot : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"godot", "trace", "Godot's height map, simple or deep",
                                     "Godot Engine, BaseMaterial3D, scene/resources/material.cpp"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.

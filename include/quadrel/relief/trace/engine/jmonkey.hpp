@@ -30,6 +30,7 @@
 namespace quadrel {
 
 struct JMonkey : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"jmonkey", "trace",
                                     "jMonkeyEngine's parallax, classic or steep",
                                     "jMonkeyEngine, Common/ShaderLib/Parallax.glsllib"};

@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct LearnOpenGl : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"learnopengl", "trace",
                                     "Learn OpenGL's parallax occlusion mapping",
                                     "de Vries, Learn OpenGL, Parallax Mapping"};

@@ -33,6 +33,7 @@
 namespace quadrel {
 
 struct O3de : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"o3de", "trace", "Open 3D Engine's parallax, all algorithms",
                                     "O3DE, ParallaxMapping.azsli"};
     static constexpr auto inputs = tangent_search_inputs;

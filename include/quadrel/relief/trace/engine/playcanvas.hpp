@@ -30,6 +30,7 @@
 namespace quadrel {
 
 struct PlayCanvas : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"playcanvas", "trace",
                                     "PlayCanvas' height map, offset or occlusion",
                                     "PlayCanvas 2.22, shader chunk parallax.js"};

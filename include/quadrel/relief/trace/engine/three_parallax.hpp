@@ -27,6 +27,7 @@
 namespace quadrel {
 
 struct ThreeParallax : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"three-parallax", "trace",
                                     "three.js' ParallaxShader: basic, steep, occlusion, relief",
                                     "three.js, examples/jsm/shaders/ParallaxShader.js"};

@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct ThreeParallaxUv : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"three-parallax-uv", "trace", "parallaxUV of three.js' TSL",
                                     "three.js, src/nodes/accessors/AccessorsUtils.js"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.

@@ -28,6 +28,7 @@
 namespace quadrel {
 
 struct UnityPom : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"unity-pom", "trace",
                                     "Unity's parallax occlusion mapping, Shader Graph and HDRP",
                                     "Unity Technologies, PerPixelDisplacement.hlsl"};

@@ -15,6 +15,7 @@
 namespace quadrel {
 
 struct UnrealBumpOffset : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"unreal-bump-offset", "trace", "Unreal Engine's BumpOffset",
                                     "Epic Games, UMaterialExpressionBumpOffset"};
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.

@@ -26,6 +26,7 @@ CellCone<F> cell_cone(const Io& io, const PatchSearch<Io>& search) {
 }
 
 struct ConeCell : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-cell", "trace",
                                     "leaps by cones between whole cells, patches exact",
                                     "correction of cone-step; after Dummer 2006"};

@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct MaxMip : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"max-mip", "trace",
                                     "nodes of a maximum pyramid left in one step, patches exact",
                                     "Tevs, Ihrke, Seidel 2008"};

@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct Pyramid : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"pyramid", "trace",
                                     "down a pyramid of texel heights, exact for a field of blocks",
                                     "after Oh, Ki, Lee 2006"};

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct Qdm : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"qdm", "trace",
                                     "pyramid of texel heights, exact for a field of blocks",
                                     "correction of qdm@published; Drobot 2010"};

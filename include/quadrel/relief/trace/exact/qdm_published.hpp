@@ -38,6 +38,7 @@ class DepthPyramid {
 };
 
 struct QdmPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"qdm@published", "trace",
                                     "quadtree displacement mapping as listed",
                                     "Drobot 2010; FlightGear urban.frag"};

@@ -63,6 +63,7 @@ class RangeMaxima {
 };
 
 struct RmqLeap : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"rmq-leap", "trace",
                                     "leaps over swept rectangles by range maxima, patches exact",
                                     "after Thonat et al. 2023"};

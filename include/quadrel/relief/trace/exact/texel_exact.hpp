@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct TexelExact : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"texel-exact", "trace",
                                     "every cell on the way, its bilinear patch met exactly",
                                     "after Amanatides and Woo 1987; Ramsey et al. 2004"};

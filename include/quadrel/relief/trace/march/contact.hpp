@@ -16,6 +16,7 @@
 namespace quadrel {
 
 struct Contact : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"contact", "trace", "linear search, then a finer one",
                                     "Riccardi 2018"};
     static constexpr auto inputs = search_inputs;

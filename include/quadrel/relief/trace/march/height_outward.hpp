@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct HeightOutward : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"height-outward", "trace",
                                     "linear search that leaves out the bottom plane",
                                     "correction of height-outward@published; Renk 2016"};

@@ -24,6 +24,7 @@
 namespace quadrel {
 
 struct HeightOutwardPublished : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"height-outward@published", "trace",
                                     "outside-in sampling above the polygon as listed",
                                     "Renk, FlightGear wiki, relief maps, 2016"};

@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct Interval : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"interval", "trace", "linear search, then regula falsi",
                                     "Risser, Shah, Pattanaik 2005"};
     static constexpr auto inputs = search_inputs;

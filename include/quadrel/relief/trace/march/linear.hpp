@@ -49,6 +49,7 @@ SearchResult<F> flat_march(const SearchRay<F>& ray, int n, Scalar<F> h) {
 }
 
 struct Linear : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"linear", "trace", "linear search in equal steps of depth",
                                     "correction of linear-thesis; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs;

@@ -17,6 +17,7 @@
 namespace quadrel {
 
 struct LinearThesis : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "linear-thesis", "trace", "linear search of the thesis in world-depth steps of 1/128",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};

@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct Pom : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"pom", "trace", "linear search and one chord",
                                     "correction of pom-dxsdk; Tatarchuk 2006"};
     static constexpr auto inputs = search_inputs_and(Value::r);

@@ -17,6 +17,7 @@
 namespace quadrel {
 
 struct PomDxsdk : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"pom-dxsdk", "trace", "parallax occlusion mapping as listed",
                                     "Tatarchuk, DirectX SDK, ParallaxOcclusionMapping.fx"};
     static constexpr auto inputs = search_inputs_and(Value::r);

@@ -98,6 +98,7 @@ inline constexpr std::array rabbid_parameters{
 
 /// What both rows have in common.
 struct RabbidSearch : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     // Implicit derivatives are those of the coordinates: dUVdx and dUVdy are not asked for.
     static constexpr auto inputs = values_and(level_0_search_inputs, Value::P, Value::Ng);
     static constexpr const char* not_reproduced =

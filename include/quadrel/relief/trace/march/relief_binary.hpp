@@ -15,6 +15,7 @@
 namespace quadrel {
 
 struct ReliefBinary : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"relief-binary", "trace", "linear search, then bisection",
                                     "Policarpo, Oliveira, Comba 2005"};
     static constexpr auto inputs = search_inputs;

@@ -17,6 +17,7 @@
 namespace quadrel {
 
 struct ReliefGg3 : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"relief-gg3", "trace",
                                     "linear search and signed half steps as listed",
                                     "Policarpo, Oliveira, GPU Gems 3, chapter 18"};

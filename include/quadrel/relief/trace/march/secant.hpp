@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct Secant : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"secant", "trace", "linear search, then regula falsi, Illinois",
                                     "Risser, Shah, Pattanaik 2007; Dowell, Jarratt 1971"};
     static constexpr auto inputs = search_inputs;

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct Steep : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"steep", "trace", "linear search, twice the steps when grazing",
                                     "correction of steep@published; McGuire and McGuire 2005"};
     static constexpr auto inputs = search_inputs_and(Value::r);

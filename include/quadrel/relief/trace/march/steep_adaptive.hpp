@@ -30,6 +30,7 @@ void march_and_store(Io& io, const SearchRay<F>& ray, F n, int most) {
 }
 
 struct SteepAdaptive : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"steep-adaptive", "trace",
                                     "linear search, steps by the angle of view",
                                     "McGuire and McGuire 2005; Tatarchuk 2006"};
@@ -58,6 +59,7 @@ struct SteepAdaptive : HeightSearch {
 };
 
 struct SteepAdaptiveRabbid : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"steep-adaptive-rabbid", "trace",
                                     "linear search, steps by slope and quality",
                                     "Rabbid76, Parallax Mapping"};
@@ -81,6 +83,7 @@ struct SteepAdaptiveRabbid : HeightSearch {
 };
 
 struct SteepQuality : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"steep-quality", "trace", "linear search, steps by quality",
                                     "O3DE, ParallaxMapping.azsli"};
     static constexpr auto inputs = search_inputs;

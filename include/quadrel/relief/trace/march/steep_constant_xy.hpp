@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct SteepConstantXy : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "steep-constant-xy", "trace", "linear search in steps of constant UV length",
         "correction of steep-constant-xy@published; McGuire and McGuire 2005"};

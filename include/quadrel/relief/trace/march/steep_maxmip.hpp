@@ -80,6 +80,7 @@ class StepBounds {
 };
 
 struct SteepMaxmip : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"steep-maxmip", "trace",
                                     "linear search against the greatest height of each step",
                                     "McGuire and McGuire 2005; Tevs, Ihrke, Seidel 2008"};

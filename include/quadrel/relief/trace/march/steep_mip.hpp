@@ -23,6 +23,7 @@ F nyquist_level(const SampledTexture& map, const vec2<F>& K, int n) {
 
 template <bool whole>
 struct SteepMip : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text =
         whole ? StageText{"steep-mip-i", "trace", "linear search in the mip level of its steps",
                           "McGuire and McGuire 2005, text"}

@@ -27,6 +27,7 @@ struct SteepListingParams {
 
 template <bool constant_xy>
 struct SteepListing : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text =
         constant_xy ? StageText{"steep-constant-xy@published", "trace",
                                 "steep parallax mapping as listed, steps of constant UV length",

@@ -34,6 +34,7 @@ F steps_by_texel(const SampledTexture& map, const vec2<F>& K,
 
 /// What both rows have in common.
 struct ThesisLinearBinarySearch : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr auto inputs = search_inputs;
     static constexpr bool needs_height_map = true;
     using Params = ThesisLinearBinaryParams;

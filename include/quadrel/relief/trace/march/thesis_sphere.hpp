@@ -16,6 +16,7 @@
 namespace quadrel {
 
 struct ThesisSphere : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"thesis-sphere", "trace",
                                     "steps by the vertical distance to the surface",
                                     "Derivative-Based Relief Mapping (2012)"};

@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct TraceNone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"trace-none", "trace", "no search: the undisplaced UV", "-"};
     static constexpr auto inputs = values(Value::uv, Value::frame_status, Value::frame_flags);
     static constexpr auto outputs = trace_outputs;

@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct OffsetLimit : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"offset-limit", "trace",
                                     "shift by the height at the start, not divided by N.V",
                                     "correction of offset-limit@published; Welsh 2004, 4.3"};

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct OffsetLimit042 : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"offset-limit-042", "trace",
                                     "shift by the height at the start, divided by N.V + 0.42",
                                     "Unity, UnityCG.cginc, ParallaxOffset"};

@@ -15,6 +15,7 @@
 namespace quadrel {
 
 struct OffsetLimit042Published : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"offset-limit-042@published", "trace",
                                     "Unity's parallax offset, height centred, z raised by 0.42",
                                     "Unity, UnityCG.cginc, ParallaxOffset"};

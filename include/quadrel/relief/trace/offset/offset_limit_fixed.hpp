@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct OffsetLimitFixed : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"offset-limit-fixed", "trace",
                                     "shift by the height at the start, its divisor bounded",
                                     "parallax (Kaneko et al. 2001) with N.V kept from 0"};

@@ -23,6 +23,7 @@
 namespace quadrel {
 
 struct OffsetLimitRabbidPublished : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"offset-limit-rabbid@published", "trace",
                                     "Rabbid76's limited offset, along a vector with scaled z",
                                     "Rabbid76, graphics-snippets, Parallax Mapping"};

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct Parallax : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"parallax", "trace", "shift by the height at the start",
                                     "Kaneko et al. 2001"};
     static constexpr auto inputs = search_inputs;

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ParallaxBias : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"parallax-bias", "trace",
                                     "shift by the height at the start, scaled and biased",
                                     "correction of parallax-bias@published; Welsh 2004, 4.1"};

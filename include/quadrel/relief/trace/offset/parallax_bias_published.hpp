@@ -25,6 +25,7 @@ struct WelshParams {
 
 template <bool limited>
 struct WelshOffset : HeightSearch {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text =
         limited ? StageText{"offset-limit@published", "trace",
                             "Welsh's limited offset, not divided by the view vector's z",

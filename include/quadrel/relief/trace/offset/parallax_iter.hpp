@@ -16,6 +16,7 @@
 namespace quadrel {
 
 struct ParallaxIter : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"parallax-iter", "trace", "iterated shift by height and slope",
                                     "Premecz 2006"};
     static constexpr auto inputs = map_normal_inputs;

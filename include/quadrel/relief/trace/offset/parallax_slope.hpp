@@ -14,6 +14,7 @@ namespace quadrel {
 
 template <bool by_view>
 struct ParallaxSlope : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text =
         by_view ? StageText{"parallax-slope-nv", "trace",
                             "limited offset scaled by the map's normal times the view vector",
