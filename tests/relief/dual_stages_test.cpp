@@ -178,6 +178,15 @@ testing::AssertionResult for_every_dual_stage(
     return stages > 50 ? result : testing::AssertionFailure() << "only " << stages << " stages";
 }
 
+/// What declares duals has a kernel on them, and lists them among its number types.
+TEST(DualStages, AreWhatTheRegistrySays) {
+    for (const StageInfo& stage : all_stages()) {
+        const bool declared = stage.number_types.back() == "dual";
+        EXPECT_EQ(declared, find_kernel(dual_kernels(), stage.text.id) != nullptr) << stage.text.id;
+        EXPECT_EQ(stage.number_types.size(), declared ? 3u : 2u) << stage.text.id;
+    }
+}
+
 TEST(DualStages, HaveTheBitsOfDoubles) {
     EXPECT_TRUE(for_every_dual_stage(has_the_bits_of_doubles));
     EXPECT_FALSE(has_the_bits_of_doubles({"displace", {}, [](DualBatch& batch) {

@@ -59,6 +59,9 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     }
     for (const PlannedStage& stage : prepared.plan.discard[m].stages)
         text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
+    if (prepared.plan.exact.empty()) return;
+    for (const PlannedStage& stage : prepared.plan.exact[m].stages)
+        text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
 }
 
 /// Ids of the planned stages that leave out steps by the heights of the map.

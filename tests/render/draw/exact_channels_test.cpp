@@ -207,6 +207,45 @@ TEST(ExactChannels, DependOnNeitherNumberNorTilesNorShortcuts) {
     EXPECT_TRUE(same_bits(take(render, scene, {"A", "hit.U", "hit.V", "dUVdx"}), film));
 }
 
+/// A camera rolled by a right angle: the picture turns, and its axes with it. Vertices snap to
+/// their nearest subpixel either way.
+testing::AssertionResult turns_with_the_camera(const Renderer& renderer) {
+    constexpr int size = 40;
+    Scene scene = tilted_scene(size);
+    const Film film = take_in(renderer, scene, "double");
+    scene.camera.view = glm::mat4(rotation(90, {0, 0, 1})) * scene.camera.view;
+    const Film rolled = take_in(renderer, scene, "double");
+    int pixels = 0, off = 0;
+    each_covered(film, [&](int x, int y) {
+        // Counter-clockwise: what was right is up, and what was up is left.
+        const int rx = y, ry = size - 1 - x;
+        if (value(rolled, "A", rx, ry) == 0) return;
+        const auto near = [&](const std::string& a, const std::string& b, float sign) {
+            const float expected = value(film, a, x, y);
+            return std::abs(sign * value(rolled, b, rx, ry) - expected) <=
+                   1e-3f * (0.01f + std::abs(expected));
+        };
+        ++pixels;
+        off += !near("exact.dUVdx.U", "exact.dUVdy.U", 1) ||
+               !near("exact.dUVdy.V", "exact.dUVdx.V", -1) ||
+               !near("exact.dPdx.Z", "exact.dPdy.Z", 1) ||
+               !near("exact.lod.rho", "exact.lod.rho", 1);
+    });
+    if (pixels > 200 && 50 * off <= pixels) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << off << " of " << pixels;
+}
+
+TEST(ExactChannels, TurnWithTheCamera) {
+    EXPECT_TRUE(turns_with_the_camera(render));
+    EXPECT_FALSE(turns_with_the_camera([](const Scene& scene, const RenderOptions& options) {
+        Film film = render(scene, options);
+        for (Plane& plane : film.planes)  // differences as of images, whose rows go down
+            if (plane.name == "exact.dUVdy.U")
+                for (std::uint32_t& bits : plane.bits) bits ^= 0x80000000u;
+        return film;
+    }));
+}
+
 TEST(ExactChannels, CostNothingUnlessAskedFor) {
     const Scene scene = tilted_scene(16);
     RenderOptions options;
