@@ -38,18 +38,24 @@ set(QUADREL_KERNEL_GROUPS
   "shadow|relief/shadow/stages.hpp|ShadowStages"
   "occlusion|relief/occlusion/stages.hpp|OcclusionStages"
   "shade|shade/stages.hpp|ShadeStages")
+# And those that run on plain numbers alone, whatever the lanes of a render.
+set(QUADREL_PLAIN_KERNEL_GROUPS "oracle|relief/trace/oracle/stages.hpp|OracleKernels")
 
 # quadrel_kernel_sources(<variable> <number> <header> <function> [<group>...])
 # Writes the sources of the stages on a number type: a file a group, so that they compile beside
 # each other, and one with <function>(isa), which returns their table. Lists them in <variable>.
-# All groups unless some are named.
+# All groups unless some are named; those for plain numbers alone if <number> is a Quad.
 function(quadrel_kernel_sources variable number number_header function)
   set(templates ${PROJECT_SOURCE_DIR}/src/kernels)
   set(folder ${PROJECT_BINARY_DIR}/kernels/${function})
   set(declarations "")
   set(calls "")
   set(sources ${folder}/table.cpp)
-  foreach(group IN LISTS QUADREL_KERNEL_GROUPS)
+  set(groups ${QUADREL_KERNEL_GROUPS})
+  if(number MATCHES "^Quad<")
+    list(APPEND groups ${QUADREL_PLAIN_KERNEL_GROUPS})
+  endif()
+  foreach(group IN LISTS groups)
     string(REPLACE "|" ";" group "${group}")
     list(GET group 0 name)
     list(GET group 1 stages_header)

@@ -97,6 +97,31 @@ void add_hit(Table& table) {
     table.push_back({"hit.fetches", integer, "count", "height fetches of the search"});
 }
 
+void add_oracle(Table& table) {
+    table.push_back({"oracle.s", real, "0 top to 1 bottom",
+                     "ray parameter at which the ray first meets the height field of level 0"});
+    add_vector(table, "oracle", "UV", "texture coordinates", "texture coordinates there");
+    add_vector(table, "oracle.cell", "XY", "index",
+               "column and row of the cell there: between the centres of that texel and the next; "
+               "of blocks the texel");
+    add_vector(table, "oracle.place", "XY", "0 to 1", "where in that cell");
+    add_vector(table, "oracle.gradient", "UV", "height a texture coordinate",
+               "gradient of the height there; 0 on blocks");
+    table.push_back(
+        {"oracle.condition", real, "ratio",
+         "how far oracle.s moves with the heights, |ds/dh|; 0 at the top and on walls"});
+    table.push_back({"oracle.bound", real, "0 to 1",
+                     "how far oracle.s is from the exact one at most, as proven"});
+    table.push_back({"oracle.status", integer, "code", "as hit.status"});
+    table.push_back({"certified", integer, "code",
+                     "how oracle.* were proven: 0 not, 1 by bounds of double's rounding, 2 by "
+                     "rational arithmetic"});
+    table.push_back({"certified.reason", integer, "code",
+                     "why not: 0 proven, 1 no frame, 2 the ray is not finite, 3 a height on the "
+                     "way is not, 4 too many cells, 5 no rational arithmetic in this build, 6 no "
+                     "height map"});
+}
+
 void add_level_of_detail(Table& table) {
     table.push_back({"lod.rho", real, "texels a pixel", "scale factor of the pixel's footprint"});
     table.push_back(
@@ -108,6 +133,8 @@ void add_level_of_detail(Table& table) {
 
 void add_shading(Table& table) {
     table.push_back({"occlusion", real, "0 closed to 1 open", "ambient visibility of the hit"});
+    table.push_back({"occlusion.error", real, "0 to 0.5",
+                     "standard error of occlusion, where that is an estimate (ao-oracle)"});
     table.push_back({"shadow.visibility", real, "0 dark to 1 lit", "visibility of light 0"});
     table.push_back({"shadow.steps", integer, "count", "steps of the shadow search of light 0"});
     table.push_back({"shadow.<i>.visibility", real, "0 dark to 1 lit", "visibility of light <i>"});
@@ -138,6 +165,7 @@ Table make_table() {
     add_exact(table);
     add_frame(table);
     add_hit(table);
+    add_oracle(table);
     add_level_of_detail(table);
     add_shading(table);
     add_identity(table);

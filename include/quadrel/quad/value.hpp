@@ -37,6 +37,16 @@ enum class Value : std::int32_t {
     K,             ///< UV shift while the ray falls through the whole relief: depth * uv_rate
     frame_status,  ///< HIT or NOFRAME
     frame_flags,
+    oracle_s,          ///< where the ray first meets the height field, as hit_s
+    oracle_uv,         ///< there, as hit_uv
+    oracle_cell,       ///< column and row of the cell that is met, whole numbers
+    oracle_place,      ///< where in the cell, [0, 1]
+    oracle_gradient,   ///< d height / d(u, v) there
+    oracle_condition,  ///< |ds / d height|: how far s moves with the heights
+    oracle_bound,      ///< how far oracle_s may be from the exact one
+    oracle_status,     ///< as hit_status
+    certified,         ///< Certificate
+    certified_reason,  ///< Uncertified
     lod_rho,
     lod_lambda,
     lod_level,
@@ -55,6 +65,7 @@ enum class Value : std::int32_t {
     shadow_visibility,  ///< a light: 1 lit, 0 dark
     shadow_steps,       ///< a light
     occlusion,          ///< ambient visibility at the hit: 1 open, 0 closed
+    occlusion_error,    ///< standard error of occlusion, where that is an estimate
     light_ambient,
     light_diffuse,
     light_specular,
@@ -105,6 +116,16 @@ inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> v
     {"K", 2},
     {"frame_status", 1, ValueKind::integer},
     {"frame_flags", 1, ValueKind::integer},
+    {"oracle.s", 1},
+    {"oracle.uv", 2},
+    {"oracle.cell", 2},
+    {"oracle.place", 2},
+    {"oracle.gradient", 2},
+    {"oracle.condition", 1},
+    {"oracle.bound", 1},
+    {"oracle.status", 1, ValueKind::integer},
+    {"certified", 1, ValueKind::integer},
+    {"certified.reason", 1, ValueKind::integer},
     {"lod.rho", 1},
     {"lod.lambda", 1},
     {"lod.level", 1},
@@ -123,6 +144,7 @@ inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> v
     {"shadow.visibility", 1, ValueKind::real, true},
     {"shadow.steps", 1, ValueKind::integer, true},
     {"occlusion", 1},
+    {"occlusion.error", 1},
     {"light.ambient", 3},
     {"light.diffuse", 3},
     {"light.specular", 3},
@@ -164,6 +186,24 @@ enum class Status : std::int32_t {
     no_frame = 5,  ///< singular or back-facing frame
     nan = 6,
     outside = 7,
+};
+
+/// certified: how the first hit was proven. Part of the file format.
+enum class Certificate : std::int32_t {
+    none = 0,
+    bounds = 1,  ///< by bounds on the rounding errors of double
+    exact = 2,   ///< by rational arithmetic, where those bounds did not settle it
+};
+
+/// certified.reason: why it was not. Part of the file format.
+enum class Uncertified : std::int32_t {
+    proven = 0,
+    no_ray = 1,         ///< the fragment has no frame
+    not_finite = 2,     ///< the ray is not: NaN, or infinite
+    not_a_number = 3,   ///< a height on the way is NaN or infinite
+    too_long = 4,       ///< more cells on the way than are searched
+    not_exact = 5,      ///< the bounds did not settle it, and this build has no rational arithmetic
+    no_height_map = 6,  ///< heights are noise, or there are none
 };
 
 /// hit.flags, a set of bits. Part of the file format. (16 is kept for hits outside of a chart.)

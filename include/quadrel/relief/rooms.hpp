@@ -29,6 +29,12 @@ struct DerivativeFrame : StageDefaults {
     static constexpr auto outputs = frame_outputs;
 };
 
+/// oracle: the ray to where it first meets the height field, with proof.
+inline constexpr auto oracle_outputs =
+    values(Value::oracle_s, Value::oracle_uv, Value::oracle_cell, Value::oracle_place,
+           Value::oracle_gradient, Value::oracle_condition, Value::oracle_bound,
+           Value::oracle_status, Value::certified, Value::certified_reason);
+
 /// trace: the height field and the ray to the hit.
 inline constexpr auto trace_outputs =
     values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth, Value::hit_status,

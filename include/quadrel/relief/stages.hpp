@@ -13,3 +13,4 @@
 #include "quadrel/relief/trace/exact/stages.hpp"
 #include "quadrel/relief/trace/march/stages.hpp"
 #include "quadrel/relief/trace/offset/stages.hpp"
+#include "quadrel/relief/trace/oracle/stages.hpp"

@@ -23,7 +23,7 @@ std::string algorithm_text(const Scene& scene) {
         auto& entry = all[material.name];
         for (const PlannedStage& stage : material_stages(scene, material)) {
             const std::string room = stage.info->text.room;
-            if (room != "quad" && room != "depth" && room != "hit")
+            if (room != "quad" && room != "depth" && room != "oracle" && room != "hit")
                 entry[room] = stage.info->text.id;
         }
         for (const StageChoice* choice :

@@ -61,6 +61,19 @@ void add_hit(Table& table) {
     table["lod.frac"] = {Value::lod_frac, 0};
 }
 
+void add_oracle(Table& table) {
+    table["oracle.s"] = {Value::oracle_s, 0};
+    add(table, "oracle", "UV", Value::oracle_uv);
+    add(table, "oracle.cell", "XY", Value::oracle_cell);
+    add(table, "oracle.place", "XY", Value::oracle_place);
+    add(table, "oracle.gradient", "UV", Value::oracle_gradient);
+    table["oracle.condition"] = {Value::oracle_condition, 0};
+    table["oracle.bound"] = {Value::oracle_bound, 0};
+    table["oracle.status"] = {Value::oracle_status, 0};
+    table["certified"] = {Value::certified, 0};
+    table["certified.reason"] = {Value::certified_reason, 0};
+}
+
 void add_shading(Table& table) {
     table["R"] = {Value::color, 0};
     table["G"] = {Value::color, 1};
@@ -72,6 +85,7 @@ void add_shading(Table& table) {
     add(table, "light.reflection", "RGB", Value::light_reflection);
     add(table, "light.refraction", "RGB", Value::light_refraction);
     table["occlusion"] = {Value::occlusion, 0};
+    table["occlusion.error"] = {Value::occlusion_error, 0};
     table["shadow.visibility"] = {Value::shadow_visibility, 0};
     table["shadow.steps"] = {Value::shadow_steps, 0};
 }
@@ -115,6 +129,7 @@ const Table& value_channels() {
         Table made;
         add_geometry(made);
         add_hit(made);
+        add_oracle(made);
         add_shading(made);
         return made;
     }();

@@ -48,6 +48,7 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     const Scene& scene = *prepared.scene;
     const MaterialPlan& plan = prepared.plan.materials[m];
     for (const PlannedStage& stage : material_stages(scene, scene.materials[m])) {
+        if (!planned(plan, stage) && stage.info->text.room == std::string_view("oracle")) continue;
         if (planned(plan, stage))
             text.does.push_back(fmt::format(
                 "runs {}{}: {}", stage_name(stage),

@@ -27,11 +27,14 @@ std::string component_name(Value v, int component, int light) {
     if (info(v).components == 1) return name;
     if (v == Value::color) return std::string(1, "RGB"[component]);
     if (v == Value::hit_uv) return std::string("hit.") + "UV"[component];
+    if (v == Value::oracle_uv) return std::string("oracle.") + "UV"[component];
     if (v == Value::bary) return name + "." + std::to_string(component);
     if (info(v).components == 6)  // the rows of a Jacobian
         return name + (component < 3 ? ".U." : ".V.") + "XYZ"[component % 3];
     const bool color = name.compare(0, 6, "light.") == 0;
-    const char* letters = info(v).components == 2 ? "UV" : color ? "RGB" : "XYZ";
+    const bool of_texels =
+        info(v).components == 2 && v != Value::oracle_cell && v != Value::oracle_place;
+    const char* letters = of_texels ? "UV" : color ? "RGB" : "XYZ";
     return name + "." + letters[component];
 }
 

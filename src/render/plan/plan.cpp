@@ -8,6 +8,8 @@
 #include "io/document/stage_parameters.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/relief/rooms.hpp"
+#include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "quadrel/scene/default_stage.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/registry/added_stages.hpp"
@@ -82,8 +84,26 @@ bool any_of(std::span<const Value> list, const ValueSet& set) {
     return std::any_of(list.begin(), list.end(), [&](Value v) { return set[index_of(v)]; });
 }
 
+/// The table of plain numbers whose bits a table has.
+const KernelTable& plain_kernels(const KernelTable& table) {
+    return table.scalar_bytes == sizeof(double) ? scalar_double_kernels() : scalar_float_kernels();
+}
+
+/// The judge of what a trace searches; none beside a trace that is one.
+std::optional<PlannedStage> judge_of(const PlannedStage& trace) {
+    if (stores(trace, Value::oracle_s)) return std::nullopt;
+    PlannedStage judge = make_stage(*find_stage("oracle"));
+    const auto& read = trace.info->textures;
+    const bool blocks = std::find(read.begin(), read.end(), TextureSlot::texel_max) != read.end();
+    judge.info->parameters[0].set(
+        judge.params.data(),
+        static_cast<double>(blocks ? oracle::Surface::block : oracle::Surface::bilinear));
+    return judge;
+}
+
 StageFunction kernel(const KernelTable& table, std::string_view id) {
     if (const StageFunction run = find_kernel(table, id)) return run;
+    if (const StageFunction run = find_kernel(plain_kernels(table), id)) return run;
     if (const StageFunction run = find_added_kernel(table, id)) return run;
     check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
 }
@@ -120,7 +140,9 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     stages.push_back(
         make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
     stages.push_back(chosen(material.frame, "frame"));
-    stages.push_back(chosen(material.trace, "trace"));
+    PlannedStage trace = chosen(material.trace, "trace");
+    if (auto judge = judge_of(trace)) stages.push_back(*std::move(judge));
+    stages.push_back(std::move(trace));
     if (clips(material)) stages.push_back(chosen(material.clip, "clip"));
     stages.push_back(make_stage(*find_stage("displace")));
     stages.push_back(writes_depth(material) ? chosen(material.frag_depth, "frag-depth")
@@ -149,10 +171,12 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
         for (const Value v : stage->info->outputs) plan.produced.set(index_of(v));
         for (const TextureSlot slot : stage->info->textures) {
             plan.textures.set(static_cast<std::size_t>(slot));
-            const bool optional = stage->info->text.room == std::string_view("quad");
+            const std::string_view room = stage->info->text.room;
+            const bool optional = room == "quad" || room == "oracle";
             const bool baked = slot >= first_baked_slot;
             plan.needs_height |= (slot == TextureSlot::height || baked) && !optional;
-            if (baked || stage->info->needs_height_map) plan.needs_height_map = stage->info;
+            if ((baked && !optional) || stage->info->needs_height_map)
+                plan.needs_height_map = stage->info;
         }
         stage->run = kernel(table, stage->info->text.id);
         plan.stages.push_back(std::move(*stage));
@@ -160,6 +184,13 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
     std::reverse(plan.stages.begin(), plan.stages.end());
     for (PlannedStage& stage : plan.stages) stage.checks = border_checks(stage, plan.values);
     return plan;
+}
+
+Wanted all_values(const std::vector<ChannelSource>& channels) {
+    Wanted all{ValueSet().set(), LightSet().set()};
+    const Wanted asked = wanted_values(channels);
+    for (const Value v : oracle_outputs) all.values[index_of(v)] = asked.values[index_of(v)];
+    return all;
 }
 
 Wanted wanted_values(const std::vector<ChannelSource>& channels) {

@@ -73,4 +73,8 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
 /// The values that channels read.
 Wanted wanted_values(const std::vector<ChannelSource>& channels);
 
+/// Every value, but for the judge's, which takes longer than all the rest: of those what channels
+/// read.
+Wanted all_values(const std::vector<ChannelSource>& channels);
+
 }  // namespace quadrel

@@ -94,8 +94,7 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     plan.scalar_bytes = kernels.scalar_bytes;
     if (!skip) plan.shortcuts = no_shortcuts;
     plan.frame = frame_uniforms(scene, plan.hardware);
-    const Wanted wanted =
-        skip ? wanted_values(channels) : Wanted{ValueSet().set(), LightSet().set()};
+    const Wanted wanted = skip ? wanted_values(channels) : all_values(channels);
     for (const Material& material : scene.materials) {
         plan.materials.push_back(plan_material(scene, material, wanted, kernels));
         plan.discard.push_back(discard_plan(scene, material, kernels));

@@ -11,7 +11,9 @@ namespace {
 
 /// These read the height map's own texels, or the patches between them, and nothing else of it.
 constexpr std::string_view height_level_0[] = {
-    "texel-exact", "max-mip", "cone-cell", "rmq-leap", "qdm", "shadow-exact", "h2n-patch"};
+    "texel-exact",    "max-mip",         "cone-cell",     "rmq-leap",        "qdm",
+    "oracle",         "oracle-bilinear", "oracle-block",  "oracle-tri-main", "oracle-tri-anti",
+    "oracle-tri-min", "shadow-exact",    "shadow-oracle", "ao-oracle",       "h2n-patch"};
 
 /// These take the exponent from the gloss map, and nothing else.
 constexpr std::string_view gloss_exponent[] = {"shade-phong", "shade-blinn-phong",

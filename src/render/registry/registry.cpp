@@ -52,8 +52,9 @@ std::vector<StageInfo> describe_lists() {
 
 std::vector<StageInfo>& registry() {
     static auto stages =
-        describe_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
-                       EngineStages, HitStages, SurfaceStages, ShadowStages, OcclusionStages,
+        describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
+                       ExactStages, OracleTraceStages, EngineStages, HitStages, SurfaceStages,
+                       ShadowStages, OracleShadowStages, OcclusionStages, OracleOcclusionStages,
                        ShadeStages>();
     return stages;
 }

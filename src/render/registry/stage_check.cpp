@@ -22,7 +22,7 @@ std::vector<std::string> rooms_of(std::span<const StageInfo> stages) {
 
 /// A scene cannot choose these: they always run.
 bool chosen_by_scenes(const std::string& room) {
-    return room != "quad" && room != "depth" && room != "hit";
+    return room != "quad" && room != "depth" && room != "oracle" && room != "hit";
 }
 
 bool is_word(const char* text) {
