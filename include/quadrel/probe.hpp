@@ -55,7 +55,7 @@ struct ProbeFragment {
     std::array<std::array<std::int64_t, 4>, 3> edges{};  ///< [edge][lane]
     std::array<float, 4> depth{};                        ///< window depth at the pixel centres
     std::vector<ProbeStage> stages;                      ///< in the order of the data flow
-    std::vector<ProbeValue> derivatives;  ///< of P and uv: fine, coarse and exact
+    std::vector<ProbeValue> derivatives;                 ///< of P and uv: fine, coarse and exact
 };
 
 struct ProbeReport {

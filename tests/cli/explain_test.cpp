@@ -123,6 +123,14 @@ TEST(List, NamesOfValues) {
     EXPECT_EQ(presets[0]["parameters"]["mode"], "steep");
 }
 
+TEST(List, NumberTypesOfStages) {
+    std::map<std::string, nlohmann::json> types;
+    for (const auto& stage : nlohmann::json::parse(run({"list", "algorithms", "--json"}).out))
+        types[stage["id"]] = stage["number_types"];
+    EXPECT_EQ(types["frame-gram"], nlohmann::json({"float", "double", "dual"}));
+    EXPECT_EQ(types["shade-thesis"], nlohmann::json({"float", "double"}));
+}
+
 TEST(List, ScenesSayWhatTheyShow) {
     const auto json = nlohmann::json::parse(run({"list", "scenes", "--json"}).out);
     EXPECT_EQ(json.size(), installed_scenes().size());

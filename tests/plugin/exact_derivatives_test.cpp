@@ -141,7 +141,17 @@ TEST(ExactDerivatives, StagesOfTheProgramMayDeclareThem) {
     const Film film = render_tests::take(render, scene, {"A", "derr.dhitUVdx.U"});
     EXPECT_LT(std::abs(render_tests::value(film, "derr.dhitUVdx.U", 12, 12)), 0.01f);
     scene.materials[0].trace = render_tests::stage("test-half-way-plain", "trace");
-    EXPECT_THROW(render_tests::take(render, scene, {"exact.dhitUVdx"}), UsageError);
+    try {
+        render_tests::take(render, scene, {"exact.dUVdx", "derr.dhitUVdy"});
+        FAIL();
+    } catch (const UsageError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("\"derr.dhitUVdy.U\""), std::string::npos) << text;
+        EXPECT_NE(text.find("\"test-half-way-plain\""), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+    }
+    // What comes before it is served.
+    EXPECT_NO_THROW(render_tests::take(render, scene, {"A", "exact.dUVdx", "derr.lod"}));
 }
 
 }  // namespace

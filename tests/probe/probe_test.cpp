@@ -172,4 +172,27 @@ TEST(Probe, JsonHoldsTheSameBits) {
     }
 }
 
+/// The exact derivatives beside the finite ones have the bits of the channels.
+TEST(Probe, ExactDerivativesAreThoseOfTheChannels) {
+    const Scene scene = small_scene("thesis-quad");
+    RenderOptions options;
+    options.channels = {"exact.dPdx", "exact.dPdy", "exact.dUVdx", "exact.dUVdy"};
+    const Film film = render(scene, options);
+    const ProbeReport report = probe(scene, 24, 20);
+    ASSERT_EQ(report.fragments.size(), 1u);
+    int compared = 0;
+    for (const ProbeValue& value : report.fragments[0].derivatives) {
+        if (!value.name.starts_with("exact d/d")) continue;
+        const std::string axis(1, value.name[9]);
+        const std::string component(1, value.name.back());
+        const bool of_uv = value.name.find("uv") != std::string::npos;
+        const Plane* plane =
+            film.find((of_uv ? "exact.dUVd" : "exact.dPd") + axis + "." + component);
+        ASSERT_NE(plane, nullptr) << value.name;
+        EXPECT_EQ(plane->as_float(film.index(24, 20)), value.real[std::size_t(report.lane)]);
+        ++compared;
+    }
+    EXPECT_EQ(compared, 10);
+}
+
 }  // namespace

@@ -26,8 +26,8 @@ const std::vector<std::string>& default_channels();
 /// The table's line for a full name ("uv.U", "shadow.2.visibility"), or null.
 const ChannelInfo* find_channel(const std::string& name);
 
-/// Whether a full name is one of exact.* or derr.*, for which stages run once more, on dual numbers,
-/// where they do at all.
+/// Whether a full name is one of exact.* or derr.*, for which stages run once more, on dual
+/// numbers, where they do at all.
 bool is_exact_derivative(const std::string& name);
 
 /// Full names for what a user asks for: each request is a full name or a group, which stands for

@@ -1,7 +1,6 @@
 // exact.* and derr.*: exact derivatives beside what stages take for them.
 #include <gtest/gtest.h>
 
-#include "quadrel/error.hpp"
 #include "render/films.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/planted.hpp"
@@ -257,21 +256,6 @@ TEST(ExactChannels, CostNothingUnlessAskedFor) {
     EXPECT_EQ(plans(), 0u);
     options.channels = {"exact.dUVdx.U"};
     EXPECT_EQ(plans(), 1u);
-}
-
-TEST(ExactChannels, StagesThatHaveNoneAreNamed) {
-    const Scene scene = tilted_scene(16, "cone-step");
-    const Film film = take(render, scene, {"A", "exact.dUVdx", "derr.lod"});  // before the trace
-    EXPECT_GT(mean(film, "exact.dUVdx.U"), 0);
-    try {
-        take(render, scene, {"exact.dUVdx", "derr.dhitUVdy"});
-        FAIL();
-    } catch (const UsageError& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find("\"derr.dhitUVdy.U\""), std::string::npos) << text;
-        EXPECT_NE(text.find("\"cone-step\""), std::string::npos) << text;
-        EXPECT_EQ(text.find('\n'), std::string::npos);
-    }
 }
 
 /// Other samples, centroids and attribute set-ups have derivatives of their own.

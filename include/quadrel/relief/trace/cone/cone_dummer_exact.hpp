@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct ConeDummerExact : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-dummer-exact", "trace",
                                     "cone steps of a texel or more, one texel back",
                                     "Dummer 2006, Cone Step Mapping"};

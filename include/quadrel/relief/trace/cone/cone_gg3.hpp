@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct ConeGg3 : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-gg3", "trace", "15 cone steps as listed",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, disc"};
     static constexpr auto inputs = values(Value::uv, Value::relief_depth, Value::r, Value::K,

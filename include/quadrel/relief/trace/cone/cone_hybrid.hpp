@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ConeHybrid : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-hybrid", "trace",
                                     "cones between conservative and relaxed, then bisection",
                                     "inspired by \"hybrid cone approach\" (abstract)"};

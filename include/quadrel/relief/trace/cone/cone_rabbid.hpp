@@ -28,6 +28,7 @@ namespace quadrel {
 
 template <bool packed>
 struct RabbidConeStep : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{packed ? "cone-rabbid" : "cone-rabbid-float", "trace",
                                     packed
                                         ? "cone steps of a texel or more, 30, over a map of 8 bits"

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct ConeRobust : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-robust", "trace",
                                     "cone steps, at least to the next patch of the surface",
                                     "Ban, Valasek, Balint, Vad 2024"};

@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct ConeRobustExact : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"cone-robust-exact", "trace",
                                     "cone steps from patch to patch, patches exact",
                                     "correction of cone-robust; after Ban et al. 2024"};

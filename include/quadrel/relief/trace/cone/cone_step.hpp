@@ -25,6 +25,7 @@ inline constexpr std::array cone_parameters{
 
 /// A search that takes those parameters.
 struct ConeSearch : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = trace_outputs;
     using Params = ConeParams;

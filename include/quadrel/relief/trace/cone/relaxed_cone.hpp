@@ -22,6 +22,7 @@ inline constexpr std::array relaxed_cone_parameters{
                                                 60, 8)};
 
 struct RelaxedCone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"relaxed-cone", "trace",
                                     "steps along relaxed cones, then bisection",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18"};

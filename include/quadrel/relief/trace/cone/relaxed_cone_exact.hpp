@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct RelaxedConeExact : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"relaxed-cone-exact", "trace",
                                     "relaxed cones of falling edges, steps between patches",
                                     "Ban, Valasek, Balint, Vad 2024"};

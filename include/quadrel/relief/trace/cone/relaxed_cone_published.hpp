@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct RelaxedConePublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"relaxed-cone@published", "trace",
                                     "15 relaxed cone steps, 8 halvings",
                                     "Policarpo and Oliveira 2007, GPU Gems 3, chapter 18, disc"};

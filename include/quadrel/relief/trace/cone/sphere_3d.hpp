@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct Sphere3d : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"sphere-3d", "trace", "sphere tracing of a distance volume",
                                     "Donnelly 2005, GPU Gems 2, chapter 8; Hart 1996"};
     static constexpr auto inputs = level_0_search_inputs;

@@ -15,6 +15,7 @@
 namespace quadrel {
 
 struct Sphere3dPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"sphere-3d@published", "trace",
                                     "16 steps through a distance volume as listed",
                                     "Donnelly 2005, GPU Gems 2, chapter 8, disc"};
