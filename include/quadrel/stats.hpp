@@ -52,6 +52,19 @@ struct MaximaStats {
     double wall_ms = 0;
 };
 
+/// Covered lanes by what is proven of their hits (channel `certified`).
+struct CertifiedStats {
+    bool drawn = false;  ///< else nothing was asked
+    std::uint64_t by_bounds = 0, exactly = 0, not_proven = 0;
+    std::uint64_t without_ray = 0;  ///< have no frame, and so nothing to prove
+
+    /// Of the lanes with a ray, those whose hit is proven; 1 where there are none.
+    double share() const {
+        const double proven = static_cast<double>(by_bounds + exactly);
+        return not_proven == 0 ? 1 : proven / (proven + static_cast<double>(not_proven));
+    }
+};
+
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size.
 struct RenderStats {
@@ -67,6 +80,7 @@ struct RenderStats {
     /// Points of rays that were tested, helper lanes included, by searches for the hit and towards
     /// lights.
     std::uint64_t trace_steps = 0, shadow_steps = 0;
+    CertifiedStats certified;
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;

@@ -27,9 +27,9 @@ testing::AssertionResult failure(const StageInfo& stage, const std::string& what
 
 testing::AssertionResult texts_are_complete(const Stages& stages) {
     const std::regex id("[a-z0-9]+(-[a-z0-9]+)*(@published)?");
-    const std::set<std::string> rooms = {"quad",    "frame",      "trace",    "hit",
-                                         "surface", "shadow",     "shade",    "depth",
-                                         "clip",    "frag-depth", "occlusion"};
+    const std::set<std::string> rooms = {"quad",    "frame",      "trace",     "hit",
+                                         "surface", "shadow",     "shade",     "depth",
+                                         "clip",    "frag-depth", "occlusion", "oracle"};
     std::set<std::string> seen;
     for (const StageInfo& stage : stages) {
         if (!std::regex_match(stage.text.id, id)) return failure(stage, "no proper id");
@@ -246,7 +246,13 @@ TEST(Registry, ErrorsInTextsAreNoticed) {
     EXPECT_FALSE(texts_are_complete(stages));
 }
 
-testing::AssertionResult has_every_kernel(const KernelTable& table, const Stages& stages) {
+/// Judges run on plain numbers, whatever the lanes.
+bool is_a_judge(const StageInfo& stage) {
+    return std::string_view(stage.text.id).find("oracle") != std::string_view::npos;
+}
+
+testing::AssertionResult has_every_kernel(const KernelTable& table, Stages stages) {
+    if (table.isa != std::string_view("scalar")) std::erase_if(stages, is_a_judge);
     std::map<std::string, int> rows;
     for (const std::string_view id : kernel_ids(table)) {
         if (!find_kernel(table, id)) return testing::AssertionFailure() << "a row without function";

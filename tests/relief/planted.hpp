@@ -52,6 +52,12 @@ enum class Planted {
     accumulated_borders,  ///< parameters of borders summed up from cell to cell
     grazes_unflagged,     ///< the flag ambiguous never set
     later_root,           ///< the second root of a patch in place of the first
+    // Certificates.
+    cell_beside,         ///< the cell next to the one that is met
+    beyond_the_bound,    ///< s off by twice the bound
+    spike_overlooked,    ///< a texel that rises ahead of the hit is not seen
+    bound_too_small,     ///< the bound of the guess, not of the root
+    unproven_as_proven,  ///< what no arithmetic could settle is called certain
     // Normals.
     slope_upside_down,      ///< bumps look like dents
     relief_without_base,    ///< the smooth-shading difference left out

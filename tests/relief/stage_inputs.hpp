@@ -51,7 +51,7 @@ class MadeInputs {
     }
     void run_chain() {
         for (const char* id :
-             {"differentiate", "lod", "frame-gram", "linear", "displace", "h2n-thesis"}) {
+             {"differentiate", "lod", "frame-gram", "oracle", "linear", "displace", "h2n-thesis"}) {
             batch.run(id);
         }
         for (int light = 0; light < max_lights; ++light) {

@@ -70,9 +70,9 @@ using StageFunction = void (*)(const StageCall*);
 
 struct StageText {
     const char* id;  ///< `name` or `name@published`
-    /// quad, depth, frame, oracle, trace, clip, hit, frag-depth, surface, shadow, occlusion or shade.
-    /// A scene chooses one stage of each room but quad, depth, oracle and hit, whose stages run
-    /// whenever something asks for what they store.
+    /// quad, depth, frame, oracle, trace, clip, hit, frag-depth, surface, shadow, occlusion or
+    /// shade. A scene chooses one stage of each room but quad, depth, oracle and hit, whose stages
+    /// run whenever something asks for what they store.
     const char* room;
     const char* summary;
     const char* source;

@@ -27,6 +27,8 @@ constexpr std::array data_flow = {
     std::string_view{"J"},
     std::string_view{"r"},
     std::string_view{"K"},
+    std::string_view{"oracle"},
+    std::string_view{"certified"},
     std::string_view{"lod.rho"},
     std::string_view{"lod.lambda"},
     std::string_view{"lod.level"},

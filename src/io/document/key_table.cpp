@@ -138,7 +138,7 @@ constexpr SceneKey keys[] = {
     {"relief", "shadow", "id, `\"none\"`, or a `stage`", "the default stage", "self-shadowing",
      Below::object, "stage"},
     {"relief", "occlusion", "id, `\"none\"`, or a `stage`", "none",
-     "ambient visibility of the hit: `ao-horizon`", Below::object, "stage"},
+     "ambient visibility of the hit: `ao-horizon`, `ao-oracle`", Below::object, "stage"},
     {"relief", "depth", "number >= 0, or a `depth`", "0.05", "thickness of the relief, world units",
      Below::object, "depth"},
     {"relief", "grazing_fade", "2 angles, 0 <= from < to <= 90", "none",

@@ -80,11 +80,12 @@ class CellWalk {
         return most;
     }
 
-    /// Down a level, and on to where the ray comes down to the node's height.
+    /// Down a level, and on to where the ray is about to come down to the node's height: far enough
+    /// above it for intervals to tell.
     double into_node(const Part& part, double height) {
         --level_;
         if (ray_.z.climb > 0) return part.from;
-        const double reached = down((Interval(ray_.z.start) - height).lo);
+        const double reached = (Interval(ray_.z.start) - height - 0x1p-50).lo;
         return reached > part.from && reached < part.to ? reached : part.from;
     }
 

@@ -67,7 +67,6 @@ class Search {
         CellWalk walk(heights_, grid_ray_);
         const WalkEnd end = walk.run([&](const Part& part) { return visit(part, hit); });
         hit.steps = walk.steps;
-        hit.fetches += walk.steps;
         if (end == WalkEnd::too_long) hit = ended(hit, Status::cap, Uncertified::too_long);
         if (end == WalkEnd::passed) conclude(hit, Status::floor);
         place(hit.s, hit);
@@ -99,11 +98,8 @@ class Search {
 
     bool visit(const Part& part, Hit& hit) {
         CellSegments segments(field_.surface, heights_, grid_ray_, part);
-        hit.fetches += 4;
         if (!segments.finite()) {
-            const std::int32_t fetches = hit.fetches;
             hit = ended({}, Status::nan, Uncertified::not_a_number);
-            hit.fetches = fetches;
             return true;
         }
         return segments.each([&](const Segment& segment) { return visit(segment, hit); });

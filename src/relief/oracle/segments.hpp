@@ -77,6 +77,11 @@ class CellSegments {
         return past > from ? std::min(past, part_.to) : to;
     }
 
+    /// Where the line is met at the earliest; before that is no point of it.
+    static double next_crossing(const Affine& line) {
+        return line.moves() ? line.root().lo : -std::numeric_limits<double>::infinity();
+    }
+
     void collect(Segment& segment) const {
         segment.count = 0;
         segment.last = -1;
@@ -96,7 +101,9 @@ class CellSegments {
                 const int side = static_cast<int>(sides >> k & 1);
                 const int first = side_of(of.line[k], segment.from);
                 const int end = side_of(of.line[k], segment.to);
-                possible = possible && !(first == end && first == 1 - side);
+                // Up to where it meets the line, it stays on the side on which it is.
+                const bool stays = first == end || segment.to <= next_crossing(of.line[k]);
+                possible = possible && !(stays && first == 1 - side);
                 last = last && end == side;
             }
             if (!possible) continue;

@@ -16,6 +16,8 @@ struct DrawRecord {
     std::array<FetchCounters, texture_slot_count> fetches{};  ///< by slot
     std::uint64_t quads = 0, covered_lanes = 0, helper_lanes = 0;
     std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
+    std::array<std::uint64_t, 3> certified{};         ///< covered lanes by Certificate
+    std::uint64_t without_ray = 0;                    ///< of those of Certificate::none
 };
 
 /// Adds what another thread recorded.
@@ -29,6 +31,8 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     into.helper_lanes += from.helper_lanes;
     into.trace_steps += from.trace_steps;
     into.shadow_steps += from.shadow_steps;
+    for (std::size_t k = 0; k < into.certified.size(); ++k) into.certified[k] += from.certified[k];
+    into.without_ray += from.without_ray;
 }
 
 }  // namespace quadrel

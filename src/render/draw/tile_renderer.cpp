@@ -205,6 +205,8 @@ void TileRenderer::shade() {
             ++end;
         const int count = static_cast<int>(end - first);
         run(plan_.materials[material], material, quads_.data() + first, count);
+        if (recording_ == Recording::counts)
+            count_certified(plan_.materials[material], {quads_.data() + first, end - first});
         if (recording_ != Recording::marks)
             film_.add(batch_, quads_.data() + first, geometry_, buffer_,
                       run_exact(material, quads_.data() + first, count));
@@ -268,6 +270,19 @@ void TileRenderer::name_failing_quad(const MaterialPlan& plan, std::uint32_t mat
 void TileRenderer::mark(std::uint32_t material) {
     for (int slot = 0; slot < texture_slot_count; ++slot)
         record_.fetches[static_cast<std::size_t>(slot)].marks = touched_->marks(material, slot);
+}
+
+/// What is proven of the fragments that are seen, where certificates are drawn.
+void TileRenderer::count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads) {
+    constexpr auto certified = static_cast<std::size_t>(Value::certified);
+    if (!plan.values[certified]) return;
+    for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
+        const auto q = static_cast<std::size_t>(lane / 4), k = static_cast<std::size_t>(lane % 4);
+        if (!solid_ && quads[q].samples[k] == 0) continue;
+        ++record_.certified[batch_.integer(slot_of(Value::certified), lane)];
+        record_.without_ray += batch_.integer(slot_of(Value::certified_reason), lane) ==
+                               static_cast<std::uint32_t>(Uncertified::no_ray);
+    }
 }
 
 void TileRenderer::count_steps(const MaterialPlan& plan) {

@@ -73,6 +73,7 @@ class TileRenderer {
                                         std::span<const QuadCoverage> quads, std::string message);
     void mark(std::uint32_t material);
     void count_steps(const MaterialPlan& plan);
+    void count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
 
     const Scene& scene_;

@@ -206,6 +206,9 @@ Wanted wanted_values(const std::vector<ChannelSource>& channels) {
         }
         if (channel.kind == ChannelSource::Kind::z) wanted.values.set(index_of(Value::hit_P));
     }
+    // Statistics tell fragments without a ray from those whose hit is not proven.
+    if (wanted.values[index_of(Value::certified)])
+        wanted.values.set(index_of(Value::certified_reason));
     return wanted;
 }
 

@@ -62,6 +62,14 @@ Json to_json(const MaximaStats& maxima) {
     return {{"maps", maxima.maps}, {"bytes", maxima.bytes}, {"wall_ms", maxima.wall_ms}};
 }
 
+Json to_json(const CertifiedStats& certified) {
+    return {{"share", certified.share()},
+            {"by_bounds", certified.by_bounds},
+            {"exactly", certified.exactly},
+            {"not_proven", certified.not_proven},
+            {"without_ray", certified.without_ray}};
+}
+
 // What is baked comes from the file of the heights.
 std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
     const auto kind = static_cast<TextureSlot>(slot);
@@ -145,6 +153,8 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     stats.pixels = prepared.window.area();
     stats.primitives = prepared.geometry.counts;
     stats.left_out = left_out(prepared);
+    for (const ChannelSource& channel : prepared.channels)
+        stats.certified.drawn |= channel.name == "certified";
     record_textures(prepared, stats);
     record_maxima(prepared, stats);
 }
@@ -160,6 +170,11 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
             stats.fetches_by_kind[std::string(slot_name(static_cast<TextureSlot>(slot)))] +=
                 fetches.fetches;
     }
+    CertifiedStats& certified = stats.certified;
+    certified.by_bounds += record.certified[static_cast<std::size_t>(Certificate::bounds)];
+    certified.exactly += record.certified[static_cast<std::size_t>(Certificate::exact)];
+    certified.not_proven += record.certified[0] - record.without_ray;
+    certified.without_ray += record.without_ray;
     for (const auto& [id, time] : record.stages)
         stats.stages.push_back({id, time.batches, time.lanes, time.fetches,
                                 1e-6 * static_cast<double>(time.wall_ns),
@@ -206,6 +221,7 @@ std::string to_json(const RenderStats& stats) {
                {"load", to_json(stats.load)},
                {"draw", to_json(stats.draw)}}},
              {"peak_memory_kib", stats.peak_memory_kib}};
+    if (stats.certified.drawn) out["certified"] = to_json(stats.certified);
     if (stats.has_touched) {
         out["touched"] = to_json(stats.touched);
         out["steps"] = {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}};

@@ -2,6 +2,7 @@
 // to the last, for every surface, that shares nothing with it.
 #pragma once
 
+#include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "relief/exact/exact_search.hpp"
 #include "relief/exact/oracle_exact.hpp"
@@ -106,17 +107,21 @@ class RationalJudge {
     oracle::ExactQuadratic quadratic(const mpq_class& s, const mpq_class& within) const {
         const long i = oracle::floor_of(x(within)), j = oracle::floor_of(y(within));
         const mpq_class f = x(s) - i, g = y(s) - j;
-        const auto h = [&](long a, long b) {
-            return oracle::rational(field_.texel(i + a, j + b));
-        };
+        const auto h = [&](long a, long b) { return oracle::rational(field_.texel(i + a, j + b)); };
         if (surface_ == judge::Surface::block) return {0, 1, h(0, 0) - (1 - s)};
         mpq_class h00 = h(0, 0), h10 = h(1, 0), h01 = h(0, 1), h11 = h(1, 1);
         if (triangles()) {
             const mpq_class fm = x(within) - i, gm = y(within) - j;
             if (main_edge(i, j)) {
-                if (gm <= fm) h01 = h00 + h11 - h10; else h10 = h00 + h11 - h01;
+                if (gm <= fm)
+                    h01 = h00 + h11 - h10;
+                else
+                    h10 = h00 + h11 - h01;
             } else {
-                if (fm + gm <= 1) h11 = h10 + h01 - h00; else h00 = h10 + h01 - h11;
+                if (fm + gm <= 1)
+                    h11 = h10 + h01 - h00;
+                else
+                    h00 = h10 + h01 - h11;
             }
         }
         const mpq_class b = h10 - h00, c = h01 - h00, d = h00 - h10 - h01 + h11;
@@ -127,7 +132,9 @@ class RationalJudge {
     /// The first root in [0, length], which has one, to 2^-80 of the length.
     static mpq_class root(const oracle::ExactQuadratic& q, const mpq_class& length) {
         if (q.C >= 0) return 0;
-        const auto at = [&](const mpq_class& tau) { return mpq_class((q.A * tau + q.B) * tau + q.C); };
+        const auto at = [&](const mpq_class& tau) {
+            return mpq_class((q.A * tau + q.B) * tau + q.C);
+        };
         mpq_class low = 0, high = length;
         if (at(high) < 0) high = -q.B / (2 * q.A);
         for (int k = 0; k < 80; ++k) {

@@ -16,7 +16,8 @@ class LitBatch {
     LitBatch(const Map& height, int seed, double least_elevation = 0.2) : height_(height) {
         Random random(static_cast<std::uint64_t>(seed) * 31 + 7);
         batch.bind(TextureSlot::height, height.sampled);
-        for (const TextureSlot slot : {TextureSlot::cone_robust, TextureSlot::horizon}) {
+        for (const TextureSlot slot :
+             {TextureSlot::cone_robust, TextureSlot::horizon, TextureSlot::max_mip}) {
             Map& map = baked_[static_cast<std::size_t>(slot)];
             map.texture =
                 bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);

@@ -1,5 +1,5 @@
-// shadow-exact against the field's own values along the light ray, in double: between two borders
-// of cells they are a quadratic, which three of them determine.
+// shadow-exact and shadow-oracle against the field's own values along the light ray, in double:
+// between two borders of cells they are a quadratic, which three of them determine.
 #include "relief/shadow/lit_batch.hpp"
 
 namespace quadrel::test {
@@ -107,6 +107,7 @@ testing::AssertionResult decides_exactly(const StageUnderTest<float>& shadow,
 
 TEST(ShadowExact, DecidesAsTheFieldDoes) {
     EXPECT_TRUE(decides_exactly({"shadow-exact"}));
+    EXPECT_TRUE(decides_exactly({"shadow-oracle"}));
     // What marches: misses, and starts too high.
     EXPECT_FALSE(decides_exactly({"shadow-march-thesis"}, {{"steps", 1000}}));
     EXPECT_FALSE(decides_exactly({"shadow-cone"}));
@@ -119,18 +120,20 @@ TEST(ShadowExact, DecidesAsTheFieldDoes) {
 /// Whether the search for the hit stopped on the surface or a little below does not matter.
 TEST(ShadowExact, StartsOnTheSurface) {
     const Map map = stress("fractal", 3);
-    LitBatch lit(map, 3);
-    lit.light(1, 0.3);
-    lit.batch.run("shadow-exact");
-    std::vector<float> before;
-    for (int lane = 0; lane < lit.batch.lanes; ++lane) {
-        before.push_back(lit.visibility(lane));
-        lit.batch.real(Value::hit_s, lane) += 0.03f;
-        lit.batch.real(Value::hit_h, lane) -= 0.03f;
+    for (const char* id : {"shadow-exact", "shadow-oracle"}) {
+        LitBatch lit(map, 3);
+        lit.light(1, 0.3);
+        lit.batch.run(id);
+        std::vector<float> before;
+        for (int lane = 0; lane < lit.batch.lanes; ++lane) {
+            before.push_back(lit.visibility(lane));
+            lit.batch.real(Value::hit_s, lane) += 0.03f;
+            lit.batch.real(Value::hit_h, lane) -= 0.03f;
+        }
+        lit.batch.run(id);
+        for (int lane = 0; lane < lit.batch.lanes; ++lane)
+            EXPECT_EQ(lit.visibility(lane), before[static_cast<std::size_t>(lane)]);
     }
-    lit.batch.run("shadow-exact");
-    for (int lane = 0; lane < lit.batch.lanes; ++lane)
-        EXPECT_EQ(lit.visibility(lane), before[static_cast<std::size_t>(lane)]);
 }
 
 }  // namespace

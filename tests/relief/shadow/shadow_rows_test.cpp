@@ -4,10 +4,15 @@
 namespace quadrel::test {
 namespace {
 
-const std::vector<std::string> shadows = {"shadow-march-mcguire", "shadow-march-mcguire@published",
-                                          "shadow-relief",        "shadow-soft-pom",
-                                          "shadow-soft-riccardi", "shadow-cone",
-                                          "shadow-exact",         "horizon",
+const std::vector<std::string> shadows = {"shadow-march-mcguire",
+                                          "shadow-march-mcguire@published",
+                                          "shadow-relief",
+                                          "shadow-soft-pom",
+                                          "shadow-soft-riccardi",
+                                          "shadow-cone",
+                                          "shadow-exact",
+                                          "shadow-oracle",
+                                          "horizon",
                                           "shadow-march-thesis"};
 
 // ---- What all promise ---------------------------------------------------------------------------
@@ -81,6 +86,7 @@ TEST(Shadows, HardOnesAreWhereTheyBelong) {
     EXPECT_LE(disagreements({"shadow-cone"}, {{"steps", 400}}), 3);
     EXPECT_LE(disagreements({"shadow-march-thesis"}, {}), 3);
     EXPECT_EQ(disagreements({"shadow-exact"}, {}), 0);
+    EXPECT_EQ(disagreements({"shadow-oracle"}, {}), 0);
     const auto mirror = [](Batch<float>& b) {
         for (int lane = 0; lane < b.lanes; ++lane)
             for (int c = 0; c < 6; ++c) b.real(Value::J, lane, c) *= -1;

@@ -101,7 +101,8 @@ inline std::vector<TraceRow> trace_rows() {
                         .gap = 1.0 / 2048,
                         .may_cap = true,
                         .takes_nan = false});
-    for (const char* id : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "cone-robust-exact"})
+    for (const char* id : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "cone-robust-exact",
+                           "oracle-bilinear"})
         rows.push_back({.id = id,
                         .kind = refined,
                         .early = 1e-5,

@@ -51,8 +51,7 @@ struct Hit {
     Status status = Status::floor;          ///< hit, floor (met nothing), nan or cap
     Certificate certificate = Certificate::none;
     Uncertified reason = Uncertified::proven;
-    std::int32_t steps = 0;    ///< nodes and cells that were looked at
-    std::int32_t fetches = 0;  ///< texels and nodes that were read
+    std::int32_t steps = 0;  ///< nodes and cells that were looked at
 };
 
 /// hit.bound of s rounded to T, itself rounded to T upwards.

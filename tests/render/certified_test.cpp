@@ -1,0 +1,129 @@
+// The judge's channels in renders: proven on every scene whose heights are a map, the same bits
+// however they are drawn, and counted.
+#include "quadrel/quad/value.hpp"
+#include "quadrel/scene/load.hpp"
+#include "quadrel/stats.hpp"
+#include "render/films.hpp"
+#include "render/hash_file.hpp"
+#include "render/planted.hpp"
+#include "render/scenes.hpp"
+
+namespace quadrel::render_tests {
+namespace {
+
+const std::vector<std::string> judged_channels = [] {
+    std::vector<std::string> names{"A"};
+    for (const ChannelInfo& channel : channel_table())
+        if (is_judged(channel.name)) names.push_back(channel.name);
+    return names;
+}();
+
+Film judged(const Scene& scene, RenderOptions options = {}) {
+    options.channels = judged_channels;
+    return render(scene, options);
+}
+
+bool has_heights(const Scene& scene) {
+    return std::all_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return !m.noise && m.textures.count("height") != 0;
+    });
+}
+
+/// Every covered pixel with a ray is certified, where the heights are a map.
+testing::AssertionResult is_certified(const Scene& scene, const Film& film) {
+    const Plane &certified = *film.find("certified"), &reason = *film.find("certified.reason");
+    for (std::size_t i = 0; i < certified.bits.size(); ++i) {
+        if (!(film.find("A")->as_float(i) > 0)) continue;
+        const auto why = static_cast<Uncertified>(reason.bits[i]);
+        const bool proven = certified.bits[i] == 1 || certified.bits[i] == 2;
+        if (proven != (why == Uncertified::proven))
+            return testing::AssertionFailure() << "certificate and reason differ";
+        if (proven || why == Uncertified::no_ray) continue;
+        if (why == Uncertified::no_height_map && !has_heights(scene)) continue;
+        return testing::AssertionFailure() << "not certified: " << reason.bits[i];
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(Certified, EverySceneWhoseHeightsAreAMap) {
+    int with_heights = 0;
+    for (const std::string& name : installed_scenes()) {
+        const Scene scene = load_scene(name, {size_override("14x11")});
+        Film film = judged(scene);
+        EXPECT_TRUE(is_certified(scene, film)) << name;
+        with_heights += has_heights(scene);
+        for (std::uint32_t& bits : film.find("certified")->bits) bits = 0;
+        EXPECT_TRUE(!has_heights(scene) || !is_certified(scene, film)) << name;
+    }
+    EXPECT_GT(with_heights, 100);
+}
+
+TEST(Certified, HasTheSameBitsInEveryRun) {
+    Scene scene = load_scene("spikes-60", {size_override("26x19")});
+    scene.materials[0].occlusion = stage("ao-oracle", "materials.spikes.relief.occlusion");
+    scene.materials[0].occlusion.parameters["samples"] = 4;
+    RenderOptions plain;
+    plain.isa = "scalar";
+    plain.threads = 1;
+    const Film expected = judged(scene, plain);
+    RenderOptions other;
+    other.threads = 3;
+    other.tile = 8;
+    EXPECT_TRUE(same_bits(expected, judged(scene, other)));
+    other.skip = false;
+    EXPECT_TRUE(same_bits(expected, judged(scene, other)));
+    other.window = Window{3, 2, 20, 17};
+    EXPECT_FALSE(judged(scene, other).find("oracle.s")->bits.empty());
+}
+
+/// Asking for it changes nothing else, and no one pays who does not ask.
+TEST(Certified, LeavesTheRestAlone) {
+    const Scene scene = load_scene("bricks-45", {size_override("20x15")});
+    RenderOptions options;
+    RenderStats stats;
+    options.stats = &stats;
+    const Film without_it = render(scene, options);
+    EXPECT_FALSE(stats.certified.drawn);
+    for (const StageStats& ran : stats.stages) EXPECT_NE(ran.id, "oracle");
+    options.channels = default_channels();
+    options.channels.push_back("certified");
+    options.stats = &stats;
+    EXPECT_TRUE(same_bits(without_it, with_planes(render(scene, options), default_channels())));
+}
+
+TEST(Certified, IsCounted) {
+    const Scene scene = load_scene("bricks-45", {size_override("20x15")});
+    RenderOptions options;
+    RenderStats stats;
+    options.stats = &stats;
+    options.channels = {"certified"};
+    const Film film = render(scene, options);
+    EXPECT_TRUE(stats.certified.drawn);
+    EXPECT_EQ(stats.certified.share(), 1);
+    EXPECT_EQ(stats.certified.by_bounds + stats.certified.exactly, stats.covered_lanes);
+    EXPECT_NE(to_json(stats).find("\"certified\""), std::string::npos);
+    Scene noise = load_scene("rows/heights-noise", {size_override("20x15")});
+    RenderStats other;
+    options.stats = &other;
+    render(noise, options);
+    EXPECT_EQ(other.certified.share(), 0);
+    EXPECT_EQ(other.certified.not_proven, other.covered_lanes);
+}
+
+/// Blocks judge what searches blocks.
+TEST(Certified, JudgesTheSurfaceThatTheTraceSearches) {
+    const auto of = [](const std::string& name, const std::vector<std::string>& channels) {
+        RenderOptions options;
+        options.channels = channels;
+        return render(load_scene(name, {size_override("24x18")}), options);
+    };
+    const Film blocks = of("rows/oracle-block", {"oracle", "certified"});
+    EXPECT_TRUE(same_bits(blocks, of("rows/qdm", {"oracle", "certified"})));
+    EXPECT_TRUE(same_bits(blocks, of("rows/pyramid", {"oracle", "certified"})));
+    EXPECT_FALSE(same_bits(blocks, of("rows/linear", {"oracle", "certified"})));
+    EXPECT_TRUE(same_bits(of("rows/oracle-bilinear", {"oracle", "certified"}),
+                          of("rows/linear", {"oracle", "certified"})));
+}
+
+}  // namespace
+}  // namespace quadrel::render_tests
