@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "quadrel/error.hpp"
+#include "quadrel/relief/shader.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
 #include "quadrel/shader.hpp"
 #include "render/films.hpp"
@@ -128,8 +129,26 @@ struct HalfWay : StageDefaults {
     }
 };
 
+/// README's own, on dual numbers too.
+struct DualSteep : ReliefShader {
+    static constexpr StageText text{"test-dual-steep", "trace", "first of 64 steps", "these tests"};
+    static constexpr bool runs_on_duals = true;
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        ReliefRay ray(io);
+        for (const auto k : ray.steps(0, 64)) {
+            const auto s = ray.number(k) / 64;
+            const auto height = ray.height(s);
+            ray.hit(height >= 1 - s, s);
+            if (none(ray.active())) break;
+        }
+        ray.store();
+    }
+};
+
 TEST(ExactDerivatives, StagesOfTheProgramMayDeclareThem) {
-    register_stages<HalfWay<true>, HalfWay<false>>();
+    register_stages<HalfWay<true>, HalfWay<false>, DualSteep>();
     const auto names = [](const char* id) { return find_stage(id)->number_types; };
     EXPECT_EQ(names("test-half-way").back(), "dual");
     EXPECT_EQ(names("test-half-way-plain").back(), "double");
@@ -140,6 +159,8 @@ TEST(ExactDerivatives, StagesOfTheProgramMayDeclareThem) {
     scene.materials[0].trace = render_tests::stage("test-half-way", "trace");
     const Film film = render_tests::take(render, scene, {"A", "derr.dhitUVdx.U"});
     EXPECT_LT(std::abs(render_tests::value(film, "derr.dhitUVdx.U", 12, 12)), 0.01f);
+    scene.materials[0].trace = render_tests::stage("test-dual-steep", "trace");
+    EXPECT_NO_THROW(render_tests::take(render, scene, {"exact", "derr"}));
     scene.materials[0].trace = render_tests::stage("test-half-way-plain", "trace");
     try {
         render_tests::take(render, scene, {"exact.dUVdx", "derr.dhitUVdy"});
