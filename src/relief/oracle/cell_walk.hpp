@@ -66,7 +66,7 @@ class CellWalk {
     /// The last s at which the ray is sure to be in the node of its level.
     double node_exit(const Part& part) const {
         const NodeRange x = node_x(part.x.first), y = node_y(part.y.first);
-        return std::min({ray_.x.exit(x.low, x.high).lo, ray_.y.exit(y.low, y.high).lo, ray_.end});
+        return std::min({ray_.x.exit(x.low, x.high), ray_.y.exit(y.low, y.high), ray_.end});
     }
 
     double greatest(const Part& part) const {
@@ -94,7 +94,7 @@ class CellWalk {
         const double low = static_cast<double>(cells.last);
         const bool between = !cells.is_one();
         const NodeRange cell = Heights::node(cells.first, axis.grid, 0);
-        if (!between && axis.exit(cell.low, cell.high).lo > from) return from;
+        if (!between && axis.exit(cell.low, cell.high) > from) return from;
         const double border = between ? low : axis.forward() ? cell.high : cell.low;
         if (!axis.position.moves()) return ray_.end;
         const Affine to_border = axis.position - border;
@@ -108,7 +108,7 @@ class CellWalk {
         // No further than to the next border of an axis that is at none.
         const auto next = [&](const RayAxis& axis, const CellRange& cells) {
             const NodeRange cell = Heights::node(cells.first, axis.grid, 0);
-            return axis.exit(cell.low, cell.high).lo;
+            return axis.exit(cell.low, cell.high);
         };
         if (x == t) y = std::min(y, next(ray_.x, at.x));
         if (y == t) x = std::min(x, next(ray_.y, at.y));

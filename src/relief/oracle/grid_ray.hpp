@@ -58,6 +58,12 @@ struct RayAxis {
         const Interval at_polygon = Interval(u) - whole_periods(u, wrap);
         const Interval at_top = at_polygon - Interval(s_polygon) * Interval(K);
         position = {at_top * size - Interval(0.5), rate};
+        start_ = position.start.middle();
+        rate_ = position.rate.middle();
+        // Eight roundings, where four are made, and what `position` leaves open.
+        const double open = position.start.width() + position.rate.width();
+        error_ = 0x1p-50 * (position.start.magnitude() + position.rate.magnitude()) + 2 * open;
+        slack_ = position.moves() ? position.slack() + 4 * open / std::fabs(rate_) : 0;
     }
 
     bool forward() const { return position.rate.lo > 0; }
@@ -70,18 +76,26 @@ struct RayAxis {
         const double low = grid.first, high = low + grid.count - 1;
         return static_cast<Index>(std::floor(grid.periodic ? x : std::clamp(x, low, high)));
     }
-    /// The cells that the point at s may lie in.
+    /// The cells that the point at s may lie in. Plain double tells, but near a border.
     CellRange cells(double s) const {
+        const double near = start_ + rate_ * s, below = std::floor(near);
+        if (near - below > error_ && below + 1 - near > error_) return {cell(near), cell(near)};
         const Interval x = position.at(s);
         return {cell(x.lo), cell(x.hi)};
     }
-    /// Where it meets the far one of two borders; infinite if it never does.
-    Interval exit(double low, double high) const {
+    /// No later than where it meets the far one of two borders, by some units in the last place;
+    /// infinite if it never does.
+    double exit(double low, double high) const {
         constexpr double never = std::numeric_limits<double>::infinity();
         const double border = forward() ? high : low;
         if (!position.moves() || std::fabs(border) == never) return never;
-        return (position - border).root();
+        return (border - start_) / rate_ - slack_;
     }
+
+  private:
+    double start_, rate_;  ///< as double has them
+    double error_;         ///< bound on that of start_ + rate_ s for s in [0, 1], and of floor's
+    double slack_;         ///< bound on the error of a border's s in [0, 1]
 };
 
 /// Height z(s) = start + climb s; climb is -1 or 1.

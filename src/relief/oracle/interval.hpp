@@ -31,6 +31,7 @@ struct Interval {
     bool is_point() const { return lo == hi; }
     bool has_zero() const { return lo <= 0 && hi >= 0; }
     double middle() const { return is_point() ? lo : lo + (hi - lo) / 2; }
+    double width() const { return hi - lo; }
     double magnitude() const { return std::max(std::fabs(lo), std::fabs(hi)); }
 };
 

@@ -172,8 +172,9 @@ bool runs_on_plain_lanes(const KernelTable& table, std::string_view id) {
     AddedStages& stages = added();
     const std::lock_guard lock(stages.mutex);
     const StageRow* row = find_row(stages.rows, id);
-    const bool plain = table.isa == std::string_view("scalar");
-    return row != nullptr && !plain && row_of_plugins(stages, row, table.isa) == nullptr;
+    if (table.isa == std::string_view("scalar")) return false;
+    if (row == nullptr) return find_kernel(table, id) == nullptr;
+    return row_of_plugins(stages, row, table.isa) == nullptr;
 }
 
 const KernelTable& select_kernels(const RenderOptions& options) {

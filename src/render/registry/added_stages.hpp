@@ -25,7 +25,7 @@ StageFunction find_added_kernel(const KernelTable& table, std::string_view id);
 /// Whether the registry did not have a stage from the start.
 bool is_added(std::string_view id);
 
-/// Whether a stage, though added, has no function of its own for the lanes of a table.
+/// Whether a stage, added or a judge, has no function of its own for the lanes of a table.
 bool runs_on_plain_lanes(const KernelTable& table, std::string_view id);
 
 /// select_kernels, and every plugin's part for their instruction set. Throws UsageError if the

@@ -126,7 +126,7 @@ TEST(FirstHit, IsTheSameByRationalsAlone) {
         return testing::AssertionFailure() << hit.s << " and " << exact.s;
     }));
     EXPECT_GT(by_bounds, 5 * exactly);
-    EXPECT_GT(exactly, 10);
+    EXPECT_GT(exactly, 3);
 }
 
 /// The oracle that judges the searches' tests, in long double.
@@ -156,20 +156,32 @@ TEST(FirstHit, IsThatOfTheTestsOracle) {
     EXPECT_FALSE(agrees_with_the_tests_oracle(with(Planted::spike_overlooked)));
 }
 
+/// Height of a surface at a point in dual cells, by sampling alone.
+oracle::Real sampled(const oracle::Field& field, Surface surface, oracle::Real x, oracle::Real y) {
+    const auto i = static_cast<long>(std::floor(x)), j = static_cast<long>(std::floor(y));
+    if (surface == Surface::bilinear) return field.bilinear(x, y);
+    if (surface == Surface::block)
+        return field.texel(static_cast<long>(std::floor(x + 0.5L)),
+                           static_cast<long>(std::floor(y + 0.5L)));
+    const oracle::Real a = field.texel(i, j), b = field.texel(i + 1, j);
+    const oracle::Real c = field.texel(i, j + 1), e = field.texel(i + 1, j + 1);
+    const oracle::Real f = x - std::floor(x), g = y - std::floor(y);
+    const bool main = surface == Surface::tri_main ||
+                      (surface == Surface::tri_min && std::fabs(a - e) <= std::fabs(b - c));
+    if (main) return g < f ? a + (b - a) * f + (e - b) * g : a + (e - c) * f + (c - a) * g;
+    return f + g < 1 ? a + (b - a) * f + (c - a) * g : e + (c - e) * (1 - f) + (b - e) * (1 - g);
+}
+
 /// 1/20000 steps meet nothing before it does.
 testing::AssertionResult is_first(const Finder& find) {
     return on_rays(2, [&](const JudgedMap& map, Surface surface, const judge::Ray& ray) {
         const Hit hit = find(map, surface, ray);
         const oracle::Field field(map.height.sampled);
         const oracle::GridRay grid(field, long_ray(ray), 0.5L);
-        const bool blocks = surface == Surface::block;
-        if (!blocks && surface != Surface::bilinear) return testing::AssertionSuccess();
         for (int k = 0; k < 20000 * hit.s - 1e-6; ++k) {
-            const oracle::Real s = k / 20000.0L, x = grid.x + grid.dx * s, y = grid.y + grid.dy * s;
-            const oracle::Real h = blocks ? field.texel(static_cast<long>(std::floor(x + 0.5L)),
-                                                        static_cast<long>(std::floor(y + 0.5L)))
-                                          : field.bilinear(x, y);
-            if (h >= 1 - s + 1e-15L)
+            const oracle::Real s = k / 20000.0L;
+            if (sampled(field, surface, grid.x + grid.dx * s, grid.y + grid.dy * s) >=
+                1 - s + 1e-15L)
                 return testing::AssertionFailure() << "a sample at " << double(s) << " is below";
         }
         return testing::AssertionSuccess();

@@ -49,7 +49,8 @@ class QuadHits {
         const Ray ray{ray_.uv.x.lane[lane], ray_.uv.y.lane[lane], ray_.K.x.lane[lane],
                       ray_.K.y.lane[lane], ray_.s_polygon};
         if (!ray_.active.lane[lane]) return unsearched(lane, ray, Uncertified::no_ray);
-        if (!field_.heights) return unsearched(lane, ray, Uncertified::no_height_map);
+        if (!field_.heights || !field_.maxima)
+            return unsearched(lane, ray, Uncertified::no_height_map);
         return first_hit(field_, ray);
     }
     /// On the polygon, with the frame's status; a lane without fragment as one without a frame.

@@ -32,13 +32,13 @@ struct OracleTrace : StageDefaults {
         result.h = hits.real([](const oracle::Hit& hit) { return hit.height; });
         result.status = hits.status();
         result.steps = hits.integer([](const oracle::Hit& hit) { return hit.steps; });
-        const vec2<F> uv = hits.uv();
+        const vec2<F> uv = ray.at(result.s);  // as every trace has it; oracle_uv is nearer
         const Mask<F> wrapped = (floor(uv.x) != floor(ray.uv.x)) | (floor(uv.y) != floor(ray.uv.y));
         const Mask<F> meets = result.status == status_packet<F>(Status::hit);
         const Int<F> proven = hits.integer([](const oracle::Hit& hit) { return hit.certificate; });
         result.flags = select(wrapped & meets, Int<F>(HitFlag::wrapped), Int<F>(0)) |
                        select(proven == Int<F>(0), Int<F>(HitFlag::ambiguous), Int<F>(0));
-        store_search(io, ray, result, uv);
+        store_search(io, ray, result);
     }
 };
 
