@@ -8,6 +8,7 @@
 #include <exception>
 #include <fstream>
 
+#include "interruption.hpp"
 #include "maps.hpp"
 #include "measure.hpp"
 #include "tables/tables.hpp"
@@ -74,6 +75,7 @@ int main(int argc, char** argv) {
     setenv("QUADREL_CACHE_MIB", "0", 1);
     try {
         ProcessRunner processes;  // first: it is to be small
+        watch_for_interruption();
         return run_tables(options, processes);
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());

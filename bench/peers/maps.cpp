@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <system_error>
 
+#include "interruption.hpp"
 #include "quadrel/film/exr.hpp"
 #include "textures/brick_wall.hpp"
 
@@ -64,11 +65,13 @@ TemporaryFolder::TemporaryFolder() {
     if (mkdtemp(name.data()) == nullptr)
         throw std::system_error(errno, std::generic_category(), name);
     path_ = name;
+    remove_if_interrupted(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+    forget_if_interrupted(path_);
 }
 
 void write_wall(const std::filesystem::path& folder, int side, bool heights_alone) {

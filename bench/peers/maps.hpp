@@ -5,7 +5,8 @@
 
 namespace quadrel::peers {
 
-/// A folder of its own under the system's temporary one, removed at the end.
+/// A folder of its own under the system's temporary one, removed at the end, and when the program
+/// is interrupted.
 class TemporaryFolder {
   public:
     TemporaryFolder();

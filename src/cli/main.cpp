@@ -92,7 +92,7 @@ int parse_and_run(int argc, char** argv) {
         with_help_words({argv + std::min(argc, 1), argv + argc});
     add_verbs(app, action, arguments);
     const SpelledVerb verb = spelled_verb(app, arguments);
-    if (!verb.unknown.empty()) return complain(unknown_verb_message(verb), ExitCode::usage);
+    if (verb.unknown) return complain(unknown_verb_message(verb), ExitCode::usage);
     return run([&] { return parse(app, action, verb, arguments)(); }, verb);
 }
 

@@ -16,6 +16,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
+#include "texture/channel_names.hpp"
 #include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
@@ -45,10 +46,13 @@ TextureOptions texture_options(const MipsArguments& arguments) {
     return options;
 }
 
-Film to_film(const Image& level) {
-    const std::vector<std::string> names = level.channels == 1
-                                               ? std::vector<std::string>{"Y"}
-                                               : std::vector<std::string>{"R", "G", "B", "A"};
+/// A swizzle says what its channels are: a single one is a scalar, the others are colours.
+bool is_gray(const Image& image, const MipsArguments& arguments, int channels) {
+    return channels == 1 || (arguments.swizzle.empty() && image.luminance && channels == 2);
+}
+
+Film to_film(const Image& level, bool gray) {
+    const std::vector<std::string> names = channel_names(gray, level.channels);
     Film film;
     film.frame = film.window = {0, 0, level.width, level.height};
     for (int c = 0; c < level.channels; ++c) {
@@ -68,9 +72,9 @@ std::vector<std::string> level_files(const MipsArguments& arguments, int levels)
 
 ExitCode run_mips(const MipsArguments& arguments) {
     CommandFiles all;
-    const auto texture =
-        make_texture(load_image(arguments.image, NotFinite::refuse, "", arguments.selection),
-                     texture_options(arguments));
+    const Image image = load_image(arguments.image, NotFinite::refuse, "", arguments.selection);
+    const auto texture = make_texture(image, texture_options(arguments));
+    const bool gray = is_gray(image, arguments, texture->view().channels);
     const std::vector<std::string> files = level_files(arguments, texture->view().levels);
     if (arguments.prefix == "-") throw UsageError("-o: found -, expected how names begin");
     for (const std::string& file : files) all.add_output("-o", file);
@@ -78,7 +82,7 @@ ExitCode run_mips(const MipsArguments& arguments) {
     OutputGroup outputs;
     for (int level = 0; level < texture->view().levels; ++level)
         write_exr(
-            files[static_cast<std::size_t>(level)], to_film(texture_level(*texture, level)),
+            files[static_cast<std::size_t>(level)], to_film(texture_level(*texture, level), gray),
             {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}},
             {arguments.compression});
     outputs.commit();

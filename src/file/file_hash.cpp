@@ -8,7 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "file/read_file.hpp"
+#include "file/input_record.hpp"
+#include "quadrel/error.hpp"
 #include "text/hash.hpp"
 
 namespace quadrel {
@@ -27,14 +28,23 @@ struct FileState {
     bool operator==(const FileState&) const = default;
 };
 
-std::optional<FileState> state_of(const std::filesystem::path& file) {
-    struct stat status = {};
-    if (stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+std::optional<FileState> state_of(const struct stat& status) {
+    if (!S_ISREG(status.st_mode)) return std::nullopt;
     return FileState{status.st_dev,
                      status.st_ino,
                      status.st_size,
                      {status.st_mtim.tv_sec, status.st_mtim.tv_nsec},
                      {status.st_ctim.tv_sec, status.st_ctim.tv_nsec}};
+}
+
+std::optional<FileState> state_of(const std::filesystem::path& file) {
+    struct stat status = {};
+    return stat(file.c_str(), &status) == 0 ? state_of(status) : std::nullopt;
+}
+
+std::optional<FileState> state_of(const FileBytes& file) {
+    struct stat status = {};
+    return fstat(file.descriptor(), &status) == 0 ? state_of(status) : std::nullopt;
 }
 
 /// Whether a later change would show: of two changes within a tick of the file system's clock the
@@ -70,30 +80,46 @@ class KnownHashes {
     std::map<std::string, std::pair<FileState, std::string>> known_;
 };
 
-std::string hash_bytes(const std::filesystem::path& file, const std::string& key) {
-    std::ifstream in(file, std::ios::binary);
+KnownHashes& known_hashes() {
+    static KnownHashes known;
+    return known;
+}
+
+std::string hash_bytes(const FileBytes& file, const std::string& key) {
     Sha256 hash;
     std::string block(std::size_t(1) << 18, '\0');
-    while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
-        hash.update({block.data(), static_cast<std::size_t>(in.gcount())});
-    if (!in.is_open() || in.bad())
-        throw InputError(file.string(), key, "a file that cannot be read", "a readable one");
+    std::uint64_t position = 0;
+    while (const std::size_t count = file.read(position, block.data(), block.size())) {
+        hash.update({block.data(), count});
+        position += count;
+    }
+    if (position < file.size())
+        throw InputError(file.file().string(), key, "a file that cannot be read", "a readable one");
     return hash.hex();
 }
 
 }  // namespace
 
-std::string file_hash(const std::filesystem::path& file, const std::string& key) {
-    static KnownHashes known;
-    if (const char* reason = reason_not_to_read(file))
-        throw InputError(file.string(), key, reason, "a file");
+std::optional<std::string> known_file_hash(const std::filesystem::path& file) {
+    const std::optional<FileState> state = state_of(file);
+    if (!state || !is_settled(*state)) return std::nullopt;
+    return known_hashes().find(file.string(), *state);
+}
+
+std::string file_hash(const FileBytes& file, const std::string& key) {
     const std::optional<FileState> before = state_of(file);
-    const bool settled = before && is_settled(*before);
-    if (settled)
-        if (const auto hash = known.find(file.string(), *before)) return *hash;
-    const std::string hash = hash_bytes(file, key);
-    if (settled && state_of(file) == before) known.keep(file.string(), *before, hash);
+    std::string hash = hash_bytes(file, key);
+    if (before && is_settled(*before) && state_of(file) == before)
+        known_hashes().keep(file.file().string(), *before, hash);
     return hash;
+}
+
+std::string file_hash(const std::filesystem::path& file, const std::string& key) {
+    if (auto hash = known_file_hash(file)) {
+        note_input(file);
+        return *std::move(hash);
+    }
+    return file_hash(FileBytes(file, key), key);
 }
 
 }  // namespace quadrel

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "file/file_bytes.hpp"
 
 namespace quadrel {
 
@@ -12,5 +15,11 @@ namespace quadrel {
 /// A file is taken for unchanged by device, inode, size and both times; not if it was changed just
 /// before it was read, since a second change would not show.
 std::string file_hash(const std::filesystem::path& file, const std::string& key = "");
+
+/// The same of a file that is open.
+std::string file_hash(const FileBytes& file, const std::string& key = "");
+
+/// The hash if it is known.
+std::optional<std::string> known_file_hash(const std::filesystem::path& file);
 
 }  // namespace quadrel

@@ -187,17 +187,20 @@ std::shared_ptr<const Texture> make_cube_texture(const std::array<Image, 6>& fac
     const int channels =
         static_cast<int>(resolve_swizzle(options.swizzle, faces[0], options.key).size());
     const auto texture = empty_texture(faces[0], channels, 6, options, content);
-    for (int face = 0; face < 6; ++face) {
-        const Image& image = faces[static_cast<std::size_t>(face)];
-        const auto swizzle = resolve_swizzle(options.swizzle, image, options.key);
-        if (static_cast<int>(swizzle.size()) != channels) {
-            throw InputError(image.file.string(), options.key,
-                             fmt::format("{} channels", swizzle.size()),
+    std::array<std::vector<SwizzleEntry>, 6> swizzles;
+    for (std::size_t face = 0; face < 6; ++face) {
+        swizzles[face] = resolve_swizzle(options.swizzle, faces[face], options.key);
+        if (static_cast<int>(swizzles[face].size()) != channels) {
+            throw InputError(faces[face].file.string(), options.key,
+                             fmt::format("{} channels", swizzles[face].size()),
                              fmt::format("{}, as the first face has", channels));
         }
-        fill_face(*texture, face, SourceTexels(image, swizzle, options.srgb, options.flip_v),
-                  options.mip_rule);
     }
+    tbb::parallel_for(0, 6, [&](int face) {
+        const auto i = static_cast<std::size_t>(face);
+        fill_face(*texture, face, SourceTexels(faces[i], swizzles[i], options.srgb, options.flip_v),
+                  options.mip_rule);
+    });
     return texture;
 }
 

@@ -1,5 +1,7 @@
 #include "quadrel/texture/texture.hpp"
 
+#include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -10,7 +12,20 @@ namespace quadrel {
 
 namespace {
 
-constexpr std::align_val_t alignment{64};
+constexpr std::size_t alignment = 64;
+
+/// Zeros, behind a pointer to what was allocated. Large blocks come from the system as zeros, page
+/// by page as they are first written, which may be in many threads.
+float* allocate_zeros(std::size_t floats) {
+    void* const block = std::calloc(floats * sizeof(float) + sizeof(void*) + alignment, 1);
+    if (block == nullptr) throw std::bad_alloc();
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(block) + sizeof(void*);
+    auto* const texels =
+        reinterpret_cast<char*>(block) +
+        ((first + alignment - 1) / alignment * alignment - reinterpret_cast<std::uintptr_t>(block));
+    std::memcpy(texels - sizeof(void*), &block, sizeof(void*));
+    return reinterpret_cast<float*>(texels);
+}
 
 std::size_t total_floats(const TextureView& view) {
     const int last = view.levels - 1;
@@ -21,13 +36,15 @@ std::size_t total_floats(const TextureView& view) {
 
 }  // namespace
 
-void Texture::Free::operator()(float* texels) const { ::operator delete[](texels, alignment); }
+void Texture::Free::operator()(float* texels) const {
+    void* block = nullptr;
+    std::memcpy(&block, reinterpret_cast<char*>(texels) - sizeof(void*), sizeof(void*));
+    std::free(block);
+}
 
 Texture::Texture(const TextureView& layout, TexelFormat format, std::string id)
     : view_(layout), format_(format), id_(std::move(id)) {
-    const std::size_t floats = total_floats(layout);
-    texels_.reset(static_cast<float*>(::operator new[](floats * sizeof(float), alignment)));
-    std::memset(texels_.get(), 0, floats * sizeof(float));
+    texels_.reset(allocate_zeros(total_floats(layout)));
     view_.texels = texels_.get();
 }
 

@@ -321,5 +321,27 @@ TEST_F(BadInputs, DegenerateTrianglesAreDrawnOrCounted) {
     }
 }
 
+/// What could not be rendered is not described as if it could.
+TEST_F(BadInputs, InfoOfAScene) {
+    write_bytes(folder / "stage.json",
+                R"({"quadrel": 1, "material": {"relief": {"trace": "linearr"}},
+                    "objects": [{"mesh": {"shape": "quad"}}]})");
+    EXPECT_TRUE(complains(run({"info", "stage.json"}, folder.path()),
+                          {"", {}, 3, {"relief.trace", "unknown stage \"linearr\""}}));
+}
+
+/// Whose squares are no floats any more.
+TEST_F(BadInputs, DepthsBeyondFloats) {
+    const auto scene = [](const std::string& depth) {
+        return R"({"quadrel": 1, "material": {"relief": {"depth": )" + depth + "}}}";
+    };
+    for (const char* depth : {"3e38", "1e13", R"({"thickness": 1e30, "tile": 1e-3})"}) {
+        write_bytes(folder / "deep.json", scene(depth));
+        EXPECT_TRUE(complains(run({"render", "deep.json"}, folder.path()),
+                              {"", {}, 3, {"deep.json", "relief.depth", "expected"}}))
+            << depth;
+    }
+}
+
 }  // namespace
 }  // namespace quadrel::cli_tests

@@ -75,7 +75,9 @@ TEST_F(BadOutputs, NamesThatAreNone) {
         line.insert(line.end(), row.more.begin(), row.more.end());
         EXPECT_TRUE(refuses({row.says, line, 2, {row.says}})) << row.line[0];
     }
-    EXPECT_EQ(run({"list", "channels", ""}, folder.path()).code, 0) << "a filter may be empty";
+    EXPECT_TRUE(refuses({"no word", {"list", "channels", ""}, 2, {"words: found an empty text"}}));
+    EXPECT_TRUE(refuses({"no verb", {"help", ""}, 2, {"found \"\", expected "}}));
+    EXPECT_TRUE(refuses({"no list", {"list", ""}, 2, {"found \"\", expected one of algorithms"}}));
     EXPECT_EQ(run({"render", "s.json", "-o", "UPPER.EXR"}, folder.path()).code, 0);
 }
 

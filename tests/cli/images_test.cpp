@@ -236,5 +236,31 @@ TEST_F(ImageFiles, IntegersInFloatTargets) {
     EXPECT_EQ(quadrel({"compare", "a.exr", "c.exr", "--abs", "hit.steps=1"}).code, 0);
 }
 
+/// Grey with alpha has one pair of names, whatever reads it.
+TEST_F(ImageFiles, GreyWithAlphaIsNamedAlike) {
+    write_bytes(folder / "ya.png", test::make_png(2, 2, 8, test::PngColour::grey_alpha,
+                                                  std::string("\x10\x20\x30\x40\x50\x60\x70\x7f")));
+    EXPECT_EQ(quadrel({"mips", "ya.png", "-o", "m"}).code, 0);
+    const Film film = read_exr(folder / "m.0.exr").film;
+    ASSERT_EQ(film.planes.size(), 2u);
+    EXPECT_EQ(film.planes[0].name, "A");
+    EXPECT_EQ(film.planes[1].name, "Y");
+    EXPECT_EQ(quadrel({"compare", "ya.png", "m.0.exr"}).code, 0);
+    EXPECT_EQ(quadrel({"mips", "ya.png", "--swizzle", "ra", "-o", "n"}).code, 0);
+    EXPECT_NE(read_exr(folder / "n.0.exr").film.find("G"), nullptr);
+}
+
+/// Only the window is read, and it is the same.
+TEST_F(ImageFiles, WindowsAreComparedAsCropsAre) {
+    Film film = testing_films::random_film(5, {0, 0, 60, 70}, {0, 0, 60, 70});
+    write_exr(folder / "a.exr", film, {});
+    film.planes[0].bits[film.index(3, 3)] ^= 1u << 20;
+    write_exr(folder / "b.exr", film, {});
+    EXPECT_EQ(quadrel({"compare", "a.exr", "b.exr"}).code, 1);
+    EXPECT_EQ(quadrel({"compare", "a.exr", "b.exr", "--window", "4,4,50,66"}).code, 0);
+    EXPECT_EQ(quadrel({"compare", "a.exr", "b.exr", "--window", "0,0,4,4"}).code, 1);
+    EXPECT_EQ(quadrel({"compare", "a.exr", "b.exr", "--window", "0,0,61,4"}).code, 2);
+}
+
 }  // namespace
 }  // namespace quadrel::cli_tests

@@ -172,6 +172,10 @@ TEST_F(SameFile, StandardOutputLedElsewhere) {
     EXPECT_EQ(code("-o - --stats /dev/stdout", ">both"), 2);
     EXPECT_EQ(file_bytes(folder / "both"), "");
     EXPECT_EQ(code("-o - --preview p.png", "| cat >one"), 0);
+    EXPECT_EQ(code("-o /dev/stdout", "| cat >piped"), 0);
+    EXPECT_EQ(code("-o /dev/stdout", ">redirected"), 0) << "a regular file without extension";
+    EXPECT_EQ(file_bytes(folder / "piped"), file_bytes(folder / "one"));
+    EXPECT_EQ(file_bytes(folder / "redirected"), file_bytes(folder / "one"));
     EXPECT_EQ(code("-o -", ">one"), 0);
     EXPECT_EQ(code("-o - --preview /dev/null", ">/dev/null"), 0);
 }

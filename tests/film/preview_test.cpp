@@ -132,5 +132,21 @@ TEST(ContactSheet, HoldsEveryPicture) {
     EXPECT_EQ(contact_sheet({}, 3).rgb.size() % 3, 0u);
 }
 
+/// Pixels of letters.
+std::ptrdiff_t ink_of(const std::string& label) {
+    const std::vector<SheetEntry> entry = {{label, Picture(20, 20, 0)}};
+    const Picture sheet = contact_sheet(entry, 1);
+    return std::count_if(sheet.rgb.begin(), sheet.rgb.end(), [](auto v) { return v > 100; });
+}
+
+/// Where a label is longer than its picture is wide, the rest is below.
+TEST(ContactSheet, ShowsWholeLabels) {
+    const std::ptrdiff_t letter = ink_of("x");
+    ASSERT_GT(letter, 0);
+    for (const std::size_t length : {3u, 16u, 17u, 80u})
+        EXPECT_EQ(ink_of(std::string(length, 'x')), static_cast<std::ptrdiff_t>(length) * letter);
+    EXPECT_EQ(ink_of("xxxxx xxxxxxxxxxxxxxxxxxxxxxxxxxx"), 32 * letter);
+}
+
 }  // namespace
 }  // namespace quadrel

@@ -37,6 +37,7 @@ enum class Planted {
     error_swallowed,       ///< a truncated file reads as a success
     orientation_ignored,   ///< pixels stay as they are stored
     turns_swapped,         ///< a quarter turn to the left is one to the right
+    reads_twice,           ///< a file is read to be hashed, and again to be decoded
     rows_from_the_top,     ///< a bitmap's first row is taken for its top
     columns_packed,        ///< a grey bitmap's columns are a third of themselves (OpenImageIO)
     luminance_of_points,   ///< of channels X Y Z the Y alone

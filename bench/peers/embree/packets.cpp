@@ -3,26 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace quadrel::peers {
 namespace {
 
-template <int n>
-struct Packet;
-template <>
-struct Packet<8> {
-    using Ray = RTCRay8;
-    using Hit = RTCRayHit8;
-    static constexpr auto intersect = rtcIntersect8;
-    static constexpr auto occluded = rtcOccluded8;
+/// Embree's types and functions for packets of one size.
+template <class RayPacket, class HitPacket, auto intersect_packet, auto occluded_packet>
+struct PacketOf {
+    using Ray = RayPacket;
+    using Hit = HitPacket;
+    static constexpr int size = std::extent_v<decltype(Ray::tnear)>;
+    static constexpr auto intersect = intersect_packet;
+    static constexpr auto occluded = occluded_packet;
 };
-template <>
-struct Packet<16> {
-    using Ray = RTCRay16;
-    using Hit = RTCRayHit16;
-    static constexpr auto intersect = rtcIntersect16;
-    static constexpr auto occluded = rtcOccluded16;
-};
+using PacketOf8 = PacketOf<RTCRay8, RTCRayHit8, rtcIntersect8, rtcOccluded8>;
+using PacketOf16 = PacketOf<RTCRay16, RTCRayHit16, rtcIntersect16, rtcOccluded16>;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -34,8 +30,9 @@ RTCIntersectContext coherent() {
     return context;
 }
 
-template <int n>
-void set_rest(typename Packet<n>::Ray& ray, float nearest, float farthest) {
+template <class Packet>
+void set_rest(typename Packet::Ray& ray, float nearest, float farthest) {
+    constexpr int n = Packet::size;
     std::fill_n(ray.tnear, n, nearest);
     std::fill_n(ray.tfar, n, farthest);
     std::fill_n(ray.time, n, 0.0f);
@@ -43,9 +40,10 @@ void set_rest(typename Packet<n>::Ray& ray, float nearest, float farthest) {
     std::fill_n(ray.flags, n, 0u);
 }
 
-template <int n>
+template <class Packet>
 void trace_primary(RTCScene scene, const Rays& rays, std::size_t first, float depth,
-                   typename Packet<n>::Hit& hit) {
+                   typename Packet::Hit& hit) {
+    constexpr int n = Packet::size;
     alignas(64) int valid[n];
     std::fill_n(valid, n, -1);
     std::copy_n(&rays.origin[0][first], n, hit.ray.org_x);
@@ -54,19 +52,20 @@ void trace_primary(RTCScene scene, const Rays& rays, std::size_t first, float de
     std::copy_n(&rays.direction[0][first], n, hit.ray.dir_x);
     std::copy_n(&rays.direction[1][first], n, hit.ray.dir_y);
     std::copy_n(&rays.direction[2][first], n, hit.ray.dir_z);
-    set_rest<n>(hit.ray, 0, depth);
+    set_rest<Packet>(hit.ray, 0, depth);
     std::fill_n(hit.hit.geomID, n, RTC_INVALID_GEOMETRY_ID);
     std::fill_n(hit.hit.instID[0], n, RTC_INVALID_GEOMETRY_ID);
     RTCIntersectContext context = coherent();
-    Packet<n>::intersect(valid, scene, &context, &hit);
+    Packet::intersect(valid, scene, &context, &hit);
 }
 
 /// From the hits to the light, which lies at t = 1.
-template <int n>
+template <class Packet>
 void trace_shadows(RTCScene scene, const Rays& rays, std::size_t first,
-                   const typename Packet<n>::Hit& hit, std::uint8_t* lit) {
+                   const typename Packet::Hit& hit, std::uint8_t* lit) {
+    constexpr int n = Packet::size;
     alignas(64) int valid[n];
-    typename Packet<n>::Ray ray;
+    typename Packet::Ray ray;
     for (int i = 0; i < n; ++i) {
         const std::size_t at = first + static_cast<std::size_t>(i);
         valid[i] = hit.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? -1 : 0;
@@ -79,22 +78,23 @@ void trace_shadows(RTCScene scene, const Rays& rays, std::size_t first,
         ray.dir_z[i] = rays.light.z - ray.org_z[i];
     }
     // Past the triangle that the hit lies on.
-    set_rest<n>(ray, 2e-6f, 1);
+    set_rest<Packet>(ray, 2e-6f, 1);
     RTCIntersectContext context = coherent();
-    Packet<n>::occluded(valid, scene, &context, &ray);
+    Packet::occluded(valid, scene, &context, &ray);
     for (int i = 0; i < n; ++i) lit[i] = valid[i] != 0 && ray.tfar[i] >= 0 ? 1 : 0;
 }
 
-template <int n>
+template <class Packet>
 void trace_all(RTCScene scene, const Rays& rays, std::size_t first, std::size_t last, float depth,
                bool shadows, Traced& traced) {
+    constexpr int n = Packet::size;
     for (std::size_t at = first; at < last; at += n) {
-        typename Packet<n>::Hit hit;
-        trace_primary<n>(scene, rays, at, depth, hit);
+        typename Packet::Hit hit;
+        trace_primary<Packet>(scene, rays, at, depth, hit);
         for (int i = 0; i < n; ++i)
             traced.depth[at + static_cast<std::size_t>(i)] =
                 hit.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? hit.ray.tfar[i] : infinite;
-        if (shadows) trace_shadows<n>(scene, rays, at, hit, &traced.lit[at]);
+        if (shadows) trace_shadows<Packet>(scene, rays, at, hit, &traced.lit[at]);
     }
 }
 
@@ -102,8 +102,8 @@ void trace_all(RTCScene scene, const Rays& rays, std::size_t first, std::size_t 
 
 void trace_packets(RTCScene scene, const Rays& rays, std::size_t first, std::size_t last,
                    int packet, float depth, bool shadows, Traced& traced) {
-    if (packet == 8) return trace_all<8>(scene, rays, first, last, depth, shadows, traced);
-    trace_all<16>(scene, rays, first, last, depth, shadows, traced);
+    if (packet == 8) return trace_all<PacketOf8>(scene, rays, first, last, depth, shadows, traced);
+    trace_all<PacketOf16>(scene, rays, first, last, depth, shadows, traced);
 }
 
 }  // namespace quadrel::peers

@@ -19,8 +19,7 @@ struct Drawn {
 
 /// The difference between what the shader drew and the picture that it has to draw.
 double judge(Run& run, const Row& row, double angle, const std::vector<float>& drawn) {
-    Picture picture(wall_scene(run.maps, angle, run.options.size, row.judged_overrides()),
-                    run.options.isa, colour_channels);
+    Picture picture = colour_picture(run, angle, row.judged_overrides());
     picture.draw(1);
     const double difference = mean_difference(picture.film(), drawn);
     run.judge(fmt::format("{} at {} degrees: Quadrel's picture and llvmpipe's", row.name, angle),
@@ -35,8 +34,7 @@ std::vector<std::string> planted(const Options& options) {
 
 Drawn draw_in_turns(Run& run, const Row& row, double angle, int threads, Llvmpipe* llvmpipe) {
     const Options& options = run.options;
-    Picture picture(wall_scene(run.maps, angle, options.size, row.overrides), options.isa,
-                    colour_channels);
+    Picture picture = colour_picture(run, angle, row.overrides);
     picture.draw(threads);
     std::unique_ptr<ShadedFrame> frame;
     Drawn drawn;

@@ -24,13 +24,6 @@ std::vector<int> sides(int first, int last) {
     return all;
 }
 
-/// A picture by the maps of `folder`.
-Picture picture_of(const Run& run, const std::filesystem::path& folder, const std::string& row,
-                   int size) {
-    return {wall_scene(folder, angle, size, row_of(row).overrides), run.options.isa,
-            colour_channels};
-}
-
 }  // namespace
 
 Table map_table(Run& run) {
@@ -50,7 +43,8 @@ Table map_table(Run& run) {
         std::vector<Cell> cells{fmt::format("{0}x{0}", side)};
         int i = 0;
         for (const char* row : {"max-mip", "linear-256"}) {
-            Picture picture = picture_of(run, folder.path(), row, run.options.size);
+            Picture picture =
+                colour_picture(run, angle, row_of(row).overrides, folder.path(), run.options.size);
             const double time = least_of(run.options.repeats + 1, 1, picture).of(1);
             if (first[i] == 0) first[i] = time;
             cells.insert(cells.end(), {{time, 1}, {time / first[i++], 2}, {picture.load().cpu, 1}});
@@ -72,7 +66,7 @@ Table frame_table(Run& run) {
     for (const int side : run.options.quick ? sides(64, 128) : sides(256, 4096)) {
         std::vector<Cell> cells{fmt::format("{0}x{0}", side)};
         for (const char* row : rows) {
-            Picture picture = picture_of(run, run.maps, row, side);
+            Picture picture = colour_picture(run, angle, row_of(row).overrides, run.maps, side);
             const double time = least_of(run.options.repeats + 1, 1, picture).of(1);
             cells.emplace_back(1e6 * time / (double(side) * side), 1);
         }

@@ -11,8 +11,7 @@ namespace {
 using Counting = Picture::Counting;
 
 std::vector<Cell> added(const Run& run, const Row& row) {
-    Picture picture(wall_scene(run.maps, 45, run.options.size, row.overrides), run.options.isa,
-                    colour_channels);
+    Picture picture = colour_picture(run, 45, row.overrides);
     LeastTime plain, stats, touched;
     picture.draw(1);
     for (int i = 0; i < run.options.repeats; ++i) {

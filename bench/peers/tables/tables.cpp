@@ -46,6 +46,15 @@ void Run::skip(const std::string& peer, const std::string& why) {
     if (std::find(skipped.begin(), skipped.end(), line) == skipped.end()) skipped.push_back(line);
 }
 
+Picture colour_picture(const Run& run, double angle, const std::vector<std::string>& overrides) {
+    return colour_picture(run, angle, overrides, run.maps, run.options.size);
+}
+
+Picture colour_picture(const Run& run, double angle, const std::vector<std::string>& overrides,
+                       const std::filesystem::path& maps, int size) {
+    return {wall_scene(maps, angle, size, overrides), run.options.isa, colour_channels};
+}
+
 std::vector<std::string> table_names() {
     std::vector<std::string> names;
     for (const Maker& maker : makers()) names.emplace_back(maker.name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options.hpp"
+#include "picture.hpp"
 #include "process.hpp"
 #include "report.hpp"
 
@@ -28,6 +29,12 @@ struct Run {
     /// Once, however often it is said.
     void skip(const std::string& peer, const std::string& why);
 };
+
+/// Quadrel's picture of the wall at that angle, in colours, of the run's size and maps unless
+/// others are given.
+Picture colour_picture(const Run& run, double angle, const std::vector<std::string>& overrides);
+Picture colour_picture(const Run& run, double angle, const std::vector<std::string>& overrides,
+                       const std::filesystem::path& maps, int size);
 
 /// The names that --tables takes, in the order in which they are made.
 std::vector<std::string> table_names();

@@ -22,16 +22,11 @@ std::vector<Cell> speed_up(const Run& run, const std::string& title, Picture& pi
     return {title, {a, 1}, {b, 1}, {a / b, 2}, {1000 / b, 0}};
 }
 
-Picture picture_of(const Run& run, const std::vector<std::string>& overrides) {
-    return {wall_scene(run.maps, angle, run.options.size, overrides), run.options.isa,
-            colour_channels};
-}
-
 /// McGuire and McGuire's: 1024x768 pixels, four samples each.
 Picture mcguire(const Run& run) {
     std::vector<std::string> overrides = row_of("steep-30").overrides;
     overrides.insert(overrides.end(), {"size=[1024,768]", "samples=4"});
-    return picture_of(run, overrides);
+    return colour_picture(run, angle, overrides);
 }
 
 }  // namespace
@@ -45,7 +40,7 @@ Table thread_table(Run& run) {
     table.columns = {"work", "one", "two", "one / two", "frames/s"};
     for (const Row& row : drawn_rows()) {
         if (!chosen(run.options.rows, row.name)) continue;
-        Picture picture = picture_of(run, row.overrides);
+        Picture picture = colour_picture(run, angle, row.overrides);
         table.rows.push_back(speed_up(run, row.name, picture));
     }
     if (run.options.rows.empty()) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,10 +28,11 @@ struct ComparableImage {
 };
 
 /// Reads any image: an EXR with all channels of what is selected (see read_exr); everything else by
-/// load_image, with its channels named R G B A, or Y A if it is gray, as a whole frame. Throws
-/// InputError.
+/// load_image, with its channels named as channel_names says, as a whole frame. Of an EXR that has
+/// all of `part_of_it` only that. Throws InputError.
 ComparableImage read_comparable(const std::filesystem::path& file,
-                                const ImageSelection& selection = {});
+                                const ImageSelection& selection = {},
+                                const std::optional<Window>& part_of_it = {});
 
 /// The bottom row becomes the top row; the window is mirrored within the frame.
 void flip_y(Film& film);

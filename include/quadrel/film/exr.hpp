@@ -4,7 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,11 +58,21 @@ struct ExrFile {
     std::vector<std::string> parts;            ///< names of all parts; one, maybe empty, mostly
 };
 
-/// Reads the part and layer that are meant; the film's channels lack the layer's name.
+/// The most values of a film in memory: 8 GB.
+inline constexpr std::int64_t most_film_values = std::int64_t(1) << 31;
+
+/// Reads the part and layer that are meant; the film's channels lack the layer's name. Where the
+/// data window has all of `part_of_it`, only that, and chunks without pixels of it are not read.
 /// Throws InputError for a file that is missing, truncated, damaged, deep, sub-sampled or larger
-/// than 65536 pixels a side, 2^31 values or 1024 values a byte of the file (32768 for DWA), and for
-/// one of several parts where the selection does not tell which.
-ExrFile read_exr(const std::filesystem::path& file, const ImageSelection& selection = {});
+/// than 65536 pixels a side, most_film_values or 1024 values a byte of the file (32768 for DWA),
+/// and for one of several parts where the selection does not tell which.
+ExrFile read_exr(const std::filesystem::path& file, const ImageSelection& selection = {},
+                 const std::optional<Window>& part_of_it = {});
+
+/// The same for images of any number of values: `take` is given films of some rows each, from the
+/// top down. The film that is returned has planes without values.
+ExrFile read_exr_in_bands(const std::filesystem::path& file, const ImageSelection& selection,
+                          const std::function<void(const Film& band)>& take);
 
 /// What the header of a part says.
 struct ExrPartInfo {

@@ -81,12 +81,17 @@ struct StageText {
 inline constexpr std::array<TextureSlot, 0> no_textures{};
 
 /// What a stage has that declares nothing else: no textures, no parameters, no leaving out, no
-/// vertex program.
+/// vertex program, all of its textures read.
 struct StageDefaults {
     static constexpr auto textures = no_textures;
     /// Whether the stage leaves out steps by the bounds of the height map's heights
     /// (MaterialUniforms), with the same bits but for counts of steps and fetches.
     static constexpr bool uses_height_bounds = false;
+    /// Whether the stage reads of the height map the texels of level 0, or the patches between
+    /// them, and nothing else; then a render need not make the coarser levels.
+    static constexpr bool reads_finest_heights_only = false;
+    /// Whether it reads of the gloss map the first channel and nothing else.
+    static constexpr bool reads_first_gloss_only = false;
     /// Whether the stage has a vertex program (vertex_program.hpp).
     static constexpr bool reads_vertices = false;
     /// Whether the stage's text, on Quad<Dual> (num/dual.hpp), gives the exact window-space

@@ -22,6 +22,7 @@ struct StageRow {
     std::int64_t params_size;
     /// See StageDefaults and StageInfo.
     std::int32_t uses_height_bounds, needs_height_map, reads_vertices, runs_on_duals;
+    std::int32_t reads_finest_heights_only, reads_first_gloss_only;
     const char* not_reproduced;  ///< see StageInfo; never null
     /// Of a search that leaves out steps by the maxima of the height map (MaterialUniforms), with
     /// the same bits but for counts: how many it makes at most. Null for other stages.
@@ -85,6 +86,8 @@ StageRow describe_stage() {
     row.needs_height_map = detail::declares_height_map<Stage>();
     row.reads_vertices = Stage::reads_vertices;
     row.runs_on_duals = Stage::runs_on_duals;
+    row.reads_finest_heights_only = Stage::reads_finest_heights_only;
+    row.reads_first_gloss_only = Stage::reads_first_gloss_only;
     row.not_reproduced = detail::declared_not_reproduced<Stage>();
     row.lattice_steps = detail::declared_lattice_steps<Stage>();
     row.set_defaults = [](void* params) { *static_cast<Params*>(params) = {}; };

@@ -23,7 +23,8 @@ struct StageInfo {
     /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of
     /// noise do not serve it.
     bool needs_height_map;
-    bool reads_vertices;  ///< see StageDefaults
+    bool reads_vertices;  ///< see StageDefaults, as of the next two
+    bool reads_finest_heights_only, reads_first_gloss_only;
     /// Of a search that leaves out steps by the maxima of the height map: see StageRow. Else null.
     std::int32_t (*lattice_steps)(const void* params);
     /// What its source does and the stage doesn't, in words; empty where it does all.

@@ -15,6 +15,7 @@ struct ShadeBlinnPhong : LitDefaults {
     static constexpr StageText text{
         "shade-blinn-phong", "shade", "Blinn's highlight over a matte base",
         "Blinn, Models of Light Reflection for Computer Synthesized Pictures (1977)"};
+    static constexpr bool reads_first_gloss_only = true;  // the exponent
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

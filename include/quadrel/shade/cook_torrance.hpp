@@ -47,6 +47,7 @@ struct ShadeCookTorrance : LitDefaults {
     static constexpr StageText text{"shade-cook-torrance", "shade", "microfacets over a matte base",
                                     "Cook and Torrance, A Reflectance Model for Computer Graphics "
                                     "(1982)"};
+    static constexpr bool reads_first_gloss_only = true;  // the exponent
     struct Params {
         float roughness = 0;
         std::int32_t gradients = 0;

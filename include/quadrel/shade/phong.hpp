@@ -13,6 +13,7 @@ namespace quadrel {
 struct ShadePhong : LitDefaults {
     static constexpr StageText text{"shade-phong", "shade", "Phong's highlight over a matte base",
                                     "Phong, Illumination for Computer Generated Pictures (1975)"};
+    static constexpr bool reads_first_gloss_only = true;  // the exponent
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

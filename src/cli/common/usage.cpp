@@ -91,7 +91,7 @@ std::string option_name(const CLI::Option& option) {
 }  // namespace
 
 SpelledVerb spelled_verb(const CLI::App& program, const std::vector<std::string>& arguments) {
-    SpelledVerb verb{&program, program.get_name(), ""};
+    SpelledVerb verb{&program, program.get_name(), std::nullopt};
     for (const std::string& argument : arguments) {
         if (verbs_of(*verb.app).empty()) break;
         if (argument.starts_with("-")) continue;
@@ -120,7 +120,7 @@ std::string usage_message(const CLI::ParseError& error, const SpelledVerb& verb,
 
 std::string unknown_verb_message(const SpelledVerb& verb) {
     return with_help(
-        "found \"" + verb.unknown + "\", expected " + one_of(verb.unknown, verbs_of(*verb.app)),
+        "found \"" + *verb.unknown + "\", expected " + one_of(*verb.unknown, verbs_of(*verb.app)),
         verb);
 }
 
@@ -135,7 +135,6 @@ std::vector<std::string> with_help_words(std::vector<std::string> arguments) {
 
 void refuse_empty_arguments(const CLI::App& verb) {
     for (const CLI::Option* option : verb.get_options()) {
-        if (option->get_positional() && !option->get_required()) continue;
         const std::string type = option->get_type_name();
         for (const std::string& text : option->results())
             if (text.empty())

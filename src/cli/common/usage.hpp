@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace quadrel::cli {
 struct SpelledVerb {
     const CLI::App* app;  ///< the last that is known: the program itself, a verb, a kind of list
     std::string name;     ///< "quadrel", "quadrel list"
-    std::string unknown;  ///< the word after it that should be a verb and is none; or empty
+    std::optional<std::string> unknown;  ///< the word after it that should be a verb and is none
 };
 
 SpelledVerb spelled_verb(const CLI::App& program, const std::vector<std::string>& arguments);

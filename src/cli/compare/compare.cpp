@@ -89,12 +89,19 @@ void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& l
     }
 }
 
+/// What need be read, where that is known beforehand.
+std::optional<Window> wanted_part(const CompareArguments& arguments) {
+    if (arguments.region.window.empty() || arguments.flip_y) return std::nullopt;
+    return parse_window("--window", arguments.region.window);
+}
+
 Images prepare(const CompareArguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
     const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
-    Images images{read_comparable(arguments.reference, arguments.reference_selection),
-                  read_comparable(arguments.test, arguments.selection),
+    const auto wanted = wanted_part(arguments);
+    Images images{read_comparable(arguments.reference, arguments.reference_selection, wanted),
+                  read_comparable(arguments.test, arguments.selection, wanted),
                   {},
                   {}};
     ComparableImage &reference = images.reference, &test = images.test;

@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
 
-#include <bit>
-#include <cmath>
+#include <algorithm>
 #include <fstream>
-#include <limits>
 
 #include "cli/info/mesh_info.hpp"
 #include "file/read_file.hpp"
+#include "film/plane_summary.hpp"
 #include "quadrel/film/exr.hpp"
+#include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/texture/image.hpp"
@@ -35,31 +36,14 @@ const char* stored_text(StoredType type) {
     return type == StoredType::float32 ? "float" : "uint";
 }
 
-Json integer_plane_info(const Plane& plane) {
-    const auto [low, high] = std::minmax_element(plane.bits.begin(), plane.bits.end());
-    return {{"min", *low}, {"max", *high}};
-}
-
-/// Minimum and maximum of the finite values; null if there are none.
-Json float_plane_info(const Plane& plane) {
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    std::size_t nan = 0, infinite = 0;
-    for (const std::uint32_t bits : plane.bits) {
-        const float value = std::bit_cast<float>(bits);
-        if (std::isnan(value)) {
-            ++nan;
-        } else if (std::isinf(value)) {
-            ++infinite;
-        } else {
-            low = std::min(low, value);
-            high = std::max(high, value);
-        }
-    }
-    const bool any = low <= high;
-    return {{"min", any ? Json(low) : Json()},
-            {"max", any ? Json(high) : Json()},
-            {"nan", nan},
-            {"infinite", infinite}};
+/// Minimum and maximum are null if no value is finite.
+Json summary_json(const PlaneSummary& summary, ChannelType type) {
+    if (type == ChannelType::uint32) return {{"min", summary.least}, {"max", summary.most}};
+    const bool any = summary.low <= summary.high;
+    return {{"min", any ? Json(summary.low) : Json()},
+            {"max", any ? Json(summary.high) : Json()},
+            {"nan", summary.nan},
+            {"infinite", summary.infinite}};
 }
 
 /// Several parts of which none was named: an overview of them, and the first one's attributes.
@@ -76,25 +60,49 @@ Json parts_info(const std::vector<ExrPartInfo>& parts) {
             {"attributes", parts[0].attributes}};
 }
 
-Json exr_info(const std::string& file, const ImageSelection& selection) {
-    if (selection.empty()) {
-        const std::vector<ExrPartInfo> parts = exr_parts(file);
-        if (parts.size() > 1) return parts_info(parts);
-    }
-    const ExrFile exr = read_exr(file, selection);
-    Json channels = Json::array();
-    for (const Plane& plane : exr.film.planes) {
+Json channel_rows(const ExrFile& exr, const std::vector<PlaneSummary>& summaries) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+        const Plane& plane = exr.film.planes[i];
         Json row = {{"name", plane.name}, {"type", stored_text(exr.stored.at(plane.name))}};
-        row.update(plane.type == ChannelType::float32 ? float_plane_info(plane)
-                                                      : integer_plane_info(plane));
-        channels.push_back(row);
+        row.update(summary_json(summaries[i], plane.type));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+/// Whether a part may not fit into memory at a time.
+bool is_large(const std::vector<ExrPartInfo>& parts) {
+    return std::any_of(parts.begin(), parts.end(), [](const ExrPartInfo& part) {
+        return part.window.area() * part.channels.size() >
+               static_cast<std::size_t>(most_film_values);
+    });
+}
+
+Json exr_info(const std::string& file, const ImageSelection& selection) {
+    const std::vector<ExrPartInfo> parts = exr_parts(file);
+    if (selection.empty() && parts.size() > 1) return parts_info(parts);
+    std::vector<PlaneSummary> summaries;
+    const auto add = [&](const Film& film) {
+        summaries.resize(film.planes.size());
+        tbb::parallel_for(std::size_t(0), summaries.size(),
+                          [&](std::size_t i) { summaries[i].add(film.planes[i]); });
+    };
+    ExrFile exr;
+    std::string hash = "none: more than 2^31 values";
+    if (is_large(parts)) {
+        exr = read_exr_in_bands(file, selection, add);
+    } else {
+        exr = read_exr(file, selection);
+        add(exr.film);
+        hash = film_hash(exr.film);
     }
     Json info = {{"kind", "EXR image"},
                  {"frame", window_text(exr.film.frame)},
                  {"window", window_text(exr.film.window)},
-                 {"channels", channels},
+                 {"channels", channel_rows(exr, summaries)},
                  {"attributes", exr.attributes},
-                 {"hash", film_hash(exr.film)}};
+                 {"hash", hash}};
     if (exr.parts.size() > 1) info["parts"] = exr.parts;
     return info;
 }
@@ -129,6 +137,7 @@ Json texture_rows(const Scene& scene) {
 
 Json scene_info(const std::string& file) {
     const Scene scene = load_scene(file);
+    explain(scene, {});  // throws where it could not be rendered
     Json objects = Json::array();
     for (const Object& object : scene.objects) objects.push_back(object_info(scene, object));
     return {{"kind", "scene"},

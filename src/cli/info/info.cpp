@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/common/console.hpp"
+#include "cli/common/plugins.hpp"
 #include "cli/common/selection_options.hpp"
 #include "cli/info/file_info.hpp"
 #include "cli/verbs.hpp"
@@ -50,6 +51,7 @@ void add_info(CLI::App& app, Action& action) {
     struct Arguments {
         std::string file;
         ImageSelection selection;
+        std::vector<std::string> plugins;
         bool json = false;
     };
     const auto a = std::make_shared<Arguments>();
@@ -57,9 +59,11 @@ void add_info(CLI::App& app, Action& action) {
                      "EXR, image, mesh (OBJ, glTF), scene file or name of an installed scene")
         ->required();
     add_selection_options(*verb, a->selection);
+    add_plugin_option(*verb, a->plugins);
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] {
         action = [a] {
+            load_plugins(a->plugins);
             const Json info = file_info(a->file, a->selection);
             if (a->json)
                 print_json(info.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

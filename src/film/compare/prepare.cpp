@@ -11,6 +11,7 @@
 #include "quadrel/film/comparable.hpp"
 #include "quadrel/texture/image.hpp"
 #include "text/suggest.hpp"
+#include "texture/channel_names.hpp"
 #include "texture/stored_image.hpp"
 
 namespace quadrel {
@@ -34,17 +35,12 @@ Storage storage_of(TexelFormat format) {
     return format == TexelFormat::half ? Storage::half : Storage::float32;
 }
 
-ComparableImage from_exr(const std::filesystem::path& file, const ImageSelection& selection) {
-    ExrFile exr = read_exr(file, selection);
+ComparableImage from_exr(const std::filesystem::path& file, const ImageSelection& selection,
+                         const std::optional<Window>& part_of_it) {
+    ExrFile exr = read_exr(file, selection, part_of_it);
     ComparableImage result{file, std::move(exr.film), {}, std::move(exr.attributes)};
     for (const auto& [name, type] : exr.stored) result.stored[name] = storage_of(type);
     return result;
-}
-
-std::vector<std::string> channel_names(bool luminance, int channels) {
-    const std::vector<std::string> gray = {"Y", "A"}, colours = {"R", "G", "B", "A"};
-    const std::vector<std::string>& names = luminance ? gray : colours;
-    return {names.begin(), names.begin() + channels};
 }
 
 /// A frame of channels, each filled by fill(channel, its bits).
@@ -175,11 +171,11 @@ const char* storage_name(Storage storage) {
     return "uint32";
 }
 
-ComparableImage read_comparable(const std::filesystem::path& file,
-                                const ImageSelection& selection) {
+ComparableImage read_comparable(const std::filesystem::path& file, const ImageSelection& selection,
+                                const std::optional<Window>& part_of_it) {
     if (const char* const reason = reason_not_to_read(file))
         throw InputError(file.string(), "", reason, "an image file");
-    if (begins_as_exr(file)) return from_exr(file, selection);
+    if (begins_as_exr(file)) return from_exr(file, selection, part_of_it);
     if (const auto stored = open_stored_image(file, selection)) return from_stored(file, *stored);
     return from_image(load_image(file, NotFinite::count, "", selection));
 }

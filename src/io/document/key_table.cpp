@@ -139,8 +139,8 @@ constexpr SceneKey keys[] = {
      Below::object, "stage"},
     {"relief", "occlusion", "id, `\"none\"`, or a `stage`", "none",
      "ambient visibility of the hit: `ao-horizon`, `ao-oracle`", Below::object, "stage"},
-    {"relief", "depth", "number >= 0, or a `depth`", "0.05", "thickness of the relief, world units",
-     Below::object, "depth"},
+    {"relief", "depth", "number from 0 to 1e12, or a `depth`", "0.05",
+     "thickness of the relief, world units", Below::object, "depth"},
     {"relief", "grazing_fade", "2 angles, 0 <= from < to <= 90", "none",
      "angles between normal and view, degrees: the relief has its whole depth up to the first and "
      "none from the second on; linear in the cosine between"},

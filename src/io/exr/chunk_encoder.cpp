@@ -4,6 +4,7 @@
 #include <bit>
 #include <numeric>
 
+#include "io/exr/zip_differences.hpp"
 #include "quadrel/check.hpp"
 
 namespace quadrel {
@@ -15,6 +16,13 @@ const Film& film_of(const FilmRows& films, int y) {
     check_failed(__FILE__, __LINE__, "a film has the row", std::to_string(y));
 }
 
+/// canonical_bits, by a mask, which compilers make vectors of.
+std::uint32_t masked_canonical(std::uint32_t bits) {
+    const bool nan = static_cast<std::int32_t>(bits & 0x7fffffffu) > 0x7f800000;
+    const std::uint32_t mask = nan ? 0xffffffffu : 0u;
+    return (bits & ~mask) | (canonical_nan & mask);
+}
+
 }  // namespace
 
 /// Files have their channels in the order of their names, as bytes.
@@ -23,6 +31,10 @@ ExrChunkLayout::ExrChunkLayout(const ExrWriteContext& file, int part_index, cons
     std::int32_t lines = 1;
     file.check(exr_get_scanlines_per_chunk(file.get(), part, &lines));
     rows = lines;
+    exr_compression_t compression = EXR_COMPRESSION_NONE;
+    file.check(exr_get_compression(file.get(), part, &compression));
+    plain = compression == EXR_COMPRESSION_NONE;
+    deflated = compression == EXR_COMPRESSION_ZIP || compression == EXR_COMPRESSION_ZIPS;
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return layout.planes[a].name < layout.planes[b].name;
@@ -35,6 +47,17 @@ ChunkEncoder::~ChunkEncoder() {
 
 EncodedChunk ChunkEncoder::encode(int y, const FilmRows& films) {
     films_ = &films;
+    if (!layout_.plain && !layout_.deflated) return {y, compressed(y)};
+    const int rows = std::min(layout_.rows, layout_.window.y1 - y);
+    std::vector<std::uint8_t> packed(static_cast<std::size_t>(rows) *
+                                     static_cast<std::size_t>(layout_.window.width()) *
+                                     layout_.order.size() * sizeof(std::uint32_t));
+    pack(y, rows, packed.data());
+    return {y, layout_.plain ? std::move(packed) : deflated(std::move(packed))};
+}
+
+/// By the library.
+std::vector<std::uint8_t> ChunkEncoder::compressed(int y) {
     prepare(y);
     file_.check(exr_encoding_run(file_.get(), layout_.part, &encode_));
     // Readers take what is as long as the pixels for the pixels themselves, which the library (3.1)
@@ -42,7 +65,16 @@ EncodedChunk ChunkEncoder::encode(int y, const FilmRows& films) {
     const bool shrunk = encode_.compressed_bytes < encode_.packed_bytes;
     const auto* const bytes = static_cast<const std::uint8_t*>(shrunk ? encode_.compressed_buffer
                                                                       : encode_.packed_buffer);
-    return {y, {bytes, bytes + (shrunk ? encode_.compressed_bytes : encode_.packed_bytes)}};
+    return {bytes, bytes + (shrunk ? encode_.compressed_bytes : encode_.packed_bytes)};
+}
+
+/// Or as they are where they do not shrink, as readers expect.
+std::vector<std::uint8_t> ChunkEncoder::deflated(std::vector<std::uint8_t> packed) {
+    differences_.resize(packed.size());
+    zip_differences(packed, differences_.data());
+    const auto stream = deflate_.compress(differences_);
+    if (stream.size() < packed.size()) packed.assign(stream.begin(), stream.end());
+    return packed;
 }
 
 void ChunkEncoder::prepare(int y) {
@@ -74,28 +106,33 @@ void ChunkEncoder::prepare(int y) {
 }
 
 exr_result_t ChunkEncoder::pack(exr_encode_pipeline_t* encode) {
-    static_cast<ChunkEncoder*>(encode->encoding_user_data)->pack();
+    const auto& self = *static_cast<const ChunkEncoder*>(encode->encoding_user_data);
+    const int rows = encode->chunk.height;
+    self.pack(encode->chunk.start_y, rows, encode->packed_buffer);
+    encode->packed_bytes = static_cast<std::uint64_t>(rows) *
+                           static_cast<std::uint64_t>(self.layout_.window.width()) *
+                           self.layout_.order.size() * sizeof(std::uint32_t);
     return EXR_ERR_SUCCESS;
 }
 
 /// Row by row the rows of all channels.
-void ChunkEncoder::pack() {
+void ChunkEncoder::pack(int first, int rows, void* to) const {
     static_assert(std::endian::native == std::endian::little, "as EXR files are");
-    const int width = layout_.window.width(), first = encode_.chunk.start_y;
-    auto* out = static_cast<std::uint32_t*>(encode_.packed_buffer);
-    for (int y = first; y < first + encode_.chunk.height; ++y) {
+    const int width = layout_.window.width();
+    auto* out = static_cast<std::uint32_t*>(to);
+    for (int y = first; y < first + rows; ++y) {
         const Film& film = film_of(*films_, y);
         const std::size_t at = film.index(layout_.window.x0, y);
         for (const std::size_t p : layout_.order) {
             const Plane& plane = film.planes[p];
             const std::uint32_t* const row = plane.bits.data() + at;
-            out = plane.type == ChannelType::uint32
-                      ? std::copy_n(row, width, out)
-                      : std::transform(row, row + width, out, canonical_bits);
+            if (plane.type == ChannelType::uint32)
+                std::copy_n(row, width, out);
+            else
+                for (int x = 0; x < width; ++x) out[x] = masked_canonical(row[x]);
+            out += width;
         }
     }
-    encode_.packed_bytes = static_cast<std::uint64_t>(reinterpret_cast<char*>(out) -
-                                                      static_cast<char*>(encode_.packed_buffer));
 }
 
 void write_chunk(const ExrWriteContext& file, const ExrChunkLayout& layout,

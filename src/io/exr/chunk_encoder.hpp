@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "io/deflate/deflate.hpp"
 #include "io/exr/write_context.hpp"
 
 namespace quadrel {
@@ -25,6 +26,8 @@ struct ExrChunkLayout {
     Window window;
     int rows = 1;                    ///< of a chunk, but for the last one
     std::vector<std::size_t> order;  ///< the planes of a film as the file has its channels
+    bool deflated = false;           ///< ZIP or ZIPS, which are made without the library
+    bool plain = false;              ///< as packed, likewise
 };
 
 /// One thread's: its buffers serve one chunk after the other.
@@ -43,7 +46,9 @@ class ChunkEncoder {
 
   private:
     void prepare(int y);
-    void pack();
+    void pack(int first, int rows, void* to) const;
+    std::vector<std::uint8_t> deflated(std::vector<std::uint8_t> packed);
+    std::vector<std::uint8_t> compressed(int y);
     static exr_result_t pack(exr_encode_pipeline_t* encode);
 
     const ExrWriteContext& file_;
@@ -51,6 +56,8 @@ class ChunkEncoder {
     const FilmRows* films_ = nullptr;  ///< of the chunk at hand
     exr_encode_pipeline_t encode_ = EXR_ENCODE_PIPELINE_INITIALIZER;
     bool initialized_ = false;
+    Deflate deflate_;
+    std::vector<std::uint8_t> differences_;
 };
 
 void write_chunk(const ExrWriteContext& file, const ExrChunkLayout& layout,

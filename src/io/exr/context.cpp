@@ -16,6 +16,16 @@ void zero_library_buffers() {
     std::call_once(once, [] { exr_set_default_memory_routines(allocate_zeros, std::free); });
 }
 
+std::int64_t read_bytes(exr_const_context_t, void* user_data, void* to, std::uint64_t count,
+                        std::uint64_t position, exr_stream_error_func_ptr_t) {
+    const auto& file = *static_cast<const FileBytes*>(user_data);
+    return static_cast<std::int64_t>(file.read(position, to, static_cast<std::size_t>(count)));
+}
+
+std::int64_t size_of(exr_const_context_t, void* user_data) {
+    return static_cast<std::int64_t>(static_cast<const FileBytes*>(user_data)->size());
+}
+
 }  // namespace
 
 void say_nothing(exr_const_context_t, exr_result_t, const char*) {}
@@ -26,7 +36,7 @@ void check_exr(exr_result_t result) {
     throw std::runtime_error(exr_get_default_error_message(result));
 }
 
-ExrContext::ExrContext(const std::filesystem::path& file, int part) : part_(part) {
+ExrContext::ExrContext(const FileBytes& file, int part) : part_(part) {
     try {
         open(file);
     } catch (...) {
@@ -37,13 +47,16 @@ ExrContext::ExrContext(const std::filesystem::path& file, int part) : part_(part
 
 ExrContext::~ExrContext() { exr_finish(&context_); }
 
-void ExrContext::open(const std::filesystem::path& file) {
+void ExrContext::open(const FileBytes& file) {
     zero_library_buffers();
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     start.alloc_fn = allocate_zeros;
     start.free_fn = std::free;
     start.error_handler_fn = say_nothing;
-    check_exr(exr_start_read(&context_, file.c_str(), &start));
+    start.user_data = const_cast<FileBytes*>(&file);  // handed back to the two functions alone
+    start.read_fn = read_bytes;
+    start.size_fn = size_of;
+    check_exr(exr_start_read(&context_, file.file().c_str(), &start));
     exr_storage_t storage = EXR_STORAGE_SCANLINE;
     check_exr(exr_get_storage(context_, part_, &storage));
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)

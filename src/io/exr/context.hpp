@@ -5,8 +5,9 @@
 
 #include <OpenEXR/openexr.h>
 
-#include <filesystem>
 #include <functional>
+
+#include "file/file_bytes.hpp"
 
 namespace quadrel {
 
@@ -16,11 +17,11 @@ void check_exr(exr_result_t result);
 /// A handler of the library's messages: check_exr tells what is wrong.
 void say_nothing(exr_const_context_t, exr_result_t, const char*);
 
-/// One part of a file, opened for reading. Everything allocated for it begins as zeros. Throws as
-/// check_exr, and for deep parts.
+/// One part of a file, which must outlive it. Everything allocated for it begins as zeros. Throws
+/// as check_exr, and for deep parts.
 class ExrContext {
   public:
-    ExrContext(const std::filesystem::path& file, int part);
+    ExrContext(const FileBytes& file, int part);
     ~ExrContext();
     ExrContext(const ExrContext&) = delete;
     ExrContext& operator=(const ExrContext&) = delete;
@@ -37,7 +38,7 @@ class ExrContext {
     void for_each_chunk(int y0, int y1, const Visit& visit) const;
 
   private:
-    void open(const std::filesystem::path& file);
+    void open(const FileBytes& file);
     void require_inside(const exr_chunk_info_t& chunk, int x, int y) const;
     void visit_scan_lines(int y0, int y1, const Visit& visit) const;
     void visit_tiles(int y0, int y1, const Visit& visit) const;

@@ -8,10 +8,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <set>
 
-#include "file/read_file.hpp"
+#include "io/exr/byte_stream.hpp"
 #include "io/exr/limits.hpp"
 #include "quadrel/error.hpp"
 #include "text/out_of_memory.hpp"
@@ -22,15 +21,10 @@ namespace {
 constexpr const char* one_part = "one of them named as the part, or a layer of one of them";
 
 /// OpenEXR says little about files that are no EXR at all; this does.
-void check_is_exr(const std::filesystem::path& file, const std::string& key) {
-    const auto refuse = [&](const char* found) {
-        throw InputError(file.string(), key, found, "an EXR file");
-    };
-    if (const char* reason = reason_not_to_read(file)) refuse(reason);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) refuse("a file that cannot be opened");
+void check_is_exr(const FileBytes& file, const std::string& key) {
     char magic[4] = {};
-    if (!stream.read(magic, 4) || !Imf::isImfMagic(magic)) refuse("something else");
+    if (file.read(0, magic, 4) != 4 || !Imf::isImfMagic(magic))
+        throw InputError(file.file().string(), key, "something else", "an EXR file");
     check_exr_attributes(file, key);
 }
 
@@ -144,11 +138,12 @@ void reading_exr(const std::filesystem::path& file, const std::string& key,
     }
 }
 
-ExrHeaders read_exr_headers(const std::filesystem::path& file, const std::string& key) {
+ExrHeaders read_exr_headers(const FileBytes& file, const std::string& key) {
     check_is_exr(file, key);
     ExrHeaders headers;
-    reading_exr(file, key, [&] {
-        const Imf::MultiPartInputFile input(file.c_str(), 0, false);
+    reading_exr(file.file(), key, [&] {
+        ByteStream stream(file);
+        const Imf::MultiPartInputFile input(stream, 0, false);
         for (int part = 0; part < input.parts(); ++part) {
             headers.parts.push_back(input.header(part));
             headers.complete.push_back(input.partComplete(part));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "file/file_bytes.hpp"
 #include "quadrel/texture/selection.hpp"
 
 namespace quadrel {
@@ -27,7 +28,7 @@ struct ExrChoice {
 };
 
 /// Throws InputError for what is no EXR file or damaged in its headers; `key` is for the message.
-ExrHeaders read_exr_headers(const std::filesystem::path& file, const std::string& key);
+ExrHeaders read_exr_headers(const FileBytes& file, const std::string& key);
 
 /// Throws InputError where the selection names nothing or could mean several parts, for a part that
 /// is deep or was not written to its end, and for a layer without channels.

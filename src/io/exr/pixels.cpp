@@ -12,6 +12,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "io/exr/byte_stream.hpp"
 #include "io/exr/context.hpp"
 #include "io/exr/dwa_check.hpp"
 #include "quadrel/num/half.hpp"
@@ -118,11 +119,12 @@ class ChunkPixels : public ExrPixels {
 /// refused beforehand.
 class LossyPixels : public ExrPixels {
   public:
-    LossyPixels(const std::filesystem::path& file, std::unique_ptr<ExrContext> context,
+    LossyPixels(const FileBytes& file, std::unique_ptr<ExrContext> context,
                 std::vector<std::string> channels)
         : context_(std::move(context)),
           channels_(std::move(channels)),
-          file_(file.c_str(), 0, false),
+          stream_(file),
+          file_(stream_, 0, false),
           part_(file_, context_->part()) {}
 
     /// In steps of the most rows that a chunk has.
@@ -160,13 +162,14 @@ class LossyPixels : public ExrPixels {
 
     std::unique_ptr<ExrContext> context_;
     std::vector<std::string> channels_;
+    ByteStream stream_;
     Imf::MultiPartInputFile file_;
     Imf::InputPart part_;
 };
 
 }  // namespace
 
-std::unique_ptr<ExrPixels> open_exr_pixels(const std::filesystem::path& file, int part,
+std::unique_ptr<ExrPixels> open_exr_pixels(const FileBytes& file, int part,
                                            std::vector<std::string> channels) {
     auto context = std::make_unique<ExrContext>(file, part);
     switch (context->compression()) {

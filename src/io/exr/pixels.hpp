@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "file/file_bytes.hpp"
 
 namespace quadrel {
 
@@ -33,9 +34,9 @@ class ExrPixels {
     virtual void read(int y0, int y1, const ExrSink& sink) = 0;
 };
 
-/// `channels` are full names, of one value a pixel each. Throws std::exception where the file
-/// cannot be opened, is damaged or deep.
-std::unique_ptr<ExrPixels> open_exr_pixels(const std::filesystem::path& file, int part,
+/// `channels` are full names, of one value a pixel each. The file must outlive what is opened.
+/// Throws std::exception where it is damaged or deep.
+std::unique_ptr<ExrPixels> open_exr_pixels(const FileBytes& file, int part,
                                            std::vector<std::string> channels);
 
 }  // namespace quadrel

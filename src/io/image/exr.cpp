@@ -105,8 +105,9 @@ ChannelSet require_channels(const Imf::Header& header, const ExrChoice& choice,
     return set;
 }
 
-void check_sizes(const Imf::Header& header, std::int64_t channels, const std::string& file,
+void check_sizes(const Imf::Header& header, std::int64_t channels, const FileBytes& bytes,
                  const std::string& key) {
+    const std::string file = bytes.file().string();
     const PixelBox data = to_box(header.dataWindow());
     const PixelBox display = to_box(header.displayWindow());
     constexpr std::int64_t far = std::int64_t(1) << 30;
@@ -116,20 +117,20 @@ void check_sizes(const Imf::Header& header, std::int64_t channels, const std::st
     check_image_size(data.width, data.height, channels, file, key);
     check_image_size(display.width, display.height, channels, file, key);
     const std::int64_t pixels = std::max(data.width * data.height, display.width * display.height);
-    if (pixels * channels > most_exr_values(file, header)) {
+    if (pixels * channels > most_exr_values(bytes, header)) {
         throw InputError(file, key, fmt::format("{} pixels of {} channels", pixels, channels),
                          "no more than a file of its size can hold");
     }
 }
 
-Image read_chosen(const std::string& file, const ImageSelection& selection,
-                  const std::string& key) {
-    const ExrHeaders headers = read_exr_headers(file, key);
+Image read_chosen(const FileBytes& bytes, const ImageSelection& selection, const std::string& key) {
+    const std::string file = bytes.file().string();
+    const ExrHeaders headers = read_exr_headers(bytes, key);
     const ExrChoice choice = choose_exr(headers, selection, file, key);
     const Imf::Header& header = headers.parts[static_cast<std::size_t>(choice.part)];
     const ChannelSet set = require_channels(header, choice, file, key);
     const auto channels = static_cast<std::int64_t>(set.names.size());
-    check_sizes(header, channels, file, key);
+    check_sizes(header, channels, bytes, key);
     const PixelBox display = to_box(header.displayWindow());
     std::vector<std::string> names;
     for (const std::string& name : set.names) names.push_back(choice.prefix + name);
@@ -142,7 +143,7 @@ Image read_chosen(const std::string& file, const ImageSelection& selection,
     image.values.assign(static_cast<std::size_t>(display.width * display.height * channels), 0.0f);
     const std::vector<bool> integers = integer_channels(header.channels(), names);
     const Imath::Box2i box = header.dataWindow();
-    open_exr_pixels(file, choice.part, names)
+    open_exr_pixels(bytes, choice.part, names)
         ->read(box.min.y, box.max.y + 1,
                [&](const ExrRun& run) { place(run, integers[run.channel], display, image); });
     return image;
@@ -150,10 +151,10 @@ Image read_chosen(const std::string& file, const ImageSelection& selection,
 
 }  // namespace
 
-Image read_exr_image(const std::string& file, const ImageSelection& selection,
+Image read_exr_image(const FileBytes& file, const ImageSelection& selection,
                      const std::string& key) {
     Image image;
-    reading_exr(file, key, [&] { image = read_chosen(file, selection, key); });
+    reading_exr(file.file(), key, [&] { image = read_chosen(file, selection, key); });
     return image;
 }
 

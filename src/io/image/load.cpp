@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <fstream>
 #include <string_view>
 
-#include "file/read_file.hpp"
 #include "io/image/readers.hpp"
 #include "quadrel/error.hpp"
+#include "texture/image_bytes.hpp"
 
 namespace quadrel {
 
@@ -16,23 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first bytes of a file that exists and has some.
-std::string read_start(const fs::path& file, const std::string& key) {
-    const auto refuse = [&](const char* found) {
-        throw InputError(file.string(), key, found, "a readable image file");
-    };
-    if (const char* reason = reason_not_to_read(file)) refuse(reason);
-    std::ifstream in(file, std::ios::binary);
-    if (!in) refuse("no permission to read");
+constexpr const char* readable_image = "a readable image file";
+
+/// The first bytes of a file that has some.
+std::string read_start(const FileBytes& file, const std::string& key) {
     std::string start(8, '\0');
-    in.read(start.data(), 8);
-    start.resize(static_cast<std::size_t>(in.gcount()));
-    if (start.empty()) refuse("an empty file");
+    start.resize(file.read(0, start.data(), start.size()));
+    if (start.empty()) throw InputError(file.file().string(), key, "an empty file", readable_image);
     return start;
 }
 
 void check_finite(Image& image, NotFinite policy, const std::string& key) {
-    const auto bad = [](float x) { return !std::isfinite(x); };
+    const auto bad = [](float x) {
+        constexpr std::uint32_t exponent = 0x7f800000u;
+        return (std::bit_cast<std::uint32_t>(x) & exponent) == exponent;
+    };
     const auto& values = image.values;
     image.not_finite = static_cast<std::uint64_t>(std::count_if(values.begin(), values.end(), bad));
     if (image.not_finite == 0 || policy == NotFinite::count) return;
@@ -89,20 +87,25 @@ constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
 
 }  // namespace
 
-Image load_image(const fs::path& file, NotFinite not_finite, const std::string& key,
+Image load_image(const FileBytes& file, NotFinite not_finite, const std::string& key,
                  const ImageSelection& selection) {
     const std::string start = read_start(file, key);
     Image image = start.starts_with(exr_magic)
-                      ? read_exr_image(file.string(), selection, key)
-                      : read_other_than_exr(file.string(), start, selection, key);
-    image.file = file;
+                      ? read_exr_image(file, selection, key)
+                      : read_other_than_exr(file.file().string(), start, selection, key);
+    image.file = file.file();
     check_finite(image, not_finite, key);
     return image;
 }
 
+Image load_image(const fs::path& file, NotFinite not_finite, const std::string& key,
+                 const ImageSelection& selection) {
+    return load_image(FileBytes(file, key, readable_image), not_finite, key, selection);
+}
+
 std::optional<StoredImage> open_stored_image(const fs::path& file,
                                              const ImageSelection& selection) {
-    const std::string start = read_start(file, "");
+    const std::string start = read_start(FileBytes(file, "", readable_image), "");
     if (start.starts_with(exr_magic) || start.starts_with("BM")) return std::nullopt;
     check_other_than_exr(file.string(), start, selection, "");
     return read_other_image(file.string(), "");

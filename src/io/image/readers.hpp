@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "file/file_bytes.hpp"
 #include "texture/stored_image.hpp"
 
 namespace quadrel {
@@ -10,7 +11,7 @@ namespace quadrel {
 /// A flat part of an EXR: of its channels (of the layer) R G B A as far as present without gaps,
 /// else X Y Z, with A where present, else Y or Y A, else the only channel whatever its name. The
 /// image is the display window; what the data window does not cover is 0. Throws InputError.
-Image read_exr_image(const std::string& file, const ImageSelection& selection,
+Image read_exr_image(const FileBytes& file, const ImageSelection& selection,
                      const std::string& key);
 
 /// A bitmap packed by runs (BMP, RLE8 or RLE4), or nothing if the file is none. Throws InputError.

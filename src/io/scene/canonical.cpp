@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "file/file_hash.hpp"
+#include "file/file_store.hpp"
 #include "io/document/keys.hpp"
 #include "io/scene/read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
@@ -11,8 +12,9 @@ namespace {
 
 using Sorted = nlohmann::json;
 
-// The hash of one file, or of the hashes of the files that together make a mesh.
-std::string content_hash(const std::vector<std::filesystem::path>& files) {
+// The hash of the hashes of the files that together make a mesh, or of its only one.
+std::string mesh_hash(const std::filesystem::path& mesh) {
+    const std::vector<std::filesystem::path> files = files_of_mesh(mesh);
     if (files.size() == 1) return "sha256:" + file_hash(files[0]);
     std::string hashes;
     for (const auto& file : files) hashes += file_hash(file) + "\n";
@@ -23,7 +25,8 @@ std::string content_hash(const std::vector<std::filesystem::path>& files) {
 // not depend on which channels a render asks for or on what the planner finds out.
 class Canonical {
   public:
-    explicit Canonical(const SceneDocument& document) : folder_(document.file.parent_path()) {}
+    Canonical(const SceneDocument& document, FileStore& images)
+        : folder_(document.file.parent_path()), images_(images) {}
 
     Sorted section(const Json& json, std::string_view name) {
         if (!json.is_object()) return plain(json);
@@ -54,7 +57,7 @@ class Canonical {
 
     Sorted hash_of(const Json& json, bool mesh) const {
         const std::filesystem::path file = folder_ / json.get<std::string>();
-        return content_hash(mesh ? files_of_mesh(file) : std::vector{file});
+        return mesh ? mesh_hash(file) : "sha256:" + images_.file_hash(file);
     }
 
     // 2 and 2.0 mean the same.
@@ -72,12 +75,13 @@ class Canonical {
     }
 
     std::filesystem::path folder_;
+    FileStore& images_;
 };
 
 }  // namespace
 
-std::string canonical_scene(const SceneDocument& document) {
-    return Canonical(document).section(document.root, "scene").dump();
+std::string canonical_scene(const SceneDocument& document, FileStore& images) {
+    return Canonical(document, images).section(document.root, "scene").dump();
 }
 
 }  // namespace quadrel

@@ -92,7 +92,7 @@ Scene load_scene(const std::filesystem::path& file_or_name,
     if (root.has("environment"))
         scene.environment = read_environment(root.get("environment"), scene.hardware);
     root.finish("a scene");
-    scene.canonical = canonical_scene(document);
+    scene.canonical = canonical_scene(document, scene.texture_cache->files());
     scene.hash = sha256_hex(scene.canonical);
     return scene;
 }

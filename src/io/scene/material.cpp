@@ -38,14 +38,19 @@ void read_stage(Fields& fields, const std::string& key, StageChoice& stage) {
     }
 }
 
+/// Squares of what is so deep, and sums of them, are still floats.
+constexpr Range depth_range{.low = 0, .high = 1e12};
+
 // A length in world units, or the thickness of the relief and the size of a tile, both in one unit.
 void read_depth(Fields& relief, Material& material) {
     if (!relief.has("depth") || !relief.get("depth").json().is_object())
-        return relief.read("depth", material.depth, not_negative);
+        return relief.read("depth", material.depth, depth_range);
     Fields fields(relief.get("depth"));
     const double thickness = fields.get("thickness").number(not_negative);
     const double tile = fields.get("tile").number(above_zero);
     fields.finish("a depth");
+    if (thickness / tile > depth_range.high)
+        relief.get("depth").reject("a thickness of at most 1e12 tiles");
     material.depth = static_cast<float>(thickness / tile);
     material.depth_in_tiles = true;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "file/file_store.hpp"
 #include "io/document/value.hpp"
 #include "quadrel/scene/scene.hpp"
 
@@ -38,7 +39,7 @@ glm::dmat4 read_matrix(const SceneValue& value);
 std::filesystem::path read_path(const SceneValue& value);
 
 /// Canonical JSON (sorted keys, whole numbers as integers) with every file path replaced by
-/// "sha256:" and the content's hash.
-std::string canonical_scene(const SceneDocument& document);
+/// "sha256:" and the content's hash; the bytes of images stay in `images`, to be decoded.
+std::string canonical_scene(const SceneDocument& document, FileStore& images);
 
 }  // namespace quadrel

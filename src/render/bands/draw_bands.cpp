@@ -50,12 +50,15 @@ class BandDrawing {
         const FilmTarget here = target(film.get(), cleared ? nullptr : &undrawn_);
         const std::vector<Tile> tiles =
             bin_triangles(prepared_.geometry, band.triangles, band.area, tile_);
-        tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
-            BandRenderer& local = renderers_.local();
-            local.target = here;
-            local.renderer.render(tiles[i]);
-            progress_.advance();
-        });
+        tbb::parallel_for(
+            std::size_t(0), tiles.size(),
+            [&](std::size_t i) {
+                BandRenderer& local = renderers_.local();
+                local.target = here;
+                local.renderer.render(tiles[i]);
+                progress_.advance();
+            },
+            tbb::simple_partitioner());
         return film;
     }
 

@@ -24,25 +24,47 @@ std::uint32_t masked_canonical(std::uint32_t bits) {
     return (bits & ~mask) | (canonical_nan & mask);
 }
 
+/// The mean of so many equal samples, added one after another.
+template <int Samples>
+float mean_of(float x) {
+    float sum = x;
+    for (int s = 1; s < Samples; ++s) sum += x;
+    return sum * (1.0f / Samples);
+}
+
+/// Calls f with mean_of<samples>: with a number that compilers know.
+template <class F>
+void with_mean(int samples, const F& f) {
+    switch (samples) {
+        case 1:
+            return f([](float x) { return x; });
+        case 2:
+            return f([](float x) { return mean_of<2>(x); });
+        case 4:
+            return f([](float x) { return mean_of<4>(x); });
+        case 8:
+            return f([](float x) { return mean_of<8>(x); });
+        default:
+            return f([](float x) { return mean_of<16>(x); });
+    }
+}
+
 }  // namespace
 
 void LaneBits::rows(int first, int quads, std::uint32_t* even, std::uint32_t* odd) const {
-    const std::uint32_t sign = sign_;
-    const auto real = [sign](auto x) {
-        return masked_canonical(std::bit_cast<std::uint32_t>(static_cast<float>(x)) ^ sign);
-    };
-    const auto resolved = [this, &real](auto x) { return real(mean(static_cast<float>(x))); };
     if (element_ == Element::integer)
-        write_rows(static_cast<const std::uint32_t*>(array_) + first, quads, even, odd,
-                   [](std::uint32_t x) { return x; });
-    else if (element_ == Element::single && samples_ > 1)
-        write_rows(static_cast<const float*>(array_) + first, quads, even, odd, resolved);
-    else if (samples_ > 1)
-        write_rows(static_cast<const double*>(array_) + first, quads, even, odd, resolved);
-    else if (element_ == Element::single)
-        write_rows(static_cast<const float*>(array_) + first, quads, even, odd, real);
-    else
-        write_rows(static_cast<const double*>(array_) + first, quads, even, odd, real);
+        return write_rows(static_cast<const std::uint32_t*>(array_) + first, quads, even, odd,
+                          [](std::uint32_t x) { return x; });
+    with_mean(samples_, [&, sign = sign_](const auto& mean) {
+        const auto real = [&](auto x) {
+            return masked_canonical(std::bit_cast<std::uint32_t>(mean(static_cast<float>(x))) ^
+                                    sign);
+        };
+        if (element_ == Element::single)
+            write_rows(static_cast<const float*>(array_) + first, quads, even, odd, real);
+        else
+            write_rows(static_cast<const double*>(array_) + first, quads, even, odd, real);
+    });
 }
 
 }  // namespace quadrel

@@ -69,10 +69,13 @@ void render_tiles(const PreparedRender& prepared, const RenderOptions& options, 
     TileProgress progress(options.progress, tiles.size());
     arena_of(options.threads).execute([&] {
         tbb::enumerable_thread_specific<TileRenderer> renderers(make);
-        tbb::parallel_for(std::size_t(0), tiles.size(), [&](std::size_t i) {
-            renderers.local().render(tiles[i]);
-            progress.advance();
-        });
+        tbb::parallel_for(
+            std::size_t(0), tiles.size(),
+            [&](std::size_t i) {
+                renderers.local().render(tiles[i]);
+                progress.advance();
+            },
+            tbb::simple_partitioner());
         if (record == nullptr) return;
         for (const TileRenderer& renderer : renderers) merge(*record, renderer.record());
     });

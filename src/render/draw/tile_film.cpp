@@ -43,6 +43,7 @@ void TileFilm::begin(const PixelRect& rect, bool covered) {
     if (sample_count_ == 1) return;
     const std::size_t pixels = std::size_t(rect.width()) * rect.height();
     states_.assign(pixels, State::untouched);
+    unwritten_ = pixels;
     samples_.resize(pixels * sample_count_);
 }
 
@@ -97,6 +98,7 @@ void TileFilm::collect_run(const QuadCoverage* quads, int first, int count) {
     pixels_ += 4 * static_cast<std::uint64_t>(count);
     for (int y = quad.y; sample_count_ > 1 && y < quad.y + 2; ++y)
         std::fill_n(states_.data() + tile_pixel(quad.x, y), 2 * count, State::written);
+    unwritten_ -= 4 * static_cast<std::size_t>(count);
 }
 
 void TileFilm::collect_fragments(const QuadCoverage& quad, int q, const TileBuffer& tile) {
@@ -218,7 +220,7 @@ std::uint32_t TileFilm::resolved_bits(const ChannelSource& source, const ColorSa
 }
 
 void TileFilm::end() {
-    if (sample_count_ == 1) return;
+    if (sample_count_ == 1 || unwritten_ == 0) return;
     const std::vector<ColorSample> nothing(static_cast<std::size_t>(sample_count_), background_);
     const ColorSample background = resolve(nothing);
     for (int y = held_.y0; y < held_.y1; ++y)

@@ -104,6 +104,7 @@ class TileFilm {
     std::vector<Run> runs_;
     std::vector<Fragment> fragments_;
     std::vector<State> states_;         ///< [pixel], multisampling only
+    std::size_t unwritten_ = 0;         ///< likewise: pixels in no run
     std::vector<ColorSample> samples_;  ///< [pixel][sample], likewise; of sampled pixels
 };
 

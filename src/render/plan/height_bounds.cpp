@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
-#include <mutex>
 
 #include "quadrel/texture/filter.hpp"
 
@@ -36,7 +34,7 @@ void add_level(const TextureView& view, int level, Range& range) {
 
 }  // namespace
 
-std::optional<HeightRange> height_range(const SampledTexture& map) {
+std::optional<ValueRange> height_range(const SampledTexture& map) {
     if (map.view.faces != 1) return std::nullopt;
     const int levels = map.sampler.mip == MipFilter::none ? 1 : map.view.levels;
     Range range;
@@ -46,26 +44,21 @@ std::optional<HeightRange> height_range(const SampledTexture& map) {
         return std::isfinite(low) && std::isfinite(high);
     };
     if (!range.known || !finite(range.low, range.high)) return std::nullopt;
-    if (range.low == range.high) return HeightRange{range.low, range.high};
+    if (range.low == range.high) return ValueRange{range.low, range.high};
     // a + t (b - a) is off by at most 5 units of 2^-24 of the largest magnitude, and there are
     // three of them: x, y, level.
     const float margin = std::max(std::fabs(range.low), std::fabs(range.high)) * 0x1p-20f;
-    const HeightRange bounds{range.low - margin, range.high + margin};
+    const ValueRange bounds{range.low - margin, range.high + margin};
     if (!finite(bounds.low, bounds.high)) return std::nullopt;
     return bounds;
 }
 
-std::optional<HeightRange> height_range(const SampledTexture& map, const std::string& id) {
-    constexpr std::size_t most = 10000;
-    static std::mutex mutex;
-    static std::map<std::string, std::optional<HeightRange>> known;
-    const std::string key =
-        fmt::format("{} {} {:a} {}", id, map.sampler.mip == MipFilter::none,
+std::optional<ValueRange> height_range(const SampledTexture& map, const std::string& id,
+                                       TextureCache& cache) {
+    const std::string name =
+        fmt::format("heights {} {} {:a} {}", id, map.sampler.mip == MipFilter::none,
                     has_border(map.sampler) ? map.sampler.border[0] : 0, has_border(map.sampler));
-    const std::lock_guard lock(mutex);
-    if (const auto found = known.find(key); found != known.end()) return found->second;
-    if (known.size() >= most) known.clear();
-    return known[key] = height_range(map);
+    return cache.range(name, [&] { return height_range(map); });
 }
 
 }  // namespace quadrel

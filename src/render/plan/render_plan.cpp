@@ -41,14 +41,18 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
                          "a texture: the material's relief stages read heights");
 }
 
+constexpr auto height_slot = static_cast<std::size_t>(TextureSlot::height);
+
 /// Tells the stages what the height map can give anywhere.
-void bound_heights(RenderPlan& plan, std::size_t material) {
-    constexpr auto slot = static_cast<std::size_t>(TextureSlot::height);
-    const MaterialTextures& textures = plan.textures[material];
-    const SampledTexture* map = textures.bound(static_cast<int>(slot));
-    const auto range = map ? height_range(*map, textures.owned[slot]->id()) : std::nullopt;
+void bound_heights(RenderPlan& plan, std::size_t material, const SampledTexture& map,
+                   TextureCache& cache) {
+    const auto& stages = plan.materials[material].stages;
+    if (std::none_of(stages.begin(), stages.end(),
+                     [](const PlannedStage& stage) { return stage.info->uses_height_bounds; }))
+        return;
+    const auto range = height_range(map, plan.textures[material].owned[height_slot]->id(), cache);
+    if (!range) return;
     MaterialUniforms& uniforms = plan.uniforms[material];
-    if (!range || uniforms.noise_octaves > 0) return;
     uniforms.heights_bounded = 1;
     uniforms.height_low = range->low;
     uniforms.height_high = range->high;
@@ -67,21 +71,27 @@ bool pays_off(const MaterialPlan& plan, const TextureView& map, std::int64_t pix
 }
 
 /// Tells the stages what parts of the height map can give at most.
-void bound_parts(RenderPlan& plan, std::size_t material, TextureCache& cache, std::int64_t pixels) {
-    constexpr int slot = static_cast<int>(TextureSlot::height);
-    const SampledTexture* map = plan.textures[material].bound(slot);
+void bound_parts(RenderPlan& plan, std::size_t material, const SampledTexture& map,
+                 TextureCache& cache, std::int64_t pixels) {
     MaterialUniforms& uniforms = plan.uniforms[material];
     const bool flat = uniforms.heights_bounded != 0 && uniforms.height_low == uniforms.height_high;
-    if (!map || flat || uniforms.noise_octaves > 0) return;
-    if (!pays_off(plan.materials[material], map->view, pixels)) return;
-    const auto maxima = height_maxima(*plan.textures[material].owned[slot], map->sampler);
+    if (flat || !pays_off(plan.materials[material], map.view, pixels)) return;
+    const auto maxima = height_maxima(*plan.textures[material].owned[height_slot], map.sampler);
     if (!maxima) return;
     for (const auto& texture : maxima->textures) cache.keep(texture->id(), texture);
     plan.maxima[material] = maxima;
     uniforms.maxima = &maxima->maxima;
 }
 
-bool reads_bounds(const PlannedStage& stage) { return stage.info->uses_height_bounds; }
+/// Tells the stages that leave out steps what they do so by.
+void bound_material(RenderPlan& plan, std::size_t material, TextureCache& cache,
+                    std::int64_t pixels) {
+    const SampledTexture* map = plan.textures[material].bound(static_cast<int>(height_slot));
+    if (!map || plan.uniforms[material].noise_octaves > 0) return;
+    if (!may_leave_out_steps(plan.materials[material])) return;
+    bound_heights(plan, material, *map, cache);
+    bound_parts(plan, material, *map, cache, pixels);
+}
 
 }  // namespace
 
@@ -145,13 +155,8 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
         if (used[m]) slots[m] = plan.materials[m].textures | plan.discard[m].textures;
     plan.textures = load_textures(scene, slots, plan.texels_read, *scene.texture_cache, baking);
     plan.maxima.resize(scene.materials.size());
-    for (std::size_t m = 0; m < slots.size(); ++m) {
-        const MaterialPlan& material = plan.materials[m];
-        if (!used[m] || !may_leave_out_steps(material)) continue;
-        if (std::any_of(material.stages.begin(), material.stages.end(), reads_bounds))
-            bound_heights(plan, m);
-        bound_parts(plan, m, *scene.texture_cache, pixels);
-    }
+    for (std::size_t m = 0; m < slots.size(); ++m)
+        if (used[m]) bound_material(plan, m, *scene.texture_cache, pixels);
 }
 
 RenderPlan plan_with_steps(const RenderPlan& plan) {

@@ -1,27 +1,12 @@
 #include "render/plan/texels_read.hpp"
 
 #include <algorithm>
-#include <span>
-#include <string_view>
+#include <string>
 
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel {
 namespace {
-
-/// These read the height map's own texels, or the patches between them, and nothing else of it.
-constexpr std::string_view height_level_0[] = {
-    "texel-exact",    "max-mip",         "cone-cell",     "rmq-leap",        "qdm",
-    "oracle",         "oracle-bilinear", "oracle-block",  "oracle-tri-main", "oracle-tri-anti",
-    "oracle-tri-min", "shadow-exact",    "shadow-oracle", "ao-oracle",       "h2n-patch"};
-
-/// These take the exponent from the gloss map, and nothing else.
-constexpr std::string_view gloss_exponent[] = {"shade-phong", "shade-blinn-phong",
-                                               "shade-cook-torrance"};
-
-bool has(std::span<const std::string_view> ids, const PlannedStage& stage) {
-    return std::find(ids.begin(), ids.end(), stage.info->text.id) != ids.end();
-}
 
 bool reads(const PlannedStage& stage, TextureSlot slot) {
     const auto& slots = stage.info->textures;
@@ -48,7 +33,7 @@ class Readers {
 bool reads_finest_level(const TextureReference& texture, TextureSlot slot, const Readers& readers) {
     const bool no_mips = texture.sampler.mip == MipFilter::none;
     return readers.all(slot, [&](const PlannedStage& stage) {
-        return (slot == TextureSlot::height && has(height_level_0, stage)) ||
+        return (slot == TextureSlot::height && stage.info->reads_finest_heights_only) ||
                (no_mips && !is_added(stage.info->text.id));
     });
 }
@@ -56,7 +41,8 @@ bool reads_finest_level(const TextureReference& texture, TextureSlot slot, const
 bool reads_first_channel(const TextureReference& texture, TextureSlot slot,
                          const Readers& readers) {
     return slot == TextureSlot::gloss && texture.swizzle.empty() &&
-           readers.all(slot, [](const PlannedStage& stage) { return has(gloss_exponent, stage); });
+           readers.all(
+               slot, [](const PlannedStage& stage) { return stage.info->reads_first_gloss_only; });
 }
 
 }  // namespace

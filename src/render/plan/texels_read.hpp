@@ -9,9 +9,9 @@ namespace quadrel {
 /// they like, are in neither set.
 struct TexelsRead {
     /// No planned stage can read a coarser level, whatever is drawn: the sampler takes none, or
-    /// only stages read the map that are known to read texels of level 0.
+    /// only stages read the map that say that they read texels of level 0.
     SlotSet finest_level;
-    /// Only stages read the map that are known to read its first channel alone, and the scene has
+    /// Only stages read the map that say that they read its first channel alone, and the scene has
     /// not said which channels it shall have.
     SlotSet first_channel;
 };

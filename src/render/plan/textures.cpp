@@ -1,12 +1,15 @@
 #include "render/plan/textures.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <string>
 
+#include "file/file_store.hpp"
 #include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/error.hpp"
+#include "text/first_error.hpp"
 #include "text/shell_word.hpp"
 #include "texture/swizzle.hpp"
 #include "texture/texel_format.hpp"
@@ -98,17 +101,25 @@ std::vector<std::shared_ptr<const Texture>> load_all(const std::vector<Need>& ne
     return cache.load(requests);
 }
 
-void load_environment(const Scene& scene, TextureCache& cache, MaterialTextures& out) {
-    if (!scene.environment) return;
-    const Environment& environment = *scene.environment;
+/// For the materials that reflect it.
+void load_environment(const Scene& scene, const std::vector<SlotSet>& slots, TextureCache& cache,
+                      std::vector<MaterialTextures>& textures) {
     constexpr auto slot = static_cast<std::size_t>(TextureSlot::environment);
+    const bool any =
+        std::any_of(slots.begin(), slots.end(), [](const SlotSet& needed) { return needed[slot]; });
+    if (!scene.environment || !any) return;
+    const Environment& environment = *scene.environment;
     TextureOptions options;
     options.srgb = environment.srgb;
     options.format = environment.format;
     options.mip_rule = environment.mip_rule;
     options.key = environment.key;
-    out.owned[slot] = cache.load_cube(environment.faces, options, environment.selections);
-    out.sampled[slot] = {out.owned[slot]->view(), environment.sampler};
+    const auto cube = cache.load_cube(environment.faces, options, environment.selections);
+    for (std::size_t m = 0; m < slots.size(); ++m)
+        if (slots[m][slot]) {
+            textures[m].owned[slot] = cube;
+            textures[m].sampled[slot] = {cube->view(), environment.sampler};
+        }
 }
 
 /// The height map as arguments of `quadrel bake`.
@@ -166,8 +177,14 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
                                             const std::vector<TexelsRead>& read,
                                             TextureCache& cache, const BakingListener& baking) {
     const std::vector<Need> needs = all_needs(scene, slots, read);
-    const auto loaded = load_all(needs, cache);
+    std::vector<std::shared_ptr<const Texture>> loaded;
     std::vector<MaterialTextures> textures(slots.size());
+    FirstError error;
+    tbb::parallel_invoke(
+        [&] { error.run(0, [&] { loaded = load_all(needs, cache); }); },
+        [&] { error.run(1, [&] { load_environment(scene, slots, cache, textures); }); });
+    error.rethrow();
+    cache.files().forget();
     for (std::size_t n = 0; n < needs.size(); ++n) {
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
@@ -177,9 +194,6 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
                            : loaded[n];
         out.sampled[i] = {out.owned[i]->view(), need.reference.sampler};
     }
-    for (std::size_t m = 0; m < slots.size(); ++m)
-        if (slots[m][static_cast<std::size_t>(TextureSlot::environment)])
-            load_environment(scene, cache, textures[m]);
     return textures;
 }
 

@@ -32,6 +32,8 @@ StageInfo describe(const StageRow& row) {
             .uses_height_bounds = row.uses_height_bounds != 0,
             .needs_height_map = row.needs_height_map != 0,
             .reads_vertices = row.reads_vertices != 0,
+            .reads_finest_heights_only = row.reads_finest_heights_only != 0,
+            .reads_first_gloss_only = row.reads_first_gloss_only != 0,
             .lattice_steps = row.lattice_steps,
             .not_reproduced = row.not_reproduced,
             .set_defaults = row.set_defaults};

@@ -212,7 +212,7 @@ TEST_F(LoadScene, TypesAndRanges) {
     EXPECT_TRUE(refuses(R"("background": [1, 2, 1e39])", {"background[2]", "1e+39", "float32"}));
     EXPECT_TRUE(refuses(R"("hardware": "d3d12")", {"hardware", "d3d12", "\"d3d\""}));
     EXPECT_TRUE(refuses(R"("material": {"relief": {"depth": -1}})",
-                        {"material.relief.depth", "-1", ">= 0"}));
+                        {"material.relief.depth", "-1", "[0, "}));
     EXPECT_TRUE(refuses(R"("material": {"relief": {"seat": 1.5}})",
                         {"material.relief.seat", "1.5", "[0, 1]"}));
     EXPECT_TRUE(

@@ -22,6 +22,7 @@ struct AoOracle : StageDefaults {
     static constexpr auto outputs = values(Value::occlusion, Value::occlusion_error);
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     struct Params {
         std::int32_t samples = 64;

@@ -22,6 +22,7 @@ struct ShadowExact : StageDefaults {
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -19,6 +19,7 @@ struct ShadowOracle : StageDefaults {
     static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     struct Params {
         std::int32_t surface = 0;

@@ -15,6 +15,7 @@ struct H2nPatch : NormalFromHeights {
     static constexpr StageText text{"h2n-patch", "surface", "exact normal of the height field",
                                     "gradient of the bilinear interpolant"};
     static constexpr auto inputs = relief_normal_inputs;
+    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

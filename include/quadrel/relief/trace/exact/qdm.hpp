@@ -21,6 +21,7 @@ struct Qdm : StageDefaults {
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::texel_max);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
     struct Params {
         std::int32_t ascent = 1;
     };

@@ -71,6 +71,7 @@ struct RmqLeap : StageDefaults {
     static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::rmq);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -18,6 +18,7 @@ struct TexelExact : HeightSearch {
                                     "after Amanatides and Woo 1987; Ramsey et al. 2004"};
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

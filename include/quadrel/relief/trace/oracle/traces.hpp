@@ -20,6 +20,7 @@ struct OracleTrace : StageDefaults {
         Value::certified, Value::certified_reason);
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
     static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const NoParams&) const {
