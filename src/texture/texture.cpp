@@ -1,5 +1,7 @@
 #include "quadrel/texture/texture.hpp"
 
+#include <sys/mman.h>
+
 #include <cstring>
 #include <new>
 #include <utility>
@@ -10,7 +12,20 @@ namespace quadrel {
 
 namespace {
 
-constexpr std::align_val_t alignment{64};
+constexpr std::size_t alignment = 64, huge_page = std::size_t{2} << 20;
+
+/// Of the texels of a whole texture, that of huge pages where it has some.
+std::align_val_t alignment_of(std::size_t bytes) {
+    return std::align_val_t{bytes < huge_page ? alignment : huge_page};
+}
+
+/// Look-ups all over a large map miss the processor's table of pages, and filling it takes a fault
+/// a page. A wish: where the system does not grant it, nothing is lost.
+void ask_for_huge_pages([[maybe_unused]] void* texels, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    if (bytes >= huge_page) madvise(texels, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
+}
 
 std::size_t total_floats(const TextureView& view) {
     const int last = view.levels - 1;
@@ -21,13 +36,16 @@ std::size_t total_floats(const TextureView& view) {
 
 }  // namespace
 
-void Texture::Free::operator()(float* texels) const { ::operator delete[](texels, alignment); }
+void Texture::Free::operator()(float* texels) const {
+    ::operator delete[](texels, alignment_of(bytes));
+}
 
 Texture::Texture(const TextureView& layout, TexelFormat format, std::string id)
     : view_(layout), format_(format), id_(std::move(id)) {
-    const std::size_t floats = total_floats(layout);
-    texels_.reset(static_cast<float*>(::operator new[](floats * sizeof(float), alignment)));
-    std::memset(texels_.get(), 0, floats * sizeof(float));
+    const std::size_t bytes = total_floats(layout) * sizeof(float);
+    texels_ = {static_cast<float*>(::operator new[](bytes, alignment_of(bytes))), Free{bytes}};
+    ask_for_huge_pages(texels_.get(), bytes);
+    std::memset(texels_.get(), 0, bytes);
     view_.texels = texels_.get();
 }
 
