@@ -83,12 +83,11 @@ std::string height_id(const Texture& height) {
     return hash.hex();
 }
 
-std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
-                     const BakeOptions& options) {
+std::string baked_id_of(const std::string& heights, BakeKind kind, const SamplerState& sampler,
+                        const BakeOptions& options) {
     const BakeKindRow& row = bake_row(kind);
-    std::string text =
-        fmt::format("{} {} {} {} {}", height_id(height), row.info.name, row.info.version,
-                    wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
+    std::string text = fmt::format("{} {} {} {} {}", heights, row.info.name, row.info.version,
+                                   wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
     if (has_border(sampler)) text += fmt::format(" border={:a}", sampler.border[0]);
     for (const auto& [name, value] : complete_parameters(row.info, options)) {
         text += fmt::format(" {}={:a}", name, value);
@@ -96,11 +95,15 @@ std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& s
     return sha256_hex(text);
 }
 
-std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
-                                    const SamplerState& sampler, const BakeOptions& options) {
+std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
+                     const BakeOptions& options) {
+    return baked_id_of(height_id(height), kind, sampler, options);
+}
+
+std::shared_ptr<const Texture> bake_as(const std::string& id, const Texture& height, BakeKind kind,
+                                       const SamplerState& sampler, const BakeOptions& options) {
     const BakeKindRow& row = bake_row(kind);
     const auto parameters = complete_parameters(row.info, options);
-    const std::string id = baked_id(height, kind, sampler, options);
     require_size(height, sampler);
     const HeightPlane plane(height, sampler);
     if (row.heights == Heights::finite) require_finite(plane, row.info);
@@ -111,6 +114,11 @@ std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
     arena_of(options.threads).execute([&] { map = row.generate(job); });
     progress.finish();
     return map;
+}
+
+std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
+                                    const SamplerState& sampler, const BakeOptions& options) {
+    return bake_as(baked_id(height, kind, sampler, options), height, kind, sampler, options);
 }
 
 }  // namespace quadrel

@@ -2,6 +2,7 @@
 // generators see one kind of plane, periodic or not an axis, whatever the mode.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "quadrel/relief/cells.hpp"
@@ -10,7 +11,10 @@
 namespace quadrel {
 
 struct HeightPlane {
+    /// `height` must outlive it: texels that lie as the plane's do are not copied.
     HeightPlane(const Texture& height, const SamplerState& sampler);
+    HeightPlane(const HeightPlane&) = delete;
+    HeightPlane& operator=(const HeightPlane&) = delete;
 
     /// Stored index of any texel index of one axis; most are stored themselves.
     static int wrap(int i, const GridAxis& axis) {
@@ -25,12 +29,19 @@ struct HeightPlane {
     }
     /// By stored indices.
     float at(int i, int j) const { return heights[static_cast<std::size_t>(j) * grid.u.count + i]; }
+    /// Where texel (i, j) of the plane is stored.
+    std::size_t index(int i, int j) const {
+        return static_cast<std::size_t>(wrap(j, grid.v)) * grid.u.count + wrap(i, grid.u);
+    }
     /// By texel indices anywhere in the plane; (0, 0) is the texture's first texel.
-    float texel(int i, int j) const { return at(wrap(i, grid.u), wrap(j, grid.v)); }
+    float texel(int i, int j) const { return heights[index(i, j)]; }
 
     int width, height;  ///< of the texture
     Grid grid;
-    std::vector<float> heights;  ///< grid.u.count * grid.v.count, row by row
+    std::span<const float> heights;  ///< grid.u.count * grid.v.count, row by row
+
+  private:
+    std::vector<float> wrapped_;  ///< what they are where the texture's texels do not serve
 };
 
 }  // namespace quadrel

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
 #include "text/suggest.hpp"
@@ -37,6 +38,10 @@ BakeKind bake_kind_from_name(std::string_view name) {
 
 double bake_seconds_estimate(BakeKind kind, int width, int height) {
     return bake_row(kind).seconds(static_cast<double>(width) * height);
+}
+
+bool is_quick_to_bake(BakeKind kind) {
+    return kind == BakeKind::max_mip || kind == BakeKind::min_max || kind == BakeKind::texel_max;
 }
 
 }  // namespace quadrel

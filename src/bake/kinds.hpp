@@ -25,4 +25,11 @@ const BakeKindRow& bake_row(BakeKind kind);
 std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
                                                   const BakeOptions& options);
 
+/// baked_id() of heights with that name.
+std::string baked_id_of(const std::string& heights, BakeKind kind, const SamplerState& sampler,
+                        const BakeOptions& options);
+/// bake() of a map that is to have that id.
+std::shared_ptr<const Texture> bake_as(const std::string& id, const Texture& height, BakeKind kind,
+                                       const SamplerState& sampler, const BakeOptions& options);
+
 }  // namespace quadrel

@@ -1,5 +1,7 @@
 #include "quadrel/texture/texture.hpp"
 
+#include <sys/mman.h>
+
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -12,18 +14,29 @@ namespace quadrel {
 
 namespace {
 
-constexpr std::size_t alignment = 64;
+constexpr std::size_t cache_line = 64, huge_page = std::size_t{2} << 20;
+
+/// Look-ups all over a large map miss the processor's table of pages, and filling it takes a fault
+/// a page. A wish: where the system does not grant it, nothing is lost.
+void ask_for_huge_pages([[maybe_unused]] void* texels, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    if (bytes >= huge_page) madvise(texels, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
+}
 
 /// Zeros, behind a pointer to what was allocated. Large blocks come from the system as zeros, page
 /// by page as they are first written, which may be in many threads.
 float* allocate_zeros(std::size_t floats) {
-    void* const block = std::calloc(floats * sizeof(float) + sizeof(void*) + alignment, 1);
+    const std::size_t bytes = floats * sizeof(float);
+    const std::size_t alignment = bytes < huge_page ? cache_line : huge_page;
+    void* const block = std::calloc(bytes + sizeof(void*) + alignment, 1);
     if (block == nullptr) throw std::bad_alloc();
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(block) + sizeof(void*);
     auto* const texels =
         reinterpret_cast<char*>(block) +
         ((first + alignment - 1) / alignment * alignment - reinterpret_cast<std::uintptr_t>(block));
     std::memcpy(texels - sizeof(void*), &block, sizeof(void*));
+    ask_for_huge_pages(texels, bytes);
     return reinterpret_cast<float*>(texels);
 }
 

@@ -1,5 +1,7 @@
 // Pyramids of bounds: sound, tight, and as large as they say.
+#include <bit>
 #include <limits>
+#include <random>
 
 #include "bake/support.hpp"
 #include "quadrel/relief/cells.hpp"
@@ -68,7 +70,7 @@ using GridOf = Grid (*)(int, int, const SamplerState&);
 
 testing::AssertionResult is_pyramid(const Baker& baked, GridOf grid_of, const BoundsOf& bounds) {
     std::uint32_t seed = 0;
-    for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {5, 3}, {1, 6}, {9, 4}}) {
+    for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {5, 3}, {1, 6}, {9, 4}, {2, 35}}) {
         const Texels field = random_field(width, height, ++seed);
         for (const SamplerState& sampler : all_samplers()) {
             const auto result = bounds_its_cells(*baked(*field, sampler), *field, sampler,
@@ -160,6 +162,47 @@ TEST(Pyramid, NanPoisonsTheNodesAbove) {
         const int top = map->view().levels - 1;
         return with_value(*map, top, 0, 0, 0, 0, [](float) { return 0.5f; });
     })) << static_cast<int>(Planted::nan_ignored);
+}
+
+/// What a node is by definition, bit for bit: that of its lower row's pair, then of its upper's.
+std::uint32_t node_bits(const Texture& finer, int x, int y, bool by_columns) {
+    const TextureView& view = finer.view();
+    const auto at = [&](int i, int j) {
+        return texel_of(finer, 0, 0, i % view.width[0], j % view.height[0], 0);
+    };
+    const auto most = [](float a, float b) { return b > a || b != b ? b : a; };
+    const float node =
+        by_columns ? most(most(at(x, y), at(x, y + 1)), most(at(x + 1, y), at(x + 1, y + 1)))
+                   : most(most(at(x, y), at(x + 1, y)), most(at(x, y + 1), at(x + 1, y + 1)));
+    return std::bit_cast<std::uint32_t>(node != node ? std::numeric_limits<float>::quiet_NaN()
+                                                     : node);
+}
+
+testing::AssertionResult has_the_bits(bool by_columns) {
+    constexpr float special[] = {0.0f,
+                                 -0.0f,
+                                 std::numeric_limits<float>::quiet_NaN(),
+                                 std::numeric_limits<float>::infinity(),
+                                 -1.0f,
+                                 0.5f};
+    std::mt19937 random(8);
+    const Texels field = make_field(37, 21, [&](int, int) { return special[random() % 6]; });
+    const Texels map = bake(*field, BakeKind::max_mip, sampler_with(Wrap::repeat, Wrap::repeat));
+    for (int y = 0; y < 21; ++y)
+        for (int x = 0; x < 37; ++x) {
+            const float node = texel_of(*map, 0, 0, x, y, 0);
+            const auto bits = std::bit_cast<std::uint32_t>(
+                node != node ? std::numeric_limits<float>::quiet_NaN() : node);
+            if (bits != node_bits(*field, x, y, by_columns))
+                return testing::AssertionFailure() << "cell " << x << ", " << y;
+        }
+    return testing::AssertionSuccess();
+}
+
+/// Which zero a node has, and that it has no number, follows from the order of its texels.
+TEST(Pyramid, NodesHaveTheBitsOfTheirDefinition) {
+    EXPECT_TRUE(has_the_bits(false));
+    EXPECT_FALSE(has_the_bits(true));
 }
 
 }  // namespace

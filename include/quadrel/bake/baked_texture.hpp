@@ -13,7 +13,10 @@ namespace quadrel {
 struct BakedTextureOptions : BakeOptions {
     BakedTextureOptions() { seconds_limit = 20; }
 
-    bool disk = true;        ///< read and write the disk cache
+    bool disk = true;  ///< read and write the disk cache
+    /// For this process alone: no disk cache, and the map's id is made of the height map's, not of
+    /// its texels, of which a hash takes as long as a pyramid.
+    bool in_memory = false;
     bool must_keep = false;  ///< a map that the disk cache cannot keep is an OutputError
     /// Told why the disk cache, being asked for and not switched off, does not keep the map.
     std::function<void(const std::string& reason)> not_kept;
@@ -22,8 +25,11 @@ struct BakedTextureOptions : BakeOptions {
     std::string input = "HEIGHTMAP", key;
 };
 
-/// The map that bake() gives for the same arguments. While someone holds it, memory has it once.
-/// May be called from several threads; one bakes at a time.
+/// Whether a map of the kind is made in less time than it takes to read it again: a pyramid.
+bool is_quick_to_bake(BakeKind kind);
+
+/// The map that bake() gives for the same arguments (under another id if `in_memory`). While
+/// someone holds it, memory has it once. May be called from several threads; one bakes at a time.
 /// Throws as bake() does, but for BakeStopped: a map that is in no cache and takes longer than
 /// seconds_limit is an InputError that names the command that bakes it; at once where even easy
 /// heights of this size would take several times that long. UsageError if QUADREL_CACHE_MIB is not

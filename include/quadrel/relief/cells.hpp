@@ -22,7 +22,7 @@ struct Grid {
 };
 
 /// The dual cells that `texels` texels have under a wrap mode.
-inline GridAxis cell_axis(std::int32_t texels, Wrap wrap) {
+[[gnu::always_inline]] inline GridAxis cell_axis(std::int32_t texels, Wrap wrap) {
     switch (wrap) {
         case Wrap::repeat:
             return {0, texels, true};
@@ -138,14 +138,24 @@ CellHeights<F> cell_heights(const SampledTexture& texture, const Grid& cells, In
     const SamplerState& sampler = texture.sampler;
     const auto x = cell_texels<F>(i, cells.u, view.width[0], sampler.wrap_u);
     const auto y = cell_texels<F>(j, cells.v, view.height[0], sampler.wrap_v);
-    const auto height = [&](Int<F> column, Int<F> row, Mask<F> inside) {
-        const F h = first_channel<F>(view, column, row);
-        return has_border(sampler) ? select(inside, h, F(sampler.border[0])) : h;
+    // Two neighbours in memory come by one look-up.
+    const bool adjacent = view.channels == 1 && all(x.second == x.first + Int<F>(1));
+    const auto row = [&](Int<F> number, Mask<F> inside) {
+        F pair[2];
+        if (adjacent) {
+            gather2<F>(view.texels + view.offset[0], number * Int<F>(view.width[0]) + x.first,
+                       pair);
+        } else {
+            pair[0] = first_channel<F>(view, x.first, number);
+            pair[1] = first_channel<F>(view, x.second, number);
+        }
+        if (!has_border(sampler)) return vec2<F>(pair[0], pair[1]);
+        const F border(sampler.border[0]);
+        return vec2<F>(select(x.first_inside & inside, pair[0], border),
+                       select(x.second_inside & inside, pair[1], border));
     };
-    return {height(x.first, y.first, x.first_inside & y.first_inside),
-            height(x.second, y.first, x.second_inside & y.first_inside),
-            height(x.first, y.second, x.first_inside & y.second_inside),
-            height(x.second, y.second, x.second_inside & y.second_inside)};
+    const vec2<F> low = row(y.first, y.first_inside), high = row(y.second, y.second_inside);
+    return {low.x, low.y, high.x, high.y};
 }
 
 /// Both channels of a texel of level 0 of a map of two.

@@ -27,7 +27,7 @@ struct TextureOptions {
     std::string key;      ///< where the scene names it, for messages
 };
 
-/// A decoded mip chain, 64-byte aligned, immutable.
+/// A decoded mip chain, at least 64-byte aligned, immutable.
 class Texture {
   public:
     /// Zeroed texels for a chain whose sizes and offsets are `layout` (its pointer is ignored).

@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 
+#include "bake/kinds.hpp"
 #include "bake/store/disk_cache.hpp"
 #include "bake/wrap_names.hpp"
 #include "quadrel/error.hpp"
@@ -49,12 +50,12 @@ void refuse_hopeless(const Texture& height, BakeKind kind, const SamplerState& s
                fmt::format("takes {:.0f} minutes at least", std::ceil(easy / 60)));
 }
 
-std::shared_ptr<const Texture> bake_in_time(const Texture& height, BakeKind kind,
-                                            const SamplerState& sampler,
+std::shared_ptr<const Texture> bake_in_time(const std::string& id, const Texture& height,
+                                            BakeKind kind, const SamplerState& sampler,
                                             const BakedTextureOptions& options) {
     refuse_hopeless(height, kind, sampler, options);
     try {
-        return bake(height, kind, sampler, options);
+        return bake_as(id, height, kind, sampler, options);
     } catch (const BakeStopped& stopped) {
         refuse(height, kind, sampler, options,
                fmt::format("takes more than {:g} s ({:.0f} % were done)", options.seconds_limit,
@@ -69,7 +70,7 @@ struct Cache {
 };
 
 Cache open_cache(const BakedTextureOptions& options) {
-    if (!options.disk) return {};
+    if (!options.disk || options.in_memory) return {};
     const std::optional<DiskCache> cache = DiskCache::of_user();
     if (cache) return {cache, ""};
     return {std::nullopt,
@@ -92,7 +93,7 @@ std::shared_ptr<const Texture> load_or_bake(const std::string& id, const Texture
     }
     const bool usable = cache.disk && cache.problem.empty();
     if (options.must_keep && !usable) require_kept(cache, cache.problem);
-    auto map = bake_in_time(height, kind, sampler, options);
+    auto map = bake_in_time(id, height, kind, sampler, options);
     if (usable) cache.problem = cache.disk->store(*map).value_or("");
     if (cache.problem.empty()) return map;
     if (options.must_keep) require_kept(cache, cache.problem);
@@ -107,7 +108,8 @@ std::shared_ptr<const Texture> baked_texture(const Texture& height, BakeKind kin
                                              const BakedTextureOptions& options) {
     static std::mutex mutex;
     static std::map<std::string, std::weak_ptr<const Texture>> maps;
-    const std::string id = baked_id(height, kind, sampler, options);
+    const std::string id =
+        baked_id_of(options.in_memory ? height.id() : height_id(height), kind, sampler, options);
     const std::lock_guard lock(mutex);
     if (auto found = maps[id].lock()) return found;
     auto map = load_or_bake(id, height, kind, sampler, options);

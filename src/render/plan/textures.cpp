@@ -150,6 +150,7 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
                                          const BakingListener& baking) {
     const std::string_view kind = slot_name(need.slot);
     BakedTextureOptions options;
+    options.in_memory = is_quick_to_bake(bake_kind_from_name(kind));
     options.input = bake_arguments(need.reference);
     options.key = need.reference.key;
     options.not_kept = baking.not_kept;

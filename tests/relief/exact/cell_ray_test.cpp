@@ -111,6 +111,27 @@ TEST(CellRay, ForwardAxesFindTheSameCells) {
     EXPECT_FALSE((forward_cells_are_a_walks<NoBorders<double>, double>()));
 }
 
+/// `convert` on whole numbers as far as positions go, and a little further.
+template <class Convert>
+bool converts_whole_numbers(const Convert& convert) {
+    Random random(13);
+    for (int k = 0; k < 2000; ++k) {
+        const int n = k < 20 ? k - 10 : random.below(0x7ffffe) - 0x3fffff;
+        if (convert(static_cast<float>(n)) != n) return false;
+    }
+    return true;
+}
+
+TEST(CellRay, WholeNumbersAreConverted) {
+    EXPECT_TRUE(converts_whole_numbers([](float x) { return whole_number<float>(x); }));
+    EXPECT_TRUE(converts_whole_numbers([](float x) { return whole_number<double>(x); }));
+    EXPECT_TRUE(converts_whole_numbers(
+        [](float x) { return whole_number(Quad<float>(0, x, 1, 2)).lane[1]; }));
+    // Of numbers above 0 alone.
+    EXPECT_FALSE(
+        converts_whole_numbers([](float x) { return quadrel::as_int(x + 0x1p23f) - 0x4b000000; }));
+}
+
 /// Far from borders no division is made: what locate is quick by.
 TEST(CellRay, MostPositionsAreBetweenBorders) {
     Random random(12);

@@ -165,6 +165,23 @@ TEST(QuickPyramid, PlantedErrorsAreCaught) {
     EXPECT_FALSE(passes(run_stage<QuickMaxMip<PowerOfTwoAxis, PyramidLevels, Impatient>, F>));
 }
 
+/// Where no one asks for flags, grazes are not told, and nothing else differs.
+TEST(QuickPyramid, FlagsThatNoOneAsksForChangeNothing) {
+    Random random(6);
+    const ExactMaps maps = varied_maps(random, stress_maps().front(), Sizes::any, true);
+    Batch<float> rays(64);
+    fill_stress_rays(rays, maps.height, random);
+    maps.bind(rays);
+    Batch<float> silent = rays;
+    silent.want(Value::hit_flags, false);
+    rays.run("max-mip");
+    silent.run("max-mip");
+    constexpr auto others = values(Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth,
+                                   Value::hit_status, Value::hit_steps);
+    EXPECT_TRUE(same_bits<float>(rays, silent, others));
+    EXPECT_FALSE(same_bits<float>(rays, silent, values(Value::hit_flags)));
+}
+
 /// A render that asks for counts is not searched quickly.
 TEST(QuickPyramid, CountsAreTheSources) {
     Random random(5);

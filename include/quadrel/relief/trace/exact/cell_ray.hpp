@@ -42,8 +42,17 @@ inline constexpr float cell_limit = 1048576.0f;  // 2^20
 /// and 2 slack = 2u (4 |start| + 6 |rate| + 2), rounded four times, is above that: by more than
 /// u / 2 (1 + |rate|), within which lies what products and quotients that underflow are off.
 template <Number F>
+F reach_between_borders(F slack) {
+    return F(0.5f) - F(2) * slack;
+}
+/// `reach`: how far from the middle, in cells.
+template <Number F>
+Mask<F> is_within(F position, F reach) {
+    return abs((position - floor(position)) - F(0.5f)) < reach;
+}
+template <Number F>
 Mask<F> is_between_borders(F position, F slack) {
-    return abs((position - floor(position)) - F(0.5f)) < F(0.5f) - F(2) * slack;
+    return is_within(position, reach_between_borders(slack));
 }
 
 /// One axis of a ray over a grid.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 
 #include "quadrel/relief/trace/exact/cell_ray.hpp"
 
@@ -17,13 +18,23 @@ struct NodeSpan {
     Mask<F> leaves_parent;  ///< that is in another parent node (a hint: any answer is right)
 };
 
+/// A whole number, |x| < 2^22, as an integer: sooner than by a conversion, which minds all that
+/// does not fit. Of anything else, some integer.
+template <Number F>
+Int<F> whole_number(F x) {
+    if constexpr (std::same_as<Scalar<F>, float>)
+        return as_int(x + F(0x1.8p23f)) - Int<F>(0x4b400000);
+    else
+        return to_int_in_range(x);
+}
+
 template <Number F>
 class ForwardAxis {
   public:
     explicit ForwardAxis(const CellRayAxis<F>& axis)
         : start_(select(axis.rate < F(0), -axis.start, axis.start)),
           rate_(abs(axis.rate)),
-          slack_(axis.slack),
+          reach_(reach_between_borders(axis.slack)),
           flip_(select(axis.rate < F(0), Int<F>(-1), Int<F>(0))) {}
 
     /// A cell of the grid here, and back.
@@ -32,13 +43,12 @@ class ForwardAxis {
     F at(F s) const { return start_ + rate_ * s; }
     /// s where the ray enters cell i. Of a cell ahead of it: infinite where it does not move.
     F entry(Int<F> i) const { return (to_float<F>(i) - start_) / rate_; }
-    Mask<F> is_between_borders(F position) const {
-        return quadrel::is_between_borders(position, slack_);
-    }
+    Mask<F> is_between_borders(F position) const { return is_within(position, reach_); }
 
   protected:
-    F start_, rate_, slack_;  ///< as of CellRayAxis; the rate is >= 0
-    Int<F> flip_;             ///< -1 where mirrored, else 0
+    F start_, rate_;  ///< as of CellRayAxis; the rate is >= 0
+    F reach_;         ///< of is_within
+    Int<F> flip_;     ///< -1 where mirrored, else 0
 };
 
 /// An axis that repeats after 2^k cells: nodes by masks and shifts.
@@ -64,7 +74,7 @@ class PowerOfTwoAxis : public ForwardAxis<F> {
     }
     F exit(const NodeSpan<F>& node) const { return this->entry(node.ahead); }
     /// The cell between the integer-valued position `low` and the next.
-    Int<F> cell(F low) const { return to_int_in_range(low); }
+    Int<F> cell(F low) const { return whole_number(low); }
 
   private:
     Int<F> mask_, log_;
@@ -99,9 +109,9 @@ class AnyAxis : public ForwardAxis<F> {
         return grid_.periodic ? at_border : select(node.ahead < end_, at_border, never);
     }
     Int<F> cell(F low) const {
-        if (grid_.periodic) return to_int_in_range(low);
+        if (grid_.periodic) return whole_number(low);
         const Int<F> last = end_ - Int<F>(1);
-        return to_int_in_range(clamp(low, to_float<F>(first_), to_float<F>(last)));
+        return whole_number(clamp(low, to_float<F>(first_), to_float<F>(last)));
     }
 
   private:

@@ -96,8 +96,30 @@ F patch_error(const CellHeights<F>& h, const vec2<F>& slack) {
     return F(32 * unit_roundoff<F>) * (F(1) + highest) + slope_x * slack.x + slope_y * slack.y;
 }
 
+/// The greatest value of q in a part that ends with q = `end`, and where q is C at entry.
 template <Number F>
-PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray) {
+F peak_of_part(const PatchQuadratic<F>& q, F end, F length) {
+    const F vertex = F(-0.5f) * q.B / q.A;
+    const Mask<F> peaks = (q.A < F(0)) & (vertex > F(0)) & (vertex < length);
+    return max(max(q.C, end), select(peaks, q.C + F(0.5f) * q.B * vertex, q.C));
+}
+
+template <Number F>
+Mask<F> is_graze(const CellHeights<F>& h, const PatchRay<F>& ray, const PatchQuadratic<F>& q,
+                 F end) {
+    const F peak = peak_of_part(q, end, ray.length);
+    const F error = patch_error(h, ray.slack);
+    // A part that comes down to where the ray ends, and is highest there, is no graze.
+    const Mask<F> comes_down = ray.last & (peak == end) & (q.C < -error);
+    // A ray that touches at entry and rises from there may come back further on.
+    const Mask<F> touches_entry = (abs(q.C) <= error) & (q.B < F(0));
+    return ((abs(peak) <= error) & !comes_down) | touches_entry;
+}
+
+/// `tells_grazes`: whether anyone asks what is ambiguous; else nothing is.
+template <Number F>
+PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray,
+                            bool tells_grazes = true) {
     const PatchQuadratic<F> q = patch_quadratic(h, ray);
     const F root = first_root(q);
     const Mask<F> below_at_entry = q.C >= F(0);
@@ -109,20 +131,13 @@ PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray) {
     const F end = end_height - (F(1) - (ray.s + ray.length));
     // Heights are not negative, so at the bottom plane every ray has hit.
     const Mask<F> at_bottom = ray.last & (end_height >= F(0));
-    const F vertex = F(-0.5f) * q.B / q.A;
-    const Mask<F> peaks = (q.A < F(0)) & (vertex > F(0)) & (vertex < ray.length);
-    const F peak = max(max(q.C, end), select(peaks, q.C + F(0.5f) * q.B * vertex, q.C));
     PatchHit<F> found;
     found.not_finite = !is_finite((h.h00 + h.h10) + (h.h01 + h.h11));
     found.hit = (below_at_entry | crossed | at_bottom) & !found.not_finite;
     found.tau = select(below_at_entry, F(0), select(crossed, root, ray.length));
     found.height = height_at(found.tau);
-    const F error = patch_error(h, ray.slack);
-    // A part that comes down to where the ray ends, and is highest there, is no graze.
-    const Mask<F> comes_down = ray.last & (peak == end) & (q.C < -error);
-    // A ray that touches at entry and rises from there may come back further on.
-    const Mask<F> touches_entry = (abs(q.C) <= error) & (q.B < F(0));
-    found.ambiguous = ((abs(peak) <= error) & !comes_down) | touches_entry;
+    found.ambiguous = Mask<F>(false);
+    if (tells_grazes) found.ambiguous = is_graze(h, ray, q, end);
     return found;
 }
 

@@ -27,7 +27,7 @@ class PatchSearch : public CellSearch<typename Io::Number> {
     [[gnu::noinline]] void test(Mask<F> mask, const CellExit<F>& exit) {
         const CellHeights<F> heights = cell_heights<F>(map_, grid_, stored_i(), stored_j());
         const PatchRay<F> part = this->part_in_cell(exit);
-        const PatchHit<F> meeting = intersect_patch(heights, part);
+        const PatchHit<F> meeting = intersect_patch(heights, part, tells_grazes_);
         record(mask, part, heights);
         this->met_nan = this->met_nan | (mask & meeting.not_finite);
         this->result.flags = this->result.flags | select(mask & meeting.ambiguous,
@@ -81,6 +81,7 @@ class PatchSearch : public CellSearch<typename Io::Number> {
     SearchRay<F> fragment_;
     const SampledTexture& map_;
     Grid grid_;
+    bool tells_grazes_ = io_.template wanted<Value::hit_flags>();
 };
 
 }  // namespace quadrel
