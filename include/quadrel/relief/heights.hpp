@@ -111,13 +111,20 @@ class MarchHeights {
     bool short_way_, noise_;
 };
 
+/// What the records of a stage's look-ups are for.
+template <class Io>
+LodUse lod_use_of(const Io& io) {
+    return io.call().log != nullptr ? LodUse::shown : LodUse::look_up;
+}
+
 /// Heights with the gradients of the undisplaced UV (textureGrad): what marches read unless their
 /// source says otherwise. The stage loads dUVdx and dUVdy.
 template <class Io>
 MarchHeights<Io> march_heights(const Io& io) {
     const SampledTexture& map = height_map(io);
     return {io, map,
-            compute_lod(map, io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>())};
+            lod_for(lod_use_of(io), map, io.template load<Value::dUVdx>(),
+                    io.template load<Value::dUVdy>())};
 }
 
 /// Heights of a level of detail a lane, 0 the finest; the sampler's bias and clamps apply

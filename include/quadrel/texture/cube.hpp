@@ -162,10 +162,10 @@ vec4<F> sample_cube_expanded(const SampledTexture& texture, const SampleContext<
 
 /// The record of gradients of the direction, each lane on its own face.
 template <Number F>
-LodRecord<F> compute_cube_lod(const SampledTexture& texture, const vec3<F>& direction,
-                              const vec3<F>& dx, const vec3<F>& dy, F bias = F(0)) {
-    const CubePoint<F> at = project_to_cube(direction);
-    return compute_lod(texture, cube_derivative(at, dx), cube_derivative(at, dy), bias);
+LodRecord<F> cube_lod_for(LodUse use, const SampledTexture& texture, const CubePoint<F>& at,
+                          const vec3<F>& dx, const vec3<F>& dy) {
+    if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
+    return lod_for(use, texture, cube_derivative(at, dx), cube_derivative(at, dy));
 }
 
 /// Level from the gradients of the direction, which need not have unit length.
@@ -173,9 +173,11 @@ template <Number F>
 vec4<F> texture_cube_grad(const SampledTexture& texture, const SampleContext<F>& context,
                           const vec3<F>& direction, const vec3<F>& dx, const vec3<F>& dy,
                           LodRecord<F>* out = nullptr) {
-    const LodRecord<F> lod = compute_cube_lod(texture, direction, dx, dy);
+    const CubePoint<F> at = project_to_cube(direction);
+    const LodUse use = out != nullptr ? LodUse::shown : lod_use(context);
+    const LodRecord<F> lod = cube_lod_for(use, texture, at, dx, dy);
     if (out != nullptr) *out = lod;
-    return sample_cube_expanded(texture, context, project_to_cube(direction), lod);
+    return sample_cube_expanded(texture, context, at, lod);
 }
 
 /// Level of detail given; the sampler's bias and clamps apply.

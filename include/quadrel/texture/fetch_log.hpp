@@ -25,6 +25,12 @@ class FetchLog {
     virtual void fetch(const FetchEvent& event) = 0;
 };
 
+/// What a look-up's record is for.
+template <Number F>
+LodUse lod_use(const SampleContext<F>& context) {
+    return context.log != nullptr ? LodUse::shown : LodUse::look_up;
+}
+
 /// Reports a look-up to the context's log. Free of cost for every type but Quad<float>.
 template <Number F, class Value>
 void log_fetch(const SampleContext<F>& context, const SampledTexture& texture, const vec2<F>& uv,

@@ -120,17 +120,72 @@ LodRecord<F> lod_from_level(const SampledTexture& texture, F lod) {
     return select_level(texture, F(0), lod + bias);
 }
 
+/// Screen-space gradients in texels of level 0.
+template <Number F>
+struct TexelGradients {
+    vec2<F> x, y;
+
+    TexelGradients(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy) {
+        const F width(static_cast<float>(texture.view.width[0]));
+        const F height(static_cast<float>(texture.view.height[0]));
+        x = vec2<F>(dx.x * width, dx.y * height);
+        y = vec2<F>(dy.x * width, dy.y * height);
+    }
+};
+
+/// The sampler's bias and the shader's.
+template <Number F>
+F total_bias(const SampledTexture& texture, F bias) {
+    return clamp(F(texture.sampler.lod_bias) + bias, F(-max_lod_bias), F(max_lod_bias));
+}
+
+template <Number F>
+LodRecord<F> lod_of_gradients(const SampledTexture& texture, const TexelGradients<F>& texels,
+                              F total) {
+    const ScaleFactor<F> scale = scale_factor(texture.sampler.lod_form, texels.x, texels.y);
+    return select_level(texture, scale.rho, scale.log2_rho + total);
+}
+
 /// The record of screen-space gradients of uv (per pixel, in units of the texture), with the
 /// shader's bias.
 template <Number F>
 LodRecord<F> compute_lod(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy,
                          F bias = F(0)) {
-    const F width(static_cast<float>(texture.view.width[0]));
-    const F height(static_cast<float>(texture.view.height[0]));
-    const vec2<F> texels_x(dx.x * width, dx.y * height), texels_y(dy.x * width, dy.y * height);
-    const ScaleFactor<F> scale = scale_factor(texture.sampler.lod_form, texels_x, texels_y);
-    const F total = clamp(F(texture.sampler.lod_bias) + bias, F(-max_lod_bias), F(max_lod_bias));
-    return select_level(texture, scale.rho, scale.log2_rho + total);
+    return lod_of_gradients(texture, TexelGradients<F>(texture, dx, dy), total_bias(texture, bias));
+}
+
+/// Whether a look-up depends on the level of detail: by the level that it reads, or by the filter.
+inline bool lod_matters(const SampledTexture& texture) {
+    const SamplerState& s = texture.sampler;
+    return s.mag != s.min || (s.mip != MipFilter::none && texture.view.levels > 1);
+}
+
+/// Who asks for a record: one who shows it, or a look-up, for which rho and lambda may be anything.
+enum class LodUse { shown, look_up };
+
+/// The record of look-ups at level 0, magnified.
+template <Number F>
+LodRecord<F> finest_lod() {
+    return {F(0), F(0), F(0), F(0), Mask<F>(true)};
+}
+
+/// Whether level 0 is read, magnified, in every lane, as is plain before a logarithm is taken.
+template <Number F>
+bool all_magnified(const SampledTexture& texture, const TexelGradients<F>& texels, F total) {
+    const SamplerState& s = texture.sampler;
+    return s.lod_form != LodForm::ellipse && s.lod_min <= 0 &&
+           all((largest_square(texels.x, texels.y) <= F(1)) & (total <= F(0)));
+}
+
+/// compute_lod for whoever asks.
+template <Number F>
+LodRecord<F> lod_for(LodUse use, const SampledTexture& texture, const vec2<F>& dx,
+                     const vec2<F>& dy, F bias = F(0)) {
+    if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
+    const TexelGradients<F> texels(texture, dx, dy);
+    const F total = total_bias(texture, bias);
+    if (use == LodUse::look_up && all_magnified(texture, texels, total)) return finest_lod<F>();
+    return lod_of_gradients(texture, texels, total);
 }
 
 }  // namespace quadrel

@@ -140,7 +140,8 @@ template <Number F>
 vec4<F> texture_grad(const SampledTexture& texture, const SampleContext<F>& context,
                      const vec2<F>& uv, const vec2<F>& dx, const vec2<F>& dy,
                      LodRecord<F>* out = nullptr) {
-    const LodRecord<F> lod = compute_lod(texture, dx, dy);
+    const LodUse use = out != nullptr ? LodUse::shown : lod_use(context);
+    const LodRecord<F> lod = lod_for(use, texture, dx, dy);
     if (out != nullptr) *out = lod;
     return sample_expanded(texture, context, uv, lod);
 }
@@ -156,14 +157,16 @@ vec4<F> texture_lod(const SampledTexture& texture, const SampleContext<F>& conte
 /// sampler says so. All four lanes of a quad must have valid uv. The bias is each lane's own.
 template <Packet F>
 LodRecord<F> implicit_lod(const SampledTexture& texture, const vec2<F>& uv,
-                          DerivativeMode mode = DerivativeMode::fine, F bias = F(0)) {
+                          DerivativeMode mode = DerivativeMode::fine, F bias = F(0),
+                          LodUse use = LodUse::shown) {
+    if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
     vec2<F> dx = dFdx(uv, mode), dy = dFdy(uv, mode);
     if (texture.sampler.quad_lod != 0) {
         const auto of_lane_0 = [](F x) { return broadcast_lane<0>(x); };
         dx = map_components(of_lane_0, dx);
         dy = map_components(of_lane_0, dy);
     }
-    return compute_lod(texture, dx, dy, bias);
+    return lod_for(use, texture, dx, dy, bias);
 }
 
 /// Implicit gradients and a bias in levels. All four lanes of a quad must have valid uv.
@@ -171,14 +174,15 @@ template <Packet F>
 vec4<F> texture_bias(const SampledTexture& texture, const SampleContext<F>& context,
                      const vec2<F>& uv, std::type_identity_t<F> bias,
                      DerivativeMode mode = DerivativeMode::fine) {
-    return sample_expanded(texture, context, uv, implicit_lod(texture, uv, mode, bias));
+    return sample_expanded(texture, context, uv,
+                           implicit_lod(texture, uv, mode, bias, lod_use(context)));
 }
 
 /// Implicit gradients. All four lanes of a quad must have valid uv.
 template <Packet F>
 vec4<F> texture(const SampledTexture& from, const SampleContext<F>& context, const vec2<F>& uv,
                 DerivativeMode mode = DerivativeMode::fine) {
-    return sample_expanded(from, context, uv, implicit_lod(from, uv, mode));
+    return sample_expanded(from, context, uv, implicit_lod(from, uv, mode, F(0), lod_use(context)));
 }
 
 /// (level of detail after clamps and rounding, lambda before them).
