@@ -42,10 +42,6 @@ enum class FilmError {
     vectors_in_gray,         ///< a vector shows its first component alone
     chunks_swapped,          ///< the second chunk of a file takes the place of the first
     rows_off_by_band,        ///< a band of rows is written a row late
-    deflate_drops_repeat,    ///< a run of equal bytes loses one
-    deflate_bit,             ///< a bit in the middle of a deflated stream is turned
-    deflate_no_check,        ///< a deflated stream ends with a check of nothing
-    words_cut,               ///< code words are cut to the greatest length, and others stay
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
 };
 

@@ -72,8 +72,8 @@ std::vector<std::uint8_t> ChunkEncoder::compressed(int y) {
 std::vector<std::uint8_t> ChunkEncoder::deflated(std::vector<std::uint8_t> packed) {
     differences_.resize(packed.size());
     zip_differences(packed, differences_.data());
-    const auto stream = deflate_.compress(differences_);
-    if (stream.size() < packed.size()) packed.assign(stream.begin(), stream.end());
+    const auto stream = zip_.compress(differences_);
+    if (!stream.empty()) packed.assign(stream.begin(), stream.end());
     return packed;
 }
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "io/deflate/deflate.hpp"
 #include "io/exr/write_context.hpp"
+#include "io/exr/zip_stream.hpp"
 
 namespace quadrel {
 
@@ -26,7 +26,7 @@ struct ExrChunkLayout {
     Window window;
     int rows = 1;                    ///< of a chunk, but for the last one
     std::vector<std::size_t> order;  ///< the planes of a film as the file has its channels
-    bool deflated = false;           ///< ZIP or ZIPS, which are made without the library
+    bool deflated = false;           ///< ZIP or ZIPS, which OpenEXR is not asked to make
     bool plain = false;              ///< as packed, likewise
 };
 
@@ -56,7 +56,7 @@ class ChunkEncoder {
     const FilmRows* films_ = nullptr;  ///< of the chunk at hand
     exr_encode_pipeline_t encode_ = EXR_ENCODE_PIPELINE_INITIALIZER;
     bool initialized_ = false;
-    Deflate deflate_;
+    ZipStream zip_;
     std::vector<std::uint8_t> differences_;
 };
 

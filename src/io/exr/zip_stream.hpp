@@ -1,0 +1,30 @@
+// zlib's streams, of libdeflate: on films half of zlib's own time at the same size.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+struct libdeflate_compressor;
+
+namespace quadrel {
+
+/// One thread's: its tables serve one stream after the other.
+class ZipStream {
+  public:
+    /// Throws std::bad_alloc.
+    ZipStream();
+
+    /// The stream, until the next call; empty where it would not be shorter than the bytes.
+    std::span<const std::uint8_t> compress(std::span<const std::uint8_t> bytes);
+
+  private:
+    struct Free {
+        void operator()(libdeflate_compressor* compressor) const;
+    };
+    std::unique_ptr<libdeflate_compressor, Free> compressor_;
+    std::vector<std::uint8_t> stream_;
+};
+
+}  // namespace quadrel
