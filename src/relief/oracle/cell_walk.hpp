@@ -16,7 +16,7 @@ struct Part {
 };
 
 /// More nodes and cells than this are not looked at.
-inline constexpr int most_steps = 1 << 22;
+inline constexpr int most_steps = 1 << 20;
 
 enum class WalkEnd { passed, stopped, too_long };
 

@@ -54,12 +54,20 @@ struct ExactAxis {
         if (x < grid.first) return grid.first;
         return x >= Rational(last) ? last : floor_of(x);
     }
-    /// The first s after `s` at which a border is met, if that is before `end`; else `end`.
+    /// The first s after `s` at which a border is met, if that is before `end`; else `end`. An axis
+    /// that does not repeat has none beyond its outermost cells.
     Rational next_border(const Rational& s, const Rational& end) const {
         if (position.rate == 0) return end;
-        const Rational x = position.at(s);
+        const bool forward = position.rate > 0;
+        Rational x = position.at(s);
+        const Index low = grid.first, high = grid.first + grid.count;
+        if (!grid.periodic) {
+            if (forward ? x >= high - 1 : x <= low + 1) return end;
+            if (forward && x < low) x = low;
+            if (!forward && x > high) x = high;
+        }
         const Index below = floor_of(x);
-        const Index border = position.rate > 0 ? below + 1 : x == below ? below - 1 : below;
+        const Index border = forward ? below + 1 : x == below ? below - 1 : below;
         return ExactLine{position.start - border, position.rate}.next_root(s, end);
     }
 };

@@ -22,6 +22,10 @@ Judged judge_piece(const GridRay& grid_ray, const Segment& segment, bool start) 
 /// A hit at a border is known as well as that is.
 constexpr double widest_border = 0x1p-40;
 
+/// Rationals take some 50 microseconds a segment. A ray needs them for one or two, unless it runs
+/// along a border closer than double can tell.
+constexpr int most_exact_segments = 4096;
+
 /// In several: all must be below, or all but the one that the ray ends in, and that one met there.
 Judged judge_border(const GridRay& grid_ray, const Segment& segment, bool start) {
     int not_below = 0, which = -1;
@@ -92,7 +96,7 @@ class Search {
         hit.status = status;
         hit.reason = reason_;
         hit.certificate = reason_ != Uncertified::proven ? Certificate::none
-                          : used_rationals_              ? Certificate::exact
+                          : exact_segments_ > 0          ? Certificate::exact
                                                          : Certificate::bounds;
     }
 
@@ -114,8 +118,11 @@ class Search {
             meet(judged.bracket, *judged.piece, hit);
             return true;
         }
+        if (++exact_segments_ > most_exact_segments && !exactly_) {
+            hit = ended({}, Status::cap, Uncertified::too_long);
+            return true;
+        }
         const ExactResult exact = search_exactly(field_, ray_, segment.from, segment.to);
-        used_rationals_ = true;
         if (exact.end == ExactEnd::met) meet(exact.bracket, exact.piece, hit);
         if (exact.end != ExactEnd::unavailable) return exact.end == ExactEnd::met;
         reason_ = Uncertified::not_exact;
@@ -173,7 +180,8 @@ class Search {
     const Ray& ray_;
     Heights heights_;
     GridRay grid_ray_;
-    bool exactly_, used_rationals_ = false;
+    bool exactly_;
+    int exact_segments_ = 0;
     Uncertified reason_ = Uncertified::proven;
 };
 
