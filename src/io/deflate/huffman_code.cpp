@@ -69,9 +69,11 @@ std::array<std::uint32_t, longest_of_all> words_of_length(const std::vector<int>
 }
 
 std::uint16_t reversed(std::uint32_t code, int length) {
-    std::uint32_t bits = 0;
-    for (int i = 0; i < length; ++i) bits |= (code >> i & 1) << (length - 1 - i);
-    return static_cast<std::uint16_t>(bits);
+    code = (code & 0x5555) << 1 | (code >> 1 & 0x5555);
+    code = (code & 0x3333) << 2 | (code >> 2 & 0x3333);
+    code = (code & 0x0f0f) << 4 | (code >> 4 & 0x0f0f);
+    code = (code & 0x00ff) << 8 | (code >> 8 & 0x00ff);
+    return static_cast<std::uint16_t>(code >> (16 - length));
 }
 
 }  // namespace
@@ -84,10 +86,11 @@ std::vector<CodeWord> huffman_code(std::span<const std::uint32_t> counts, int lo
     for (int length = longest; length > 0; --length)
         for (std::uint32_t i = 0; i < words[static_cast<std::size_t>(length)]; ++i)
             code[leaves[leaf++].symbol].length = static_cast<std::uint8_t>(length);
-    std::uint32_t next = 0;
-    for (int length = 1; length <= longest; ++length, next <<= 1)
-        for (CodeWord& word : code)
-            if (word.length == length) word.bits = reversed(next++, length);
+    std::array<std::uint32_t, longest_of_all> next{};  // word by length
+    for (std::size_t length = 1; length < static_cast<std::size_t>(longest); ++length)
+        next[length + 1] = (next[length] + words[length]) << 1;
+    for (CodeWord& word : code)
+        if (word.length > 0) word.bits = reversed(next[word.length]++, word.length);
     return code;
 }
 
