@@ -17,16 +17,16 @@ inline std::vector<LevelSize> pyramid_sizes(const Grid& grid) {
     return sizes;
 }
 
-/// NaN if either is, so that a bound over a broken map says so. In this form loops become vector
-/// instructions.
-inline float max_or_nan(float a, float b) {
+/// NaN if either is, so that a bound over a broken map says so. Objects, not functions, so that
+/// each caller has its own code; in this form, vector instructions.
+inline constexpr auto max_or_nan = [](float a, float b) {
     const float greater = b > a ? b : a;
     return b != b ? b : greater;
-}
-inline float min_or_nan(float a, float b) {
+};
+inline constexpr auto min_or_nan = [](float a, float b) {
     const float less = b < a ? b : a;
     return b != b ? b : less;
-}
+};
 
 /// Channel c of a row of `count` values, one after the other where there is but one channel.
 template <class Value>
