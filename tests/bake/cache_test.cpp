@@ -88,23 +88,6 @@ TEST(Cache, CanBeLeftOut) {
     }
 }
 
-/// What is quicker made than read: no entry, and a name that takes no hash of the texels.
-TEST(Cache, MapsForThisProcessAloneAreInMemory) {
-    const UserCache cache;
-    const Texels field = random_field(6, 5, 98);
-    BakedTextureOptions options;
-    options.in_memory = true;
-    const Texels map = baked_texture(*field, BakeKind::max_mip, repeat(), options);
-    EXPECT_TRUE(cache.entries().empty());
-    EXPECT_TRUE(same_texels(*map, *bake(*field, BakeKind::max_mip, repeat())));
-    EXPECT_EQ(map, baked_texture(*field, BakeKind::max_mip, repeat(), options));
-    EXPECT_NE(map, baked_texture(*field, BakeKind::min_max, repeat(), options));
-    EXPECT_NE(map, baked_texture(*field, BakeKind::max_mip, repeat()));
-    EXPECT_EQ(cache.entries().size(), 1u);
-    const Texels other = random_field(6, 5, 99);
-    EXPECT_NE(map, baked_texture(*other, BakeKind::max_mip, repeat(), options));
-}
-
 // ---- Damage -------------------------------------------------------------------------------------
 
 using Decode = std::function<Texels(const std::string& bytes, const std::string& id)>;

@@ -17,15 +17,22 @@ inline std::vector<LevelSize> pyramid_sizes(const Grid& grid) {
     return sizes;
 }
 
-/// NaN if either is, so that a bound over a broken map says so. In this form loops become vector
-/// instructions.
-inline float max_or_nan(float a, float b) {
-    const float greater = b > a ? b : a;
-    return b != b ? b : greater;
-}
-inline float min_or_nan(float a, float b) {
-    const float less = b < a ? b : a;
-    return b != b ? b : less;
+/// NaN if either is, so that a bound over a broken map says so. (Objects, not functions, so that
+/// each caller has its own code.)
+inline constexpr auto max_or_nan = [](float a, float b) { return b > a || b != b ? b : a; };
+inline constexpr auto min_or_nan = [](float a, float b) { return b < a || b != b ? b : a; };
+/// max_or_nan where neither is NaN: loops of it become vector instructions.
+inline constexpr auto max_of_numbers = [](float a, float b) { return b > a ? b : a; };
+
+bool has_nan(const HeightPlane& plane);
+
+/// Calls fill(reduce) with the quickest that is max_or_nan for the plane's heights.
+template <class Fill>
+void with_max_of(const HeightPlane& plane, const Fill& fill) {
+    if (has_nan(plane))
+        fill(max_or_nan);
+    else
+        fill(max_of_numbers);
 }
 
 /// Channel c of a row of `count` values, one after the other where there is but one channel.
