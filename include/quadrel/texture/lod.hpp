@@ -120,17 +120,29 @@ LodRecord<F> lod_from_level(const SampledTexture& texture, F lod) {
     return select_level(texture, F(0), lod + bias);
 }
 
-/// The record of screen-space gradients of uv (per pixel, in units of the texture), with the
-/// shader's bias.
+/// rho and log2(rho) of screen-space gradients of uv (per pixel, in units of the texture).
 template <Number F>
-LodRecord<F> compute_lod(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy,
-                         F bias = F(0)) {
+ScaleFactor<F> scale_factor_of(const SampledTexture& texture, const vec2<F>& dx,
+                               const vec2<F>& dy) {
     const F width(static_cast<float>(texture.view.width[0]));
     const F height(static_cast<float>(texture.view.height[0]));
     const vec2<F> texels_x(dx.x * width, dx.y * height), texels_y(dy.x * width, dy.y * height);
-    const ScaleFactor<F> scale = scale_factor(texture.sampler.lod_form, texels_x, texels_y);
+    return scale_factor(texture.sampler.lod_form, texels_x, texels_y);
+}
+
+/// The record of a scale factor, with the sampler's and the shader's bias.
+template <Number F>
+LodRecord<F> lod_of_scale(const SampledTexture& texture, const ScaleFactor<F>& scale,
+                          F bias = F(0)) {
     const F total = clamp(F(texture.sampler.lod_bias) + bias, F(-max_lod_bias), F(max_lod_bias));
     return select_level(texture, scale.rho, scale.log2_rho + total);
+}
+
+/// The record of screen-space gradients of uv, with the shader's bias.
+template <Number F>
+LodRecord<F> compute_lod(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy,
+                         F bias = F(0)) {
+    return lod_of_scale(texture, scale_factor_of(texture, dx, dy), bias);
 }
 
 }  // namespace quadrel
