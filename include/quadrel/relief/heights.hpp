@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrel/quad/shared_scales.hpp"
 #include "quadrel/relief/noise.hpp"
 #include "quadrel/relief/view.hpp"
 #include "quadrel/texture/height_sampler.hpp"
@@ -116,8 +117,7 @@ class MarchHeights {
 template <class Io>
 MarchHeights<Io> march_heights(const Io& io) {
     const SampledTexture& map = height_map(io);
-    return {io, map,
-            compute_lod(map, io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>())};
+    return {io, map, undisplaced_lod(io, map)};
 }
 
 /// Heights of a level of detail a lane, 0 the finest; the sampler's bias and clamps apply
