@@ -41,10 +41,16 @@ set(QUADREL_KERNEL_GROUPS
 # And those that run on plain numbers alone, whatever the lanes of a render.
 set(QUADREL_PLAIN_KERNEL_GROUPS "oracle|relief/trace/oracle/stages.hpp|OracleKernels")
 
+# Groups of chains (src/kernels/chain.hpp) that are compiled together: name of the header, list.
+set(QUADREL_CHAIN_GROUPS
+  "plain|PlainChains"
+  "relief|ReliefChains")
+
 # quadrel_kernel_sources(<variable> <number> <header> <function> [<group>...])
 # Writes the sources of the stages on a number type: a file a group, so that they compile beside
 # each other, and one with <function>(isa), which returns their table. Lists them in <variable>.
 # All groups unless some are named; those for plain numbers alone if <number> is a Quad.
+# Chains are for lanes: the truth runs stage by stage.
 function(quadrel_kernel_sources variable number number_header function)
   set(templates ${PROJECT_SOURCE_DIR}/src/kernels)
   set(folder ${PROJECT_BINARY_DIR}/kernels/${function})
@@ -68,6 +74,18 @@ function(quadrel_kernel_sources variable number number_header function)
     configure_file(${templates}/group.cpp.in ${folder}/${name}.cpp @ONLY)
     list(APPEND sources ${folder}/${name}.cpp)
   endforeach()
+  set(chain_calls "")
+  if(number STREQUAL "Lanes")
+    foreach(group IN LISTS QUADREL_CHAIN_GROUPS)
+      string(REPLACE "|" ";" group "${group}")
+      list(GET group 0 name)
+      list(GET group 1 list)
+      string(APPEND declarations "ChainGroup ${name}_chains(NumberTag<${number}>);\n")
+      string(APPEND chain_calls "${name}_chains(NumberTag<${number}>()), ")
+      configure_file(${templates}/chain.cpp.in ${folder}/chains_${name}.cpp @ONLY)
+      list(APPEND sources ${folder}/chains_${name}.cpp)
+    endforeach()
+  endif()
   configure_file(${templates}/table.cpp.in ${folder}/table.cpp @ONLY)
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()

@@ -16,6 +16,13 @@ StageFunction find_kernel(const KernelTable& table, std::string_view id) {
     return nullptr;
 }
 
+std::vector<ChainRow> all_chains(const KernelTable& table) {
+    std::vector<ChainRow> all;
+    for (const ChainGroup* group = table.chains; group->count > 0; ++group)
+        all.insert(all.end(), group->rows, group->rows + group->count);
+    return all;
+}
+
 std::vector<std::string_view> kernel_ids(const KernelTable& table) {
     std::vector<std::string_view> ids;
     for (int g = 0; g < table.count; ++g)

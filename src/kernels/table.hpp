@@ -13,7 +13,7 @@ namespace quadrel {
 inline constexpr std::uint32_t kernel_magic = 0x4b445251;  // "QRDK"
 /// Raised by hand when a meaning changes; a changed layout changes it by itself.
 inline constexpr std::uint32_t kernel_abi_version =
-    4u + (static_cast<std::uint32_t>(sizeof(StageCall)) << 8) + (slot_count << 20);
+    5u + (static_cast<std::uint32_t>(sizeof(StageCall)) << 8) + (slot_count << 20);
 
 struct KernelRow {
     const char* id;
@@ -25,6 +25,27 @@ struct KernelGroup {
     std::int32_t count;
 };
 
+/// A link of a chain (kernels/chain.hpp) as a plan has it.
+struct ChainStage {
+    const void* parameters;
+    std::int32_t first_light, end_light;  ///< those that it serves; 0 and 1 where it serves none
+};
+
+/// Runs a chain. False where a stage may have stored what it must not: then the batch's stages are
+/// to run one by one. The call's parameters and light are not read.
+using ChainFunction = bool (*)(const StageCall*, const ChainStage*);
+
+struct ChainRow {
+    const char* const* ids;  ///< of its stages
+    std::int32_t length;
+    ChainFunction run;
+};
+
+struct ChainGroup {
+    const ChainRow* rows;
+    std::int32_t count;
+};
+
 struct KernelTable {
     std::uint32_t magic, abi_version;
     const char* isa;
@@ -32,7 +53,11 @@ struct KernelTable {
     std::int32_t scalar_bytes;  ///< 4: float values, 8: double values, sizeof(Dual): duals
     std::int32_t count;
     const KernelGroup* groups;
+    const ChainGroup* chains;  ///< the last one is empty
 };
+
+/// All chains of a table.
+std::vector<ChainRow> all_chains(const KernelTable& table);
 
 /// The stage of that id, or null.
 StageFunction find_kernel(const KernelTable& table, std::string_view id);

@@ -6,6 +6,7 @@
 
 #include "num/inputs.hpp"
 #include "num/planted.hpp"
+#include "quadrel/num/double_word.hpp"
 
 namespace quadrel::num_tests {
 namespace {
@@ -144,6 +145,25 @@ TEST(Functions, CatchPlantedErrors) {
         const D k = 1 - eta * eta * (1 - cosine * cosine);
         return k < 0 ? V(0.0) : i * eta - n * (eta * cosine + k);
     })) << static_cast<int>(Planted::refract_without_root);
+}
+
+/// Whether two words hold what a product leaves, for factors in [scale, 2 scale).
+testing::AssertionResult leaves_nothing(float scale) {
+    return holds([&](Random& random) {
+        const auto factor = [&] { return static_cast<float>(random.uniform(1, 2)) * scale; };
+        const float a = factor(), b = factor();
+        const DoubleWord<float> product = two_product(a, b);
+        return static_cast<D>(product.hi) + static_cast<D>(product.lo) ==
+               static_cast<D>(a) * static_cast<D>(b);
+    });
+}
+
+/// So that one number is the error of an OrdinaryProduct, whichever instructions yield it.
+TEST(Functions, ProductsAreExactUnlessTheirErrorUnderflows) {
+    for (const float scale : {0x1p-50f, 0x1p-30f, 1.0f, 0x1p+40f}) {
+        EXPECT_TRUE(leaves_nothing(scale)) << scale;
+    }
+    EXPECT_FALSE(leaves_nothing(0x1p-65f));
 }
 
 }  // namespace

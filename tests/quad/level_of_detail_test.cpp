@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "quad/planted.hpp"
 #include "quad/stage_bench.hpp"
@@ -76,6 +77,47 @@ TEST(LevelOfDetail, FollowsTheHeightMap) {
     EXPECT_TRUE(follows_the_height_map<double>(&run_stage<LevelOfDetail, Quad<double>>));
     EXPECT_FALSE(follows_the_height_map<float>(&colour_map_first<float>));
     EXPECT_FALSE(follows_the_height_map<double>(&colour_map_first<double>));
+}
+
+/// Done to the place that textures share before each of them is asked for.
+using Meddle = std::function<void(SharedScales&, const SampledTexture&)>;
+
+/// Whether textures of several sizes and forms, some of them twice, have with a place that they
+/// share the levels of detail that each has alone.
+bool shared_as_alone(const Meddle& meddle) {
+    std::array<SampledTexture, 3> textures{sized(256), sized(64), sized(256)};
+    textures[2].sampler.lod_form = LodForm::linear_log2;
+    SharedScales scales{};
+    bool same = true;
+    for (const int t : {0, 0, 1, 0, 2, 2, 1, 1}) {
+        const SampledTexture& texture = textures[static_cast<std::size_t>(t)];
+        meddle(scales, texture);
+        StageBench<float> alone, sharing;
+        sharing.call().scales = &scales;
+        run(alone, &run_stage<LevelOfDetail, Quad<float>>, &texture, nullptr);
+        run(sharing, &run_stage<LevelOfDetail, Quad<float>>, &texture, nullptr);
+        for (const Value v : lod_values)
+            for (int lane = 0; lane < 16; ++lane)
+                same &= alone.at(v, 0, lane) == sharing.at(v, 0, lane);
+    }
+    return same;
+}
+
+TEST(LevelOfDetail, IsSharedByTexturesOfOneSize) {
+    EXPECT_TRUE(shared_as_alone([](SharedScales&, const SampledTexture&) {}));
+    EXPECT_FALSE(shared_as_alone([](SharedScales& scales, const SampledTexture& texture) {
+        for (std::uint64_t& key : scales.keys)
+            if (key != 0) key = scale_key(texture);  // as if there were one size
+    }));
+    EXPECT_FALSE(shared_as_alone([](SharedScales& scales, const SampledTexture& texture) {
+        const auto form = static_cast<std::uint64_t>(texture.sampler.lod_form);
+        for (std::uint64_t& key : scales.keys)
+            if (key != 0) key = (key << 8 >> 8) | form << 56;  // as if there were one form
+    }));
+    EXPECT_FALSE(shared_as_alone([](SharedScales& scales, const SampledTexture& texture) {
+        scales.keys[2] = scale_key(texture);  // of a quad that none has computed
+        scales.log2_rho[9] = 1;
+    }));
 }
 
 }  // namespace

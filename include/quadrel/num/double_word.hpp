@@ -1,7 +1,8 @@
-// Double-word arithmetic: an unevaluated sum of two numbers, twice the precision of its type. Only
-// + - * / and no fused multiply-add, so that every float type and instruction set gives the same
-// bits. Source: Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic building
-// blocks of double-word arithmetic", ACM TOMS 44(2), 2017; the algorithms are Knuth's and Dekker's.
+// Double-word arithmetic: an unevaluated sum of two numbers, twice the precision of its type. Every
+// float type and instruction set gives the same bits: a fused multiply-add only yields what a
+// product leaves exactly. Source: Joldes, Muller and Popescu, "Tight and rigorous error bounds for
+// basic building blocks of double-word arithmetic", ACM TOMS 44(2), 2017; the algorithms are
+// Knuth's and Dekker's.
 #pragma once
 
 #include <limits>
@@ -61,6 +62,27 @@ DoubleWord<F> two_product(F a, F b) {
     return {product, error};
 }
 
+/// A product in two words: any, and one that is 0 or so large that its error cannot underflow (at
+/// least 2^-100 in float). The error of the latter is one number however it is computed: a fused
+/// multiply-add gives it in one instruction, where the number type has one.
+struct AnyProduct {
+    template <Number F>
+    DoubleWord<F> operator()(F a, F b) const {
+        return two_product(a, b);
+    }
+};
+struct OrdinaryProduct {
+    template <Number F>
+    DoubleWord<F> operator()(F a, F b) const {
+        if constexpr (requires(F x) { PacketOps<F>::product_error(x, x, x); }) {
+            const F product = a * b;
+            return {product, PacketOps<F>::product_error(a, b, product)};
+        } else {
+            return two_product(a, b);
+        }
+    }
+};
+
 /// a + b, for a = 0 or |a| >= |b|.
 template <Number F>
 DoubleWord<F> fast_add(F a, DoubleWord<F> b) {
@@ -73,20 +95,21 @@ DoubleWord<F> fast_add(DoubleWord<F> a, F b) {
     const DoubleWord<F> sum = fast_two_sum(a.hi, b);
     return fast_two_sum(sum.hi, sum.lo + a.lo);
 }
-template <Number F>
+// Of all three the leading product is `Product`'s.
+template <class Product = AnyProduct, Number F>
 DoubleWord<F> multiply(DoubleWord<F> a, F b) {
-    const DoubleWord<F> product = two_product(a.hi, b);
+    const DoubleWord<F> product = Product()(a.hi, b);
     return fast_two_sum(product.hi, product.lo + a.lo * b);
 }
-template <Number F>
+template <class Product = AnyProduct, Number F>
 DoubleWord<F> multiply(DoubleWord<F> a, DoubleWord<F> b) {
-    const DoubleWord<F> product = two_product(a.hi, b.hi);
+    const DoubleWord<F> product = Product()(a.hi, b.hi);
     return fast_two_sum(product.hi, product.lo + (a.hi * b.lo + a.lo * b.hi));
 }
-template <Number F>
+template <class Product = AnyProduct, Number F>
 DoubleWord<F> divide(DoubleWord<F> a, DoubleWord<F> b) {
     const F quotient = a.hi / b.hi;
-    const DoubleWord<F> product = two_product(quotient, b.hi);
+    const DoubleWord<F> product = Product()(quotient, b.hi);
     const F rest = ((a.hi - product.hi) - product.lo) + (a.lo - quotient * b.lo);
     return fast_two_sum(quotient, rest / b.hi);
 }

@@ -1,5 +1,6 @@
 // Lanes: packed float lanes, 4, 8 or 16 wide, for the instruction set that this file is compiled
-// for. The only file that knows SIMD. Equal to Quad<float> bit for bit (NaN payloads aside).
+// for. The only file that knows SIMD, with lane_fetches.hpp behind it. Equal to Quad<float> bit for
+// bit (NaN payloads aside).
 //
 // Only for sources built as instruction-set modules: all of a module is compiled with the same
 // flags, so that templates over Lanes keep one calling convention.
@@ -206,6 +207,13 @@ struct PacketOps<Lanes> {
     static LanesInt gather(const std::int32_t* base, LanesInt index) {
         return LanesInt(hn::GatherIndex(simd::IntTag(), base, index.v));
     }
+#if HWY_NATIVE_FMA
+    /// a * b - product, rounded once: exact where `product` is a * b rounded and nothing
+    /// underflows.
+    static Lanes product_error(Lanes a, Lanes b, Lanes product) {
+        return Lanes(hn::MulSub(a.v, b.v, product.v));
+    }
+#endif
     /// The table in registers, where two hold it.
     static LanesInt look_up16(const std::int32_t* table, LanesInt index) {
         if constexpr (simd::lanes == 16) {
@@ -217,55 +225,14 @@ struct PacketOps<Lanes> {
             return gather(table, index);
         }
     }
-    /// Pairs by 64-bit gathers where a register holds 16 lanes; else by 64-bit loads, then a
-    /// transpose within each quad: either is cheaper than two gathers.
-    static void gather2(const float* base, LanesInt index, Lanes out[2]) {
-        const simd::FloatTag tag;
-        if constexpr (simd::lanes == 16) {
-            const hn::Half<simd::IntTag> half;
-            const auto low = gather_pairs(base, hn::LowerHalf(half, index.v));
-            const auto high = gather_pairs(base, hn::UpperHalf(half, index.v));
-            out[0] = Lanes(hn::ConcatEven(tag, high, low));
-            out[1] = Lanes(hn::ConcatOdd(tag, high, low));
-        } else {
-            alignas(64) std::int32_t at[simd::lanes];
-            hn::Store(index.v, simd::IntTag(), at);
-            const auto pair01 = hn::BitCast(tag, load_pairs(base, at));
-            const auto pair23 = hn::BitCast(tag, load_pairs(base, at + 2));
-            const auto even = hn::InterleaveLower(tag, pair01, pair23);
-            const auto odd = hn::InterleaveUpper(tag, pair01, pair23);
-            out[0] = Lanes(hn::InterleaveLower(tag, even, odd));
-            out[1] = Lanes(hn::InterleaveUpper(tag, even, odd));
-        }
-    }
-    /// Row k: the four elements of lane k of every quad; then a 4x4 transpose within each quad.
-    static void gather4(const float* base, LanesInt index, Lanes out[4]) {
-        alignas(64) std::int32_t at[simd::lanes];
-        hn::Store(index.v, simd::IntTag(), at);
-        simd::FloatVector rows[4];
-        for (int k = 0; k < 4; ++k) rows[k] = load_quads(base, at + k);
-        transpose(rows, out);
-    }
-    /// Blended as they are stored, so that one transpose does for the four texels.
+    // Of neighbouring elements: lane_fetches.hpp.
+    static void gather2(const float* base, LanesInt index, Lanes out[2]);
+    static void gather4(const float* base, LanesInt index, Lanes out[4]);
     static void bilinear4(const float* base, const LanesInt index[4], Lanes weight_x,
-                          Lanes weight_y, Lanes out[4]) {
-        alignas(64) std::int32_t at[4][simd::lanes];
-        for (int i = 0; i < 4; ++i) hn::Store(index[i].v, simd::IntTag(), at[i]);
-        const auto mix = [](auto a, auto b, auto t) {
-            return hn::Add(a, hn::Mul(t, hn::Sub(b, a)));
-        };
-        const auto row = [&](int k, simd::FloatVector x, simd::FloatVector y) {
-            const auto top = mix(load_quads(base, at[0] + k), load_quads(base, at[1] + k), x);
-            const auto bottom = mix(load_quads(base, at[2] + k), load_quads(base, at[3] + k), x);
-            return mix(top, bottom, y);
-        };
-        const simd::FloatVector rows[4] = {
-            row(0, hn::Broadcast<0>(weight_x.v), hn::Broadcast<0>(weight_y.v)),
-            row(1, hn::Broadcast<1>(weight_x.v), hn::Broadcast<1>(weight_y.v)),
-            row(2, hn::Broadcast<2>(weight_x.v), hn::Broadcast<2>(weight_y.v)),
-            row(3, hn::Broadcast<3>(weight_x.v), hn::Broadcast<3>(weight_y.v))};
-        transpose(rows, out);
-    }
+                          Lanes weight_y, Lanes out[4]);
+    static void trilinear4(const float* base, const LanesInt fine[4], Lanes fine_x, Lanes fine_y,
+                           const LanesInt coarse[4], Lanes coarse_x, Lanes coarse_y, Lanes weight,
+                           Lanes out[4]);
     template <int a, int b, int c, int d>
     static Lanes swizzle(Lanes x) {
         if constexpr (a == 1 && b == 0 && c == 3 && d == 2) {
@@ -281,60 +248,11 @@ struct PacketOps<Lanes> {
     }
 
   private:
-    /// A 4x4 transpose within each quad.
-    static void transpose(const simd::FloatVector rows[4], Lanes out[4]) {
-        const simd::FloatTag tag;
-        const hn::RepartitionToWide<simd::FloatTag> wide;
-        const auto low01 = hn::BitCast(wide, hn::InterleaveLower(tag, rows[0], rows[1]));
-        const auto low23 = hn::BitCast(wide, hn::InterleaveLower(tag, rows[2], rows[3]));
-        const auto high01 = hn::BitCast(wide, hn::InterleaveUpper(tag, rows[0], rows[1]));
-        const auto high23 = hn::BitCast(wide, hn::InterleaveUpper(tag, rows[2], rows[3]));
-        out[0] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, low01, low23)));
-        out[1] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, low01, low23)));
-        out[2] = Lanes(hn::BitCast(tag, hn::InterleaveLower(wide, high01, high23)));
-        out[3] = Lanes(hn::BitCast(tag, hn::InterleaveUpper(wide, high01, high23)));
-    }
-    /// base[index] and base[index + 1] of half of the lanes, side by side.
-    template <class Half>
-    static simd::FloatVector gather_pairs(const float* base, Half index) {
-        const hn::RepartitionToWide<simd::IntTag> wide;
-        const auto bytes = hn::ShiftLeft<2>(hn::PromoteTo(wide, index));
-        return hn::BitCast(
-            simd::FloatTag(),
-            hn::GatherOffset(wide, reinterpret_cast<const std::int64_t*>(base), bytes));
-    }
     /// Of a table of one register.
     static LanesInt look_up(const std::int32_t* table, LanesInt index) {
         const simd::IntTag tag;
         return LanesInt(
             hn::TableLookupLanes(hn::LoadU(tag, table), hn::IndicesFromVec(tag, index.v)));
-    }
-    /// Two elements from base[at[0]], base[at[1]], base[at[4]], base[at[5]], ... side by side.
-    template <int lanes = simd::lanes>
-    static hn::Vec<hn::FixedTag<double, lanes / 2>> load_pairs(const float* base,
-                                                               const std::int32_t* at) {
-        if constexpr (lanes == 4) {
-            alignas(16) double pair[2];
-            __builtin_memcpy(&pair[0], base + at[0], sizeof(double));
-            __builtin_memcpy(&pair[1], base + at[1], sizeof(double));
-            return hn::Load(hn::FixedTag<double, 2>(), pair);
-        } else {
-            return hn::Combine(hn::FixedTag<double, lanes / 2>(),
-                               load_pairs<lanes / 2>(base, at + lanes / 2),
-                               load_pairs<lanes / 2>(base, at));
-        }
-    }
-    /// Four elements from base[at[0]], base[at[4]], ... side by side.
-    template <int lanes = simd::lanes>
-    static hn::Vec<hn::FixedTag<float, lanes>> load_quads(const float* base,
-                                                          const std::int32_t* at) {
-        if constexpr (lanes == 4) {
-            return hn::LoadU(hn::FixedTag<float, 4>(), base + at[0]);
-        } else {
-            return hn::Combine(hn::FixedTag<float, lanes>(),
-                               load_quads<lanes / 2>(base, at + lanes / 2),
-                               load_quads<lanes / 2>(base, at));
-        }
     }
 };
 
@@ -392,3 +310,5 @@ struct WideOps<Lanes> {
 /// GLM refuses types that are not floating-point by this trait.
 template <>
 struct std::numeric_limits<quadrel::Lanes> : std::numeric_limits<float> {};
+
+#include "quadrel/num/lane_fetches.hpp"

@@ -32,17 +32,19 @@ template <class T>
 inline constexpr T sqrt_2 = static_cast<T>(0x1.6a09e667f3bcdp+0);
 }  // namespace constants
 
-/// log2 of a significand in [sqrt(1/2), sqrt(2)], to about 1.25 times the type's digits.
+/// log2 of a significand in [sqrt(1/2), sqrt(2)], to about 1.25 times the type's digits. Products
+/// are 0 or at least a unit in the last place squared: m - 1 is one at least where it is not 0.
 template <Number F>
 DoubleWord<F> log2_of_significand(F m) {
     using T = Scalar<F>;
+    using Product = OrdinaryProduct;
     // log2(m) = 2 / ln(2) * atanh(s) with s = (m - 1) / (m + 1).
-    const DoubleWord<F> s = divide(DoubleWord<F>{m - F(1), F(0)}, two_sum(m, F(1)));
-    const DoubleWord<F> z = multiply(s, s);
+    const DoubleWord<F> s = divide<Product>(DoubleWord<F>{m - F(1), F(0)}, two_sum(m, F(1)));
+    const DoubleWord<F> z = multiply<Product>(s, s);
     const F tail = z.hi * polynomial(z.hi, constants::atanh_tail<T>);
     const DoubleWord<F> slope = fast_add(broadcast<F>(constants::third<T>), tail);
-    const DoubleWord<F> ratio = fast_add(F(1), multiply(z, slope));
-    return multiply(multiply(s, ratio), broadcast<F>(constants::two_log2_e<T>));
+    const DoubleWord<F> ratio = fast_add(F(1), multiply<Product>(z, slope));
+    return multiply<Product>(multiply<Product>(s, ratio), broadcast<F>(constants::two_log2_e<T>));
 }
 
 /// log2 |x| as a double word for |x| finite and not 0, denormals included; some finite number

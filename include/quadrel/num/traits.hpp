@@ -64,8 +64,11 @@ concept Packet = Number<F> && lanes_of<F>
 ///   gather(base, Int index)              base[index] lane by lane, converted to F
 ///   look_up16(table, Int index)          table[index] of a table of 16
 ///   gather2, gather4(base, index, out)   base[index + c] for c = 0, 1 (, 2, 3) into out[c]
+///   product_error(a, b, product)         optional: a * b - product, rounded once
 ///   bilinear4(base, index[4], x, y, out)  optional: four elements each at the taps of a bilinear
 ///                                        footprint, blended with the weights x and y
+///   trilinear4                           optional: the same of two footprints, the second blended
+///                                        over the first where its weight is above 0
 ///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
 ///                                        quad; packets only
 template <class F>

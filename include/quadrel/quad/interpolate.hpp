@@ -38,15 +38,10 @@ class PrimitiveReader {
     PerVertex<F> per_vertex(int offset, int stride) const {
         return {at(offset), at(offset + stride), at(offset + 2 * stride)};
     }
-    PerVertex<vec2<F>> per_vertex2(int offset) const {
-        return {{at(offset), at(offset + 1)},
-                {at(offset + 2), at(offset + 3)},
-                {at(offset + 4), at(offset + 5)}};
-    }
-    PerVertex<vec3<F>> per_vertex3(int offset) const {
-        return {{at(offset), at(offset + 1), at(offset + 2)},
-                {at(offset + 3), at(offset + 4), at(offset + 5)},
-                {at(offset + 6), at(offset + 7), at(offset + 8)}};
+    /// The same as plain numbers, where every lane has the same row.
+    bool uniform() const { return uniform_; }
+    PerVertex<float> uniform_vertex(int offset, int stride) const {
+        return {first_[offset], first_[offset + stride], first_[offset + 2 * stride]};
     }
 
   private:
@@ -61,10 +56,23 @@ class PrimitiveReader {
 template <Number F>
 class Interpolator {
   public:
-    Interpolator(const StageCall& call, int first_lane, const PerVertex<F>& w)
-        : call_(call), first_lane_(first_lane), b_(perspective_barycentrics(edges(), w)) {}
+    Interpolator(const StageCall& call, int first_lane)
+        : call_(call), first_lane_(first_lane), b_(barycentrics_here()) {}
 
     const Barycentrics<F>& barycentrics() const { return b_; }
+
+    /// Of the floats at `offset` of the rows, `stride` apart from vertex to vertex.
+    F at(const PrimitiveReader<F>& rows, int offset, int stride) const {
+        if (call_.planes == nullptr && rows.uniform())
+            return interpolate_of_one(b_, rows.uniform_vertex(offset, stride));
+        return lane_by_lane(rows, offset, stride);
+    }
+    template <int n>
+    vec<n, F> vector(const PrimitiveReader<F>& rows, int offset) const {
+        vec<n, F> result;
+        for (int i = 0; i < n; ++i) result[i] = at(rows, offset + i, n);
+        return result;
+    }
 
     F operator()(const PerVertex<F>& value) const {
         return call_.planes == nullptr ? interpolate(b_, value) : by_planes(value);
@@ -79,7 +87,13 @@ class Interpolator {
     }
 
   private:
-    EdgeValues<F> edges() const { return {edge(0), edge(1), edge(2)}; }
+    Barycentrics<F> barycentrics_here() const {
+        const PrimitiveReader<F> rows(call_, first_lane_, call_.primitives);
+        constexpr int w = static_cast<int>(offsetof(PrimitiveData, w) / sizeof(float));
+        const EdgeValues<F> edges{edge(0), edge(1), edge(2)};
+        return rows.uniform() ? perspective_barycentrics_of_one<F>(edges, rows.uniform_vertex(w, 1))
+                              : perspective_barycentrics<F>(edges, rows.per_vertex(w, 1));
+    }
     Wide<F> edge(int i) const {
         const Wide<F> value = load_wide<F>(call_.edges[i] + first_lane_);
         if constexpr (Differentiated<F>) {
@@ -97,6 +111,10 @@ class Interpolator {
             return {with_derivatives(at.x, 1, 0), with_derivatives(at.y, 0, 1)};
         else
             return at;
+    }
+    /// Not inline: one packet in many has lanes of two triangles.
+    [[gnu::noinline]] F lane_by_lane(const PrimitiveReader<F>& rows, int offset, int stride) const {
+        return (*this)(rows.per_vertex(offset, stride));
     }
     /// Not inline: it would be many times as long as the exact way beside it.
     [[gnu::noinline]] F by_planes(const PerVertex<F>& value) const {
@@ -118,10 +136,7 @@ class Interpolator {
 /// Of the packet that a stage sees.
 template <class Io>
 Interpolator<typename Io::Number> interpolator(const Io& io) {
-    using F = typename Io::Number;
-    const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
-    constexpr int w = static_cast<int>(offsetof(PrimitiveData, w) / sizeof(float));
-    return {io.call(), io.first_lane(), data.per_vertex(w, 1)};
+    return {io.call(), io.first_lane()};
 }
 
 struct Interpolate : StageDefaults {
@@ -143,7 +158,7 @@ struct Interpolate : StageDefaults {
         const PrimitiveReader<F> data(io.call(), io.first_lane(), io.call().primitives);
         const Interpolator<F> interpolated = interpolator(io);
         const auto vector = [&](std::size_t bytes) {
-            return interpolated(data.per_vertex3(offset_of(bytes)));
+            return interpolated.template vector<3>(data, offset_of(bytes));
         };
         constexpr int ng = offset_of(offsetof(PrimitiveData, face_normal));
 
@@ -153,7 +168,7 @@ struct Interpolate : StageDefaults {
         }
         if (io.template wanted<Value::uv>()) {
             io.template store<Value::uv>(
-                interpolated(data.per_vertex2(offset_of(offsetof(PrimitiveData, uv)))));
+                interpolated.template vector<2>(data, offset_of(offsetof(PrimitiveData, uv))));
         }
         io.template store<Value::Ng>(vec3<F>(data.at(ng), data.at(ng + 1), data.at(ng + 2)));
         const Barycentrics<F>& b = interpolated.barycentrics();
@@ -174,11 +189,11 @@ struct Interpolate : StageDefaults {
         constexpr std::size_t J = offsetof(PrimitiveFrame, J);
         constexpr std::size_t axes = offsetof(PrimitiveFrame, object_axes);
         io.template store<Value::vertex_tangent>(
-            interpolated(row.per_vertex3(at(offsetof(PrimitiveFrame, tangent)))));
+            interpolated.template vector<3>(row, at(offsetof(PrimitiveFrame, tangent))));
         io.template store<Value::tangent_sign>(
-            interpolated(row.per_vertex(at(offsetof(PrimitiveFrame, tangent_sign)), 1)));
+            interpolated.at(row, at(offsetof(PrimitiveFrame, tangent_sign)), 1));
         io.template store<Value::vertex_bitangent>(
-            interpolated(row.per_vertex3(at(offsetof(PrimitiveFrame, bitangent)))));
+            interpolated.template vector<3>(row, at(offsetof(PrimitiveFrame, bitangent))));
         io.template store<Value::face_J>(
             std::array<vec3<F>, 2>{constant(at(J)), constant(at(J) + 3)});
         io.template store<Value::object_x>(constant(at(axes)));

@@ -2,7 +2,7 @@
 // a material that has no height map.
 #pragma once
 
-#include "quadrel/quad/stage.hpp"
+#include "quadrel/quad/shared_scales.hpp"
 
 namespace quadrel {
 
@@ -22,10 +22,7 @@ struct LevelOfDetail : StageDefaults {
         const SampledTexture* height = io.template texture<TextureSlot::height>();
         const SampledTexture* map = height ? height : io.template texture<TextureSlot::color>();
         LodRecord<F> lod{};
-        if (map) {
-            lod = compute_lod(*map, io.template load<Value::dUVdx>(),
-                              io.template load<Value::dUVdy>());
-        }
+        if (map) lod = undisplaced_lod(io, *map, LodUse::shown);
         io.template store<Value::lod_rho>(lod.rho);
         io.template store<Value::lod_lambda>(lod.lambda);
         io.template store<Value::lod_level>(lod.level);

@@ -43,6 +43,8 @@ class StageLog : public FetchLog {
     virtual void march_step(const MarchStep& step) = 0;
 };
 
+struct SharedScales;  // shared_scales.hpp
+
 /// What a stage function is called with. Only plain data: this crosses module borders.
 struct StageCall {
     void* const* values;          ///< array per slot (value.hpp); null where not planned
@@ -55,6 +57,7 @@ struct StageCall {
     std::int32_t light;                                  ///< which light a per-light stage serves
     FetchCounters* counters;                             ///< an array, one a texture slot; or null
     StageLog* log;                                       ///< null but in a probe
+    SharedScales* scales;  ///< of this batch; null where every stage is to compute its own
     // What the interpolation reads instead of values.
     const double* edges[3];         ///< edge functions at the evaluation point, per lane
     const float* window[2];         ///< the evaluation point in pixels; null where `planes` is
@@ -124,59 +127,14 @@ constexpr bool contains(const std::array<Value, n>& list, Value v) {
     return std::find(list.begin(), list.end(), v) != list.end();
 }
 
-/// One packet's view of a StageCall.
+/// One packet's view of a StageCall, but for values.
 template <class Stage, class F>
-class StageIo {
+class PacketIo {
   public:
     using Number = F;
     static constexpr bool reads_vertices = Stage::reads_vertices;
 
-    StageIo(const StageCall& call, int first_lane) : call_(call), lane_(first_lane) {}
-
-    /// The declared input `v`: F, vec2, vec3 or an integer packet by the value's table entry.
-    template <Value v>
-    auto load(int light = 0) const {
-        static_assert(contains(Stage::inputs, v), "not among the stage's inputs");
-        constexpr int n = info(v).components;
-        const int slot = slot_of(v) + light * n;
-        if constexpr (info(v).kind == ValueKind::integer) {
-            return load_int<F>(static_cast<const std::int32_t*>(call_.values[slot]) + lane_);
-        } else if constexpr (n == 1) {
-            return real(slot);
-        } else if constexpr (n == 2) {
-            return vec2<F>(real(slot), real(slot + 1));
-        } else if constexpr (n == 3) {
-            return vec3<F>(real(slot), real(slot + 1), real(slot + 2));
-        } else {
-            return std::array<vec3<F>, 2>{vec3<F>(real(slot), real(slot + 1), real(slot + 2)),
-                                          vec3<F>(real(slot + 3), real(slot + 4), real(slot + 5))};
-        }
-    }
-
-    /// Stores the declared output `v`; nothing happens when no one asked for it.
-    template <Value v, class X>
-    void store(const X& x, int light = 0) const {
-        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
-        constexpr int n = info(v).components;
-        const int slot = slot_of(v) + light * n;
-        if (!call_.values[slot]) return;
-        if constexpr (info(v).kind == ValueKind::integer) {
-            detail::store_packet(static_cast<std::int32_t*>(call_.values[slot]) + lane_, x);
-        } else if constexpr (n == 1) {
-            put(slot, x);
-        } else if constexpr (n == 6) {
-            for (int i = 0; i < 6; ++i) put(slot + i, x[std::size_t(i / 3)][i % 3]);
-        } else {
-            for (int i = 0; i < n; ++i) put(slot + i, x[i]);
-        }
-    }
-
-    /// Whether anyone asked for the declared output `v`.
-    template <Value v>
-    bool wanted() const {
-        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
-        return call_.values[slot_of(v)] != nullptr;
-    }
+    PacketIo(const StageCall& call, int first_lane) : call_(call), lane_(first_lane) {}
 
     Mask<F> active() const { return load_mask<F>(call_.active + lane_); }
     /// For look-ups in the texture of that slot.
@@ -208,20 +166,92 @@ class StageIo {
 
     const MaterialUniforms& material() const { return *call_.material; }
     const FrameUniforms& frame() const { return *call_.frame; }
-    int light() const { return call_.light; }
     const StageCall& call() const { return call_; }
     int first_lane() const { return lane_; }
 
-  private:
-    F real(int slot) const {
-        return quadrel::load<F>(static_cast<const MemoryElement<F>*>(call_.values[slot]) + lane_);
-    }
-    void put(int slot, F x) const {
-        detail::store_packet(static_cast<MemoryElement<F>*>(call_.values[slot]) + lane_, x);
-    }
-
+  protected:
     const StageCall& call_;
     int lane_;
+};
+
+namespace detail {
+/// Component after component of a value: F, vec2, vec3 or six as two vec3, as `real(i)` gives them.
+template <int components, class Real>
+auto assemble(const Real& real) {
+    using F = decltype(real(0));
+    if constexpr (components == 1) {
+        return real(0);
+    } else if constexpr (components == 2) {
+        return vec2<F>(real(0), real(1));
+    } else if constexpr (components == 3) {
+        return vec3<F>(real(0), real(1), real(2));
+    } else {
+        return std::array<vec3<F>, 2>{vec3<F>(real(0), real(1), real(2)),
+                                      vec3<F>(real(3), real(4), real(5))};
+    }
+}
+/// The other way: put(i, component i).
+template <int components, class X, class Put>
+void take_apart(const X& x, const Put& put) {
+    if constexpr (components == 1) {
+        put(0, x);
+    } else if constexpr (components == 6) {
+        for (int i = 0; i < 6; ++i) put(i, x[std::size_t(i / 3)][i % 3]);
+    } else {
+        for (int i = 0; i < components; ++i) put(i, x[i]);
+    }
+}
+}  // namespace detail
+
+/// One packet's view of a StageCall: values are in the arrays of a batch.
+template <class Stage, class F>
+class StageIo : public PacketIo<Stage, F> {
+  public:
+    using PacketIo<Stage, F>::PacketIo;
+
+    /// The declared input `v`: F, vec2, vec3 or an integer packet by the value's table entry.
+    template <Value v>
+    auto load(int light = 0) const {
+        static_assert(contains(Stage::inputs, v), "not among the stage's inputs");
+        constexpr int n = info(v).components;
+        const int slot = slot_of(v) + light * n;
+        if constexpr (info(v).kind == ValueKind::integer) {
+            return load_int<F>(array<std::int32_t>(slot));
+        } else {
+            return detail::assemble<n>(
+                [&](int i) { return quadrel::load<F>(array<MemoryElement<F>>(slot + i)); });
+        }
+    }
+
+    /// Stores the declared output `v`; nothing happens when no one asked for it.
+    template <Value v, class X>
+    void store(const X& x, int light = 0) const {
+        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
+        constexpr int n = info(v).components;
+        const int slot = slot_of(v) + light * n;
+        if (!this->call_.values[slot]) return;
+        if constexpr (info(v).kind == ValueKind::integer) {
+            detail::store_packet(array<std::int32_t>(slot), x);
+        } else {
+            detail::take_apart<n>(
+                x, [&](int i, F c) { detail::store_packet(array<MemoryElement<F>>(slot + i), c); });
+        }
+    }
+
+    /// Whether anyone asked for the declared output `v`.
+    template <Value v>
+    bool wanted() const {
+        static_assert(contains(Stage::outputs, v), "not among the stage's outputs");
+        return this->call_.values[slot_of(v)] != nullptr;
+    }
+
+    int light() const { return this->call_.light; }
+
+  private:
+    template <class Element>
+    Element* array(int slot) const {
+        return static_cast<Element*>(this->call_.values[slot]) + this->lane_;
+    }
 };
 
 /// Runs a stage over a batch.

@@ -79,6 +79,13 @@ template <Number F>
 Barycentrics<F> perspective_barycentrics(const EdgeValues<F>& e, const PerVertex<F>& w) {
     return window_barycentrics<F>(perspective_edges(e, w));
 }
+/// The same where all lanes are of one triangle.
+template <Packet F>
+Barycentrics<F> perspective_barycentrics_of_one(const EdgeValues<F>& e, const PerVertex<float>& w) {
+    const double w0 = w.v0, w1 = w.v1, w2 = w.v2;
+    return window_barycentrics<F>(
+        {e.v0 * Wide<F>(w1 * w2), e.v1 * Wide<F>(w2 * w0), e.v2 * Wide<F>(w0 * w1)});
+}
 
 /// The value in a lane, of a scalar or a vector over F.
 template <Number F>
@@ -88,6 +95,14 @@ F interpolate(const Barycentrics<F>& b, const PerVertex<F>& value) {
         from_wide<F>(v0 + b.b1 * (to_wide(value.v1) - v0) + b.b2 * (to_wide(value.v2) - v0));
     // Keeps -0, infinities, and constants where s vanishes.
     return select((value.v0 == value.v1) & (value.v0 == value.v2), value.v0, mixed);
+}
+/// The same where all lanes are of one triangle.
+template <Packet F>
+F interpolate_of_one(const Barycentrics<F>& b, const PerVertex<float>& value) {
+    const double v0 = value.v0;
+    if (value.v0 == value.v1 && value.v0 == value.v2) return F(value.v0);
+    return from_wide<F>(Wide<F>(v0) + b.b1 * Wide<F>(value.v1 - v0) +
+                        b.b2 * Wide<F>(value.v2 - v0));
 }
 template <glm::length_t n, Number F>
 glm::vec<n, F, glm::defaultp> interpolate(const Barycentrics<F>& b,

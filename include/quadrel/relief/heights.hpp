@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrel/quad/shared_scales.hpp"
 #include "quadrel/relief/noise.hpp"
 #include "quadrel/relief/view.hpp"
 #include "quadrel/texture/height_sampler.hpp"
@@ -111,20 +112,12 @@ class MarchHeights {
     bool short_way_, noise_;
 };
 
-/// What the records of a stage's look-ups are for.
-template <class Io>
-LodUse lod_use_of(const Io& io) {
-    return io.call().log != nullptr ? LodUse::shown : LodUse::look_up;
-}
-
 /// Heights with the gradients of the undisplaced UV (textureGrad): what marches read unless their
 /// source says otherwise. The stage loads dUVdx and dUVdy.
 template <class Io>
 MarchHeights<Io> march_heights(const Io& io) {
     const SampledTexture& map = height_map(io);
-    return {io, map,
-            lod_for(lod_use_of(io), map, io.template load<Value::dUVdx>(),
-                    io.template load<Value::dUVdy>())};
+    return {io, map, undisplaced_lod(io, map)};
 }
 
 /// Heights of a level of detail a lane, 0 the finest; the sampler's bias and clamps apply

@@ -9,7 +9,7 @@
 // Published rows do what their listing does.
 #pragma once
 
-#include "quadrel/quad/stage.hpp"
+#include "quadrel/quad/shared_scales.hpp"
 #include "quadrel/texture/sampler.hpp"
 
 namespace quadrel {
@@ -40,8 +40,7 @@ template <TextureSlot slot, class Io, class F = typename Io::Number>
 vec4<F> texel_at(const Io& io, const SampledTexture& map, const vec2<F>& uv,
                  std::int32_t gradients) {
     if (gradients != 0) return implicit_texel<slot>(io, map, uv);
-    return texture_grad(map, io.template context<slot>(), uv, io.template load<Value::dUVdx>(),
-                        io.template load<Value::dUVdy>());
+    return sample_expanded(map, io.template context<slot>(), uv, undisplaced_lod(io, map));
 }
 
 }  // namespace quadrel

@@ -103,7 +103,7 @@ template <Number F>
     return (i >= Int<F>(0)) & (i < n);
 }
 
-/// Splits a texel coordinate into texels and weight.
+/// Splits a texel coordinate, which is within the limit, into texels and weight.
 template <Number F>
 [[gnu::always_inline]] inline AxisTaps<F> split_coordinate(F texel, Int<F> n, F size, Wrap wrap,
                                                            Filter filter,
@@ -112,7 +112,7 @@ template <Number F>
     const F shifted = filter == Filter::linear ? rounded - F(0.5f) : rounded;
     const F base = floor(shifted);
     const bool reduce = sampler.scale_first != 0 && is_periodic(wrap);
-    const Int<F> first = to_int(reduce ? reduce_index(base, size, wrap) : base);
+    const Int<F> first = to_int_in_range(reduce ? reduce_index(base, size, wrap) : base);
     const Int<F> second = first + Int<F>(1);
     return {wrap_index<F>(first, n, wrap), wrap_index<F>(second, n, wrap),
             inside_level<F>(first, n, wrap), inside_level<F>(second, n, wrap), shifted - base};

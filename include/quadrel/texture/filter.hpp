@@ -183,20 +183,27 @@ template <int channels, Number F>
                 weight_y);
 }
 
+/// Indices of the four taps of a footprint.
+template <int channels, Number F>
+struct TapIndices {
+    Int<F> tap[4];
+
+    TapIndices(const LevelGeometry<F>& level, const Footprint<F>& at)
+        : tap{texel_index<channels, F>(level, at.x.first, at.y.first),
+              texel_index<channels, F>(level, at.x.second, at.y.first),
+              texel_index<channels, F>(level, at.x.first, at.y.second),
+              texel_index<channels, F>(level, at.x.second, at.y.second)} {}
+};
+
 template <int channels, Number F>
 Texel<channels, F> sample_linear(const SampledTexture& texture, const LevelGeometry<F>& level,
                                  const vec2<F>& uv) {
     const Footprint<F> at = address(texture, level, uv, Filter::linear);
     if constexpr (channels == 4 && requires { &PacketOps<F>::bilinear4; }) {
         if (!has_border(texture.sampler)) {
-            const auto index = [&](Int<F> x, Int<F> y) {
-                return texel_index<channels, F>(level, x, y);
-            };
-            const Int<F> taps[4] = {index(at.x.first, at.y.first), index(at.x.second, at.y.first),
-                                    index(at.x.first, at.y.second),
-                                    index(at.x.second, at.y.second)};
+            const TapIndices<channels, F> indices(level, at);
             Texel<channels, F> result;
-            PacketOps<F>::bilinear4(texture.view.texels, taps, at.x.weight, at.y.weight,
+            PacketOps<F>::bilinear4(texture.view.texels, indices.tap, at.x.weight, at.y.weight,
                                     result.channel);
             return result;
         }

@@ -139,19 +139,19 @@ F total_bias(const SampledTexture& texture, F bias) {
     return clamp(F(texture.sampler.lod_bias) + bias, F(-max_lod_bias), F(max_lod_bias));
 }
 
+/// rho and log2(rho) of screen-space gradients of uv (per pixel, in units of the texture).
 template <Number F>
-LodRecord<F> lod_of_gradients(const SampledTexture& texture, const TexelGradients<F>& texels,
-                              F total) {
-    const ScaleFactor<F> scale = scale_factor(texture.sampler.lod_form, texels.x, texels.y);
-    return select_level(texture, scale.rho, scale.log2_rho + total);
+ScaleFactor<F> scale_factor_of(const SampledTexture& texture, const vec2<F>& dx,
+                               const vec2<F>& dy) {
+    const TexelGradients<F> texels(texture, dx, dy);
+    return scale_factor(texture.sampler.lod_form, texels.x, texels.y);
 }
 
-/// The record of screen-space gradients of uv (per pixel, in units of the texture), with the
-/// shader's bias.
+/// The record of a scale factor, with the sampler's and the shader's bias.
 template <Number F>
-LodRecord<F> compute_lod(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy,
-                         F bias = F(0)) {
-    return lod_of_gradients(texture, TexelGradients<F>(texture, dx, dy), total_bias(texture, bias));
+LodRecord<F> lod_of_scale(const SampledTexture& texture, const ScaleFactor<F>& scale,
+                          F bias = F(0)) {
+    return select_level(texture, scale.rho, scale.log2_rho + total_bias(texture, bias));
 }
 
 /// Whether a look-up depends on the level of detail: by the level that it reads, or by the filter.
@@ -183,9 +183,16 @@ LodRecord<F> lod_for(LodUse use, const SampledTexture& texture, const vec2<F>& d
                      const vec2<F>& dy, F bias = F(0)) {
     if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
     const TexelGradients<F> texels(texture, dx, dy);
-    const F total = total_bias(texture, bias);
-    if (use == LodUse::look_up && all_magnified(texture, texels, total)) return finest_lod<F>();
-    return lod_of_gradients(texture, texels, total);
+    if (use == LodUse::look_up && all_magnified(texture, texels, total_bias(texture, bias)))
+        return finest_lod<F>();
+    return lod_of_scale(texture, scale_factor(texture.sampler.lod_form, texels.x, texels.y), bias);
+}
+
+/// The record of screen-space gradients of uv, with the shader's bias.
+template <Number F>
+LodRecord<F> compute_lod(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy,
+                         F bias = F(0)) {
+    return lod_of_scale(texture, scale_factor_of(texture, dx, dy), bias);
 }
 
 }  // namespace quadrel

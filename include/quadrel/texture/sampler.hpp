@@ -92,13 +92,58 @@ Texel<channels, F> sample_mips(const MipLevels<F>& levels, const LodRecord<F>& l
     return select(lod.frac > F(0), lerp(fine, coarse, lod.frac), fine);
 }
 
+/// Whether a look-up's state is the commonest but for levels: one wrap mode for both axes, linear
+/// within a level, no hardware's rounding.
+inline bool is_common(const SamplerState& s, Wrap wrap) {
+    return s.wrap_u == wrap && s.wrap_v == wrap && s.mag == Filter::linear &&
+           s.min == Filter::linear && s.weight_bits == 0 && s.scale_first == 0;
+}
+
+/// sample_texture of such a state, which is a constant here. Out of line: one copy of it.
+template <Wrap wrap, Number F>
+[[gnu::noinline]] Texel<4, F> sample_common(const SampledTexture& texture, const vec2<F>& uv,
+                                            F weight, const MipLevels<F>& levels) {
+    static constexpr SamplerState state{.wrap_u = wrap, .wrap_v = wrap};
+    const auto footprint = [&](const LevelGeometry<F>& l) -> Footprint<F> {
+        return {address_axis(uv.x, l.width, l.width_number, wrap, Filter::linear, state),
+                address_axis(uv.y, l.height, l.height_number, wrap, Filter::linear, state)};
+    };
+    Texel<4, F> result;
+    const Footprint<F> at = footprint(levels.fine);
+    const TapIndices<4, F> fine(levels.fine, at);
+    if (!levels.blends) {
+        PacketOps<F>::bilinear4(texture.view.texels, fine.tap, at.x.weight, at.y.weight,
+                                result.channel);
+        return result;
+    }
+    const Footprint<F> coarse_at = footprint(levels.coarse);
+    const TapIndices<4, F> coarse(levels.coarse, coarse_at);
+    PacketOps<F>::trilinear4(texture.view.texels, fine.tap, at.x.weight, at.y.weight, coarse.tap,
+                             coarse_at.x.weight, coarse_at.y.weight, weight, result.channel);
+    return result;
+}
+
+/// sample_texture of any state. Out of line, too: all filters and wrap modes are much code.
+template <int channels, Number F>
+[[gnu::noinline]] Texel<channels, F> sample_any(const SampledTexture& texture, const vec2<F>& uv,
+                                                const LodRecord<F>& lod,
+                                                const MipLevels<F>& levels) {
+    return sample_mips<channels, F>(levels, lod, [&](const LevelGeometry<F>& level) {
+        return sample_level<channels, F>(texture, level, uv, lod.magnified);
+    });
+}
+
 /// The filtered texel for a record of compute_lod or lod_from_level, and its levels.
 template <int channels, Number F>
 Texel<channels, F> sample_texture(const SampledTexture& texture, const vec2<F>& uv,
                                   const LodRecord<F>& lod, const MipLevels<F>& levels) {
-    return sample_mips<channels, F>(levels, lod, [&](const LevelGeometry<F>& level) {
-        return sample_level<channels, F>(texture, level, uv, lod.magnified);
-    });
+    if constexpr (channels == 4 && requires { &PacketOps<F>::trilinear4; }) {
+        if (is_common(texture.sampler, Wrap::repeat))
+            return sample_common<Wrap::repeat, F>(texture, uv, lod.frac, levels);
+        if (is_common(texture.sampler, Wrap::clamp_to_edge))
+            return sample_common<Wrap::clamp_to_edge, F>(texture, uv, lod.frac, levels);
+    }
+    return sample_any<channels, F>(texture, uv, lod, levels);
 }
 
 /// Marks what sample_texture touches.

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "render/draw/border_check.hpp"
+#include "render/plan/chains.hpp"
 
 namespace quadrel {
 namespace {
@@ -51,7 +52,10 @@ void run_stage(const PlannedStage& stage, const StageCall& call, StageClock* clo
 void Batch::Free::operator()(std::byte* memory) const { ::operator delete[](memory, alignment); }
 
 Batch::Batch(int scalar_bytes, const ProbeCommand* command)
-    : scalar_bytes_(scalar_bytes), command_(command), values_(slot_count, nullptr) {}
+    : scalar_bytes_(scalar_bytes),
+      command_(command),
+      values_(slot_count, nullptr),
+      values_of_chains_(slot_count, nullptr) {}
 
 void Batch::prepare(const MaterialPlan& plan) {
     const ValueSet& values = plan.values;
@@ -77,14 +81,18 @@ void Batch::prepare(const MaterialPlan& plan) {
     primitive_ = reinterpret_cast<std::int32_t*>(take());
     active_ = reinterpret_cast<std::uint32_t*>(take());
     std::fill(values_.begin(), values_.end(), nullptr);
+    std::fill(values_of_chains_.begin(), values_of_chains_.end(), nullptr);
     for (std::size_t v = 0; v < values.size(); ++v) {
         if (!values[v]) continue;
         const int first = slot_of(static_cast<Value>(v));
         for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i) {
             values_[first + i] = take();
+            if (plan.in_arrays[v]) values_of_chains_[first + i] = values_[first + i];
             if (!plan.produced[v]) std::memset(values_[first + i], 0, array_bytes);
         }
     }
+    links_.clear();
+    for (const PlannedChain& chain : plan.chains) links_.push_back(chain_stages(plan, chain));
 }
 
 void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
@@ -140,7 +148,7 @@ void Batch::load_slopes(const QuadCoverage* quads, const Geometry& geometry) {
 }
 
 void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
-                StageClock* clock) {
+                StageClock* clock, const Shortcuts& shortcuts) {
     call.values = values_.data();
     call.active = active_;
     call.lanes = lanes_;
@@ -152,12 +160,38 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
     call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
     call.edge_slopes = slopes_.data();
-    for (const PlannedStage& stage : plan.stages) {
-        call.parameters = stage.params.data();
-        call.light = stage.light;
-        run_stage(stage, call, clock);
+    if (shortcuts.shared_scales) {
+        std::fill(scales_->keys, scales_->keys + lanes_ / 4, 0);
+        call.scales = scales_.get();
+    }
+    // What a chain has broken a promise in is done again, so that the stage is found and named.
+    if (shortcuts.chains && !plan.chains.empty() && run_chains(plan, call)) return;
+    run_stages(plan, 0, plan.stages.size(), call, clock);
+}
+
+void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
+                       const StageCall& call, StageClock* clock) const {
+    StageCall own = call;
+    for (std::size_t i = first; i < end; ++i) {
+        const PlannedStage& stage = plan.stages[i];
+        own.parameters = stage.params.data();
+        own.light = stage.light;
+        run_stage(stage, own, clock);
         check_border(stage);
     }
+}
+
+/// Runs the plan by its chains, and stage by stage between them. False if it is to be run again.
+bool Batch::run_chains(const MaterialPlan& plan, StageCall call) const {
+    call.values = values_of_chains_.data();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < plan.chains.size(); ++i) {
+        run_stages(plan, next, plan.chains[i].first, call, nullptr);
+        if (!plan.chains[i].run(&call, links_[i].data())) return false;
+        next = plan.chains[i].end;
+    }
+    run_stages(plan, next, plan.stages.size(), call, nullptr);
+    return true;
 }
 
 void Batch::check_border(const PlannedStage& stage) const {

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "quadrel/num/dual.hpp"
-#include "quadrel/quad/stage.hpp"
+#include "quadrel/quad/shared_scales.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/draw/lane_bits.hpp"
 #include "render/plan/plan.hpp"
+#include "render/plan/shortcuts.hpp"
 #include "render/probe/command.hpp"
 #include "render/stats/stage_clock.hpp"
 
@@ -34,9 +35,10 @@ class Batch {
               bool centroid, bool runs = false);
 
     /// Runs the plan's stages and checks what each stored. `call` comes with material, frame,
-    /// textures and counters set. A `clock`, if given, times the stages.
+    /// textures and counters set. A `clock`, if given, times the stages. `shortcuts`: those that
+    /// stages may take; arrays of values that no one outside of a chain reads are then undefined.
     void run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
-             StageClock* clock = nullptr);
+             StageClock* clock = nullptr, const Shortcuts& shortcuts = no_shortcuts);
 
     int quads() const { return quads_; }
     /// Sum over all lanes of the quads; 0 where the array is not there.
@@ -66,6 +68,9 @@ class Batch {
                    const QuadPoints& points);
     void load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry);
     void load_slopes(const QuadCoverage* quads, const Geometry& geometry);
+    void run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
+                    const StageCall& call, StageClock* clock) const;
+    bool run_chains(const MaterialPlan& plan, StageCall call) const;
     void check_border(const PlannedStage& stage) const;
 
     int scalar_bytes_;
@@ -74,7 +79,9 @@ class Batch {
     int quads_ = 0, lanes_ = 0;
     std::unique_ptr<std::byte[], Free> memory_;
     std::size_t capacity_ = 0;
-    std::vector<void*> values_;
+    std::vector<void*> values_, values_of_chains_;  ///< the latter: null where handed on locally
+    std::vector<std::vector<ChainStage>> links_;    ///< per chain of the plan
+    std::unique_ptr<SharedScales> scales_ = std::make_unique<SharedScales>();
     double* edges_[3]{};
     float* window_[2]{};
     std::int32_t* primitive_ = nullptr;

@@ -8,34 +8,34 @@
 #include <cstdint>
 #include <iterator>
 
+#include "quadrel/quad/promises.hpp"
 #include "render/plan/names.hpp"
 
 namespace quadrel {
 namespace {
 
-/// Allowed values of an integer array: [0, limit), a power of two.
+/// A rule about integers: allowed_end, for people.
 struct Limit {
     Value value;
-    std::uint32_t limit;
     const char* text;
+    std::uint32_t end = allowed_end(value);
 };
 
-constexpr std::uint32_t counts_end = 0x80000000u;  // negative ones are beyond
 constexpr Limit limits[] = {
-    {Value::frame_status, 8, "a status, 0 to 7"},
-    {Value::hit_status, 8, "a status, 0 to 7"},
-    {Value::frame_flags, 16, "flags, 0 to 15"},
-    {Value::hit_flags, HitFlag::end, "flags, 0 to 63"},
-    {Value::hit_steps, counts_end, "a count"},
-    {Value::hit_fetches, counts_end, "a count"},
-    {Value::shadow_steps, counts_end, "a count"},
+    {Value::frame_status, "a status, 0 to 7"},
+    {Value::hit_status, "a status, 0 to 7"},
+    {Value::frame_flags, "flags, 0 to 15"},
+    {Value::hit_flags, "flags, 0 to 63"},
+    {Value::hit_steps, "a count"},
+    {Value::hit_fetches, "a count"},
+    {Value::shadow_steps, "a count"},
 };
 
 /// The rules, by bit: those of `limits`, and two about real numbers.
 constexpr std::size_t depth_rule = std::size(limits), parameter_rule = depth_rule + 1;
 static_assert(parameter_rule + 1 == BorderChecks().size());
 static_assert(std::all_of(std::begin(limits), std::end(limits),
-                          [](const Limit& limit) { return std::has_single_bit(limit.limit); }));
+                          [](const Limit& limit) { return std::has_single_bit(limit.end); }));
 
 /// One array of a batch.
 template <class T>
@@ -63,7 +63,7 @@ std::optional<BorderFault> check_code(const PlannedStage& stage, const Limit& li
                                       void* const* values, int lanes) {
     const int light = std::max(stage.light, 0) * int(info(limit.value).per_light);
     const auto* const of = array<std::uint32_t>(values, limit.value, light);
-    const int lane = of ? first_beyond(of, lanes, limit.limit) : -1;
+    const int lane = of ? first_beyond(of, lanes, limit.end) : -1;
     if (lane < 0) return std::nullopt;
     return BorderFault{lane,
                        fmt::format("{} = {} in lane {}, expected {}", info(limit.value).name,

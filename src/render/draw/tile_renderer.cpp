@@ -199,10 +199,9 @@ void TileRenderer::shade() {
                          });
     for (std::size_t first = 0; first < quads_.size();) {
         const std::uint32_t material = material_of(quads_[first]);
-        std::size_t end = first;
-        while (end < quads_.size() && end - first < batch_quads &&
-               material_of(quads_[end]) == material)
-            ++end;
+        std::size_t end = std::min(first + batch_quads, quads_.size());
+        if (scene_.materials.size() > 1)  // they are sorted
+            while (material_of(quads_[end - 1]) != material) --end;
         const int count = static_cast<int>(end - first);
         run(plan_.materials[material], material, quads_.data() + first, count);
         if (recording_ == Recording::counts)
@@ -247,7 +246,10 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
     if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
-    batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
+    if (recording_ == Recording::nothing)
+        batch_.run(plan, call, geometry_, nullptr, plan_.shortcuts);
+    else
+        batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
 }
 
 /// Stages do not throw: whatever did is a mistake of ours. Runs the quads one by one until it is

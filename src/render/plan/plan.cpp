@@ -12,6 +12,7 @@
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "quadrel/scene/default_stage.hpp"
 #include "render/draw/border_check.hpp"
+#include "render/plan/chains.hpp"
 #include "render/registry/added_stages.hpp"
 #include "text/suggest.hpp"
 
@@ -158,7 +159,7 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
 MaterialPlan plan_material(const Scene& scene, const Material& material, const Wanted& wanted,
                            const KernelTable& table) {
     MaterialPlan plan;
-    plan.values = wanted.values;
+    plan.values = plan.wanted = wanted.values;
     LightSet lights = wanted.lights;
     std::vector<PlannedStage> stages = material_stages(scene, material);
     for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage) {
@@ -183,6 +184,7 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
     }
     std::reverse(plan.stages.begin(), plan.stages.end());
     for (PlannedStage& stage : plan.stages) stage.checks = border_checks(stage, plan.values);
+    find_chains(plan, table);
     return plan;
 }
 

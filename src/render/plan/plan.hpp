@@ -35,11 +35,20 @@ using ValueSet = std::bitset<static_cast<std::size_t>(Value::count)>;
 using SlotSet = std::bitset<texture_slot_count>;
 using LightSet = std::bitset<max_lights>;
 
+/// Stages [first, end) of a plan that one kernel runs.
+struct PlannedChain {
+    std::size_t first = 0, end = 0;
+    ChainFunction run = nullptr;
+};
+
 /// The stages of one material that the wanted values need, in the order of the data flow.
 struct MaterialPlan {
     std::vector<PlannedStage> stages;
     ValueSet values;    ///< every value that a stage loads or that is wanted
+    ValueSet wanted;    ///< every value that the film or a decision about it reads
     ValueSet produced;  ///< those that a stage stores; the others read as 0
+    std::vector<PlannedChain> chains;
+    ValueSet in_arrays;  ///< of `values`, those that need an array where chains run
     SlotSet textures;
     bool needs_height = false;  ///< a relief stage reads heights
     /// The first stage that noise in place of a height map does not serve: it reads the map itself,

@@ -38,16 +38,51 @@ class Dice {
     std::mt19937 engine_;
 };
 
-/// Opaque, with holes, under relief, and one whose colour is no number, of unusual payload.
+/// Lit by the cosine; relief by one look-up. A chain of stages has it all.
+Material matte_relief(const std::string& name) {
+    Material material = relief_material(name, false);
+    material.trace.id = "offset-limit";
+    material.trace.parameters.clear();
+    material.surface.id = "none";
+    material.shadow.id = "none";
+    material.shadow.parameters.clear();
+    material.shade.id = "shade-lambert";
+    return material;
+}
+
+/// Opaque, with holes, under relief, and one whose colour is no number, of unusual payload. Of
+/// those under relief one has maps of two sizes, one is a chain but for its search, and one clips.
 std::vector<Material> materials() {
     std::vector<Material> all{
-        plain_material("plain", {0.25f, 0.5f, 1}), plain_material("holes", {1, 0.5f, 0.25f}),
+        plain_material("plain", {0.25f, 0.5f, 1}),
+        plain_material("holes", {1, 0.5f, 0.25f}),
         relief_material("relief", false),
-        plain_material("undefined", glm::vec3(std::bit_cast<float>(0xffc54321u)))};
+        plain_material("undefined", glm::vec3(std::bit_cast<float>(0xffc54321u))),
+        matte_relief("matte"),
+        matte_relief("searched"),
+        matte_relief("clipped"),
+        plain_material("lit", {0.125f, 0.25f, 0.5f}),
+        plain_material("unlit")};
     all[1].textures["color"] = holes_texture();
     all[1].discard_below = 0.5f;
     all[2].trace = stage("offset-limit", "materials.relief.relief.trace");
     all[2].shadow = stage("none", "materials.relief.relief.shadow");
+    all[4].textures["color"] = texture(write_texture("smaller.exr", 8, noise));
+    all[5].trace.id = "parallax";
+    all[6].clip = stage("clip-uv", "materials.clipped.relief.clip");
+    all[7].shade.id = "shade-lambert";
+    all[7].textures["color"] = noise_texture();
+    all[8].shade.id = "shade-texture";
+    all[8].textures["color"] = noise_texture();
+    return all;
+}
+
+/// A lamp and a sun.
+std::vector<Light> lights() {
+    std::vector<Light> all(2);
+    all[0].position = {3, 4, 5};
+    all[1].kind = Light::Kind::directional;
+    all[1].position = {-0.6f, 0, 0.8f};
     return all;
 }
 
@@ -64,7 +99,10 @@ Scene random_scene(unsigned seed) {
         set_perspective_camera(scene, {1, 2, 22},
                                {.near = 0.5, .far = 60, .reversed_z = seed % 5 == 0});
     scene.materials = materials();
-    const auto material = [&] { return static_cast<std::size_t>(dice.below(4)); };
+    if (seed % 3 != 0) scene.lights = lights();
+    const auto material = [&] {
+        return static_cast<std::size_t>(dice.below(static_cast<int>(scene.materials.size())));
+    };
     const auto corner = [&](float reach) {
         return glm::vec3(dice.between(-reach, reach), dice.between(-reach, reach),
                          dice.between(-8.5f, -1.5f));
@@ -129,11 +167,17 @@ testing::AssertionResult same_without(const Draw& draw, const Shortcuts& shortcu
     return testing::AssertionSuccess();
 }
 
+constexpr bool Shortcuts::*all_shortcuts[] = {&Shortcuts::film_rows, &Shortcuts::edge_runs,
+                                              &Shortcuts::solid_tiles, &Shortcuts::chains,
+                                              &Shortcuts::shared_scales};
+
 TEST(Shortcuts, KeepEveryBit) {
     EXPECT_TRUE(same_without(real_draw, {}));
-    EXPECT_TRUE(same_without(real_draw, {.edge_runs = false, .solid_tiles = false}));
-    EXPECT_TRUE(same_without(real_draw, {.film_rows = false, .solid_tiles = false}));
-    EXPECT_TRUE(same_without(real_draw, {.film_rows = false, .edge_runs = false}));
+    for (const auto shortcut : all_shortcuts) {
+        Shortcuts alone = no_shortcuts;
+        alone.*shortcut = true;
+        EXPECT_TRUE(same_without(real_draw, alone));
+    }
 }
 
 TEST(Shortcuts, AreTakenByTheseScenes) {
@@ -151,13 +195,11 @@ TEST(Shortcuts, AreTakenByTheseScenes) {
 TEST(Shortcuts, RendersWithoutSkippingTakeNone) {
     const Scene scene = random_scene(0);
     RenderOptions options = random_options(scene, 0);
-    const auto taken = [&] {
+    for (const bool skip : {true, false}) {
+        options.skip = skip;
         const Shortcuts s = plan_render(scene, options, select_kernels(options)).plan.shortcuts;
-        return std::array{s.film_rows, s.edge_runs, s.solid_tiles};
-    };
-    EXPECT_EQ(taken(), (std::array{true, true, true}));
-    options.skip = false;
-    EXPECT_EQ(taken(), (std::array{false, false, false}));
+        for (const auto shortcut : all_shortcuts) EXPECT_EQ(s.*shortcut, skip);
+    }
 }
 
 /// What a shortcut would draw that looks away from something in the scene.
@@ -189,8 +231,22 @@ void exchange(Film& film, int dx, int dy) {
                         old.planes[p].bits[film.index(x ^ dx, y ^ dy)];
 }
 
+/// Draws with the plan of each material changed, if chains are taken.
+Draw with_chains(const std::function<void(MaterialPlan&)>& change) {
+    return [change](const Scene& scene, const RenderOptions& options, const Shortcuts& shortcuts) {
+        PreparedRender prepared = prepare(scene, options, shortcuts);
+        for (MaterialPlan& plan : prepared.plan.materials)
+            if (shortcuts.chains && !plan.chains.empty()) change(plan);
+        return draw(prepared, options);
+    };
+}
+
 TEST(Shortcuts, ErrorsAreNoticed) {
     const Draw errors[] = {
+        with_chains([](MaterialPlan& plan) {
+            plan.in_arrays.reset(static_cast<std::size_t>(Value::color));
+        }),
+        with_chains([](MaterialPlan& plan) { plan.chains[0].end = plan.stages.size(); }),
         blind_to([](Scene& scene) { scene.materials[1].discard_below = -1; }),
         blind_to([](Scene& scene) {
             scene.objects.resize(std::min<std::size_t>(scene.objects.size(), 1));

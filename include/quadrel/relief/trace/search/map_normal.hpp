@@ -57,8 +57,7 @@ MapNormal<F> map_normal(const Io& io, const Heights& heights, Mask<F> active, co
     const SampledTexture* const map = io.template texture<TextureSlot::normal>();
     if (map == nullptr) return {height_normal(io, heights, active, uv), 4};
     const auto context = io.template context<TextureSlot::normal>(active);
-    const vec4<F> c = texture_grad(*map, context, uv, io.template load<Value::dUVdx>(),
-                                   io.template load<Value::dUVdy>());
+    const vec4<F> c = sample_expanded(*map, context, uv, undisplaced_lod(io, *map));
     const vec3<F> n = vec3<F>(c) * F(2) - vec3<F>(F(1));
     return {normalize(io.template load<Value::T>() * n.x + io.template load<Value::B>() * n.y +
                       io.template load<Value::frame_normal>() * n.z),
