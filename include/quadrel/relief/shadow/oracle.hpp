@@ -3,8 +3,8 @@
 // No source's: the judge of shadows, with no bias. The ray starts on the surface itself at the UV
 // of the hit, wherever the search for the hit stopped; on blocks at the hit, so that a wall sees no
 // light from behind. Dark where the field is above the ray beyond what double rounds; a ray that
-// only touches is lit, and so is one that would cross more than 2^31 cells or 2^20 nodes. Level 0, whatever
-// filters the sampler has; its wrap modes hold. shadow.steps counts nodes and cells.
+// only touches is lit, and so is one that would cross more than 2^31 cells or 2^20 nodes. Level 0,
+// whatever filters the sampler has; its wrap modes hold. shadow.steps counts nodes and cells.
 #pragma once
 
 #include "quadrel/relief/shadow/light_ray.hpp"
