@@ -55,7 +55,9 @@ bool run_links(const StageCall& call, const ChainStage* stages, std::index_seque
         (run_link<Chain, at, F>(call, stages[at], lane, values, found), ...);
         broken = broken | found.any_rule;
     }
-    return none(broken);
+    const bool kept = none(broken);
+    leave<F>();
+    return kept;
 }
 
 /// Runs a chain over a batch. Flat: a call hands packets over in memory, which is what chains are

@@ -193,6 +193,13 @@ struct NumberTraits<Lanes> {
 
 template <>
 struct PacketOps<Lanes> {
+    /// With upper halves of registers in use, plain instructions wait for one another. Compilers
+    /// see to it where a function of wide registers returns, but not at every one (g++ 12).
+    static void leave() {
+#ifdef __AVX__
+        _mm256_zeroupper();
+#endif
+    }
     static Lanes load(const float* from) { return Lanes(hn::LoadU(simd::FloatTag(), from)); }
     static LanesInt load_int(const std::int32_t* from) {
         return LanesInt(hn::LoadU(simd::IntTag(), from));

@@ -50,6 +50,12 @@ void gather4(const float* base, Int<F> index, F out[4]) {
     PacketOps<F>::gather4(base, index, out);
 }
 
+/// At the end of a function on F that plain code calls.
+template <class F>
+void leave() {
+    if constexpr (requires { PacketOps<F>::leave(); }) PacketOps<F>::leave();
+}
+
 /// F's lanes as doubles, exactly; consecutive doubles; doubles rounded to F.
 template <class F>
 Wide<F> to_wide(F a) {

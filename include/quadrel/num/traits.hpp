@@ -69,6 +69,7 @@ concept Packet = Number<F> && lanes_of<F>
 ///                                        footprint, blended with the weights x and y
 ///   trilinear4                           optional: the same of two footprints, the second blended
 ///                                        over the first where its weight is above 0
+///   leave()                              optional: at the end of a function that plain code calls
 ///   swizzle<a, b, c, d>(F)               lane k of every quad takes lane {a, b, c, d}[k] of its
 ///                                        quad; packets only
 template <class F>

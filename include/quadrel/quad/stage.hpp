@@ -262,6 +262,7 @@ void run_stage(const StageCall* call) {
         StageIo<Stage, F> io(*call, lane);
         Stage()(io, params);
     }
+    leave<F>();
 }
 
 /// Three floats of a uniform as a vector in every lane.

@@ -1,5 +1,4 @@
 #include "relief/oracle/segments.hpp"
-#include "relief/oracle/upper_halves.hpp"
 
 namespace quadrel::oracle {
 namespace {
@@ -63,7 +62,6 @@ double rounded_start(const GridRay& ray) {
 }  // namespace
 
 bool is_occluded(const Field& field, const RayUp& up_ray, std::int32_t& steps) {
-    leave_upper_halves();
     const Heights heights(field);
     const GridRay plane = ray_up(heights, up_ray, 0);
     if (!plane.is_finite() || plane.is_too_long()) return false;

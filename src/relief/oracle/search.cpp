@@ -1,7 +1,5 @@
 #include "relief/oracle/search.hpp"
 
-#include "relief/oracle/upper_halves.hpp"
-
 namespace quadrel::oracle {
 namespace {
 
@@ -198,7 +196,6 @@ template float bound_of<float>(const Hit& hit);
 template double bound_of<double>(const Hit& hit);
 
 Hit first_hit(const Field& field, const Ray& ray, bool exactly) {
-    leave_upper_halves();
     return Search(field, ray, exactly).run();
 }
 
