@@ -49,12 +49,13 @@ struct Prepared {
 };
 
 Prepared prepare(const Run& run, const Work& work, double angle, int threads) {
-    const auto scene = [&](const char* trace) {
-        return wall_scene(run.maps, angle, run.options.size, {relief(trace, work.shadow)});
+    const auto scene = [&](const char* trace, const char* shadow) {
+        return wall_scene(run.maps, angle, run.options.size, {relief(trace, shadow)});
     };
-    Picture plain(scene("texel-exact"), run.options.isa, hit_channels(work));
+    // Of stages that need no pyramid.
+    Picture plain(scene("texel-exact", "shadow-none"), run.options.isa, hit_channels(work));
     plain.draw(threads);
-    Scene with_pyramid = scene("max-mip");
+    Scene with_pyramid = scene("max-mip", work.shadow);
     with_pyramid.texture_cache = plain.scene().texture_cache;
     Picture picture(std::move(with_pyramid), run.options.isa, hit_channels(work));
     picture.draw(threads);
