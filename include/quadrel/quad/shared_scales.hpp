@@ -4,6 +4,7 @@
 // there.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 
 #include "quadrel/quad/stage.hpp"
@@ -36,13 +37,13 @@ ScaleFactor<F> undisplaced_scale(const Io& io, const SampledTexture& map) {
             float* const log2_rho = shared->log2_rho + io.first_lane();
             std::uint64_t* const keys = shared->keys + io.first_lane() / 4;
             // Packets of other widths may have been there: every quad is asked.
-            bool known = true;
-            for (int quad = 0; quad < lanes_of<F> / 4; ++quad) known &= keys[quad] == key;
-            if (known) return {load<F>(rho), load<F>(log2_rho)};
+            constexpr int quads = lanes_of<F> / 4;
+            if (std::count(keys, keys + quads, key) == quads)
+                return {load<F>(rho), load<F>(log2_rho)};
             const ScaleFactor<F> scale = compute();
             store(rho, scale.rho);
             store(log2_rho, scale.log2_rho);
-            for (int quad = 0; quad < lanes_of<F> / 4; ++quad) keys[quad] = key;
+            std::fill_n(keys, quads, key);
             return scale;
         }
     }

@@ -19,6 +19,7 @@ using PlainChains =
     ChainList<Chain<Interpolate, Differentiate, FrameNone, TraceNone, Displace, SurfaceNone,
                     ShadowNone, OcclusionNone, ShadeLambert>,
               Chain<Interpolate, Differentiate, FrameNone, TraceNone, Displace, ShadeTexture>,
+              Chain<Interpolate, Differentiate, FrameNone, TraceNone, ShadeTexture>,
               Chain<Interpolate, Differentiate, FrameNone, TraceNone, Displace, SurfaceNone,
                     ShadowNone, OcclusionNone>>;
 
