@@ -48,7 +48,7 @@ struct ShadowMarchThesisPublished : StageDefaults {
         const auto in_light = [](const vec4<F>& at, F h) { return !(at.z > F(1) - h); };
         const Course course{
             [](const vec4<F>& at) { return vec2<F>(at.x, at.y); },
-            [&](const vec4<F>& at, F h) { return in_light(at, h) & (at.w + step.w >= F(0)); },
+            [&](const vec4<F>& at, F h) { return in_light(at, h) & (at.w >= F(0)); },
             [&](const vec4<F>& at) { return at + step; }};
         const Mask<F> dark = dot(L, t.N_flat) <= F(0.01f);
         Mask<F> active = io.active() & !dark & (light.w >= F(0));
