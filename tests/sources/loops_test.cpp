@@ -9,7 +9,8 @@ namespace {
 
 /// What the words do, and no text.
 bool is_behind_words(const std::string& path) {
-    static const std::regex words("relief/trace/search/(beam|height_ceiling|near_surface)\\.hpp$");
+    static const std::regex words(
+        "relief/trace/search/(beam|course|height_ceiling|near_surface)\\.hpp$");
     return std::regex_search(path, words);
 }
 

@@ -61,8 +61,8 @@ template <class Io, class F = typename Io::Number>
 LodRecord<F> undisplaced_lod(const Io& io, const SampledTexture& map, LodUse use) {
     if (use == LodUse::look_up) {
         if (!lod_matters(map)) return finest_lod<F>();
-        const TexelGradients<F> texels(map, io.template load<Value::dUVdx>(),
-                                       io.template load<Value::dUVdy>());
+        const Gradients<F> texels = texel_gradients<F>(
+            map, {io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>()});
         if (all_magnified(map, texels, total_bias(map, F(0)))) return finest_lod<F>();
     }
     return lod_of_scale(map, undisplaced_scale(io, map));

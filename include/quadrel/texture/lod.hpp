@@ -120,18 +120,19 @@ LodRecord<F> lod_from_level(const SampledTexture& texture, F lod) {
     return select_level(texture, F(0), lod + bias);
 }
 
-/// Screen-space gradients in texels of level 0.
+/// Screen-space gradients.
 template <Number F>
-struct TexelGradients {
+struct Gradients {
     vec2<F> x, y;
-
-    TexelGradients(const SampledTexture& texture, const vec2<F>& dx, const vec2<F>& dy) {
-        const F width(static_cast<float>(texture.view.width[0]));
-        const F height(static_cast<float>(texture.view.height[0]));
-        x = vec2<F>(dx.x * width, dx.y * height);
-        y = vec2<F>(dy.x * width, dy.y * height);
-    }
 };
+
+/// In texels of level 0, of those in units of the texture.
+template <Number F>
+Gradients<F> texel_gradients(const SampledTexture& texture, const Gradients<F>& of) {
+    const F width(static_cast<float>(texture.view.width[0]));
+    const F height(static_cast<float>(texture.view.height[0]));
+    return {{of.x.x * width, of.x.y * height}, {of.y.x * width, of.y.y * height}};
+}
 
 /// The sampler's bias and the shader's.
 template <Number F>
@@ -143,7 +144,7 @@ F total_bias(const SampledTexture& texture, F bias) {
 template <Number F>
 ScaleFactor<F> scale_factor_of(const SampledTexture& texture, const vec2<F>& dx,
                                const vec2<F>& dy) {
-    const TexelGradients<F> texels(texture, dx, dy);
+    const Gradients<F> texels = texel_gradients<F>(texture, {dx, dy});
     return scale_factor(texture.sampler.lod_form, texels.x, texels.y);
 }
 
@@ -171,7 +172,7 @@ LodRecord<F> finest_lod() {
 
 /// Whether level 0 is read, magnified, in every lane, as is plain before a logarithm is taken.
 template <Number F>
-bool all_magnified(const SampledTexture& texture, const TexelGradients<F>& texels, F total) {
+bool all_magnified(const SampledTexture& texture, const Gradients<F>& texels, F total) {
     const SamplerState& s = texture.sampler;
     return s.lod_form != LodForm::ellipse && s.lod_min <= 0 &&
            all((largest_square(texels.x, texels.y) <= F(1)) & (total <= F(0)));
@@ -182,7 +183,7 @@ template <Number F>
 LodRecord<F> lod_for(LodUse use, const SampledTexture& texture, const vec2<F>& dx,
                      const vec2<F>& dy, F bias = F(0)) {
     if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
-    const TexelGradients<F> texels(texture, dx, dy);
+    const Gradients<F> texels = texel_gradients<F>(texture, {dx, dy});
     if (use == LodUse::look_up && all_magnified(texture, texels, total_bias(texture, bias)))
         return finest_lod<F>();
     return lod_of_scale(texture, scale_factor(texture.sampler.lod_form, texels.x, texels.y), bias);

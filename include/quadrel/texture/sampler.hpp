@@ -198,19 +198,24 @@ vec4<F> texture_lod(const SampledTexture& texture, const SampleContext<F>& conte
     return sample_expanded(texture, context, uv, lod_from_level(texture, lod));
 }
 
-/// The record of implicit gradients: each lane's own, or lane 0's in all lanes of a quad where the
-/// sampler says so. All four lanes of a quad must have valid uv. The bias is each lane's own.
+/// Implicit gradients: each lane's own, or lane 0's in all lanes of a quad where the sampler says
+/// so. All four lanes of a quad must have valid uv.
+template <Packet F>
+Gradients<F> implicit_gradients(const SampledTexture& texture, const vec2<F>& uv,
+                                DerivativeMode mode) {
+    const Gradients<F> own{dFdx(uv, mode), dFdy(uv, mode)};
+    if (texture.sampler.quad_lod == 0) return own;
+    const auto of_lane_0 = [](F x) { return broadcast_lane<0>(x); };
+    return {map_components(of_lane_0, own.x), map_components(of_lane_0, own.y)};
+}
+
+/// Their record. The bias is each lane's own.
 template <Packet F>
 LodRecord<F> implicit_lod(const SampledTexture& texture, const vec2<F>& uv,
                           DerivativeMode mode = DerivativeMode::fine, F bias = F(0),
                           LodUse use = LodUse::shown) {
     if (use == LodUse::look_up && !lod_matters(texture)) return finest_lod<F>();
-    vec2<F> dx = dFdx(uv, mode), dy = dFdy(uv, mode);
-    if (texture.sampler.quad_lod != 0) {
-        const auto of_lane_0 = [](F x) { return broadcast_lane<0>(x); };
-        dx = map_components(of_lane_0, dx);
-        dy = map_components(of_lane_0, dy);
-    }
+    const auto [dx, dy] = implicit_gradients(texture, uv, mode);
     return lod_for(use, texture, dx, dy, bias);
 }
 

@@ -150,14 +150,20 @@ float rounding_of_filters(const Texture& map, const SamplerState& sampler) {
     const auto largest_of = [&](const tbb::blocked_range<std::int64_t>& range, float largest) {
         const float* const heights = view.texels + range.begin() * view.channels;
         const std::int64_t count = range.end() - range.begin();
-        const auto take = [&](float height) {
+        const auto size_of = [](float height) {
             const float size = std::fabs(height);
-            largest = greater(size < largest_height ? size : 0, largest);
+            return size < largest_height ? size : 0;
         };
+        // Side by side, so that no comparison waits for the one before.
+        constexpr std::int64_t side_by_side = 16;
+        float largest_of_each[side_by_side] = {};
+        std::int64_t i = 0;
         if (view.channels == 1)
-            for (std::int64_t i = 0; i < count; ++i) take(heights[i]);
-        else
-            for (std::int64_t i = 0; i < count; ++i) take(heights[i * view.channels]);
+            for (; i + side_by_side <= count; i += side_by_side)
+                for (std::int64_t k = 0; k < side_by_side; ++k)
+                    largest_of_each[k] = greater(size_of(heights[i + k]), largest_of_each[k]);
+        for (; i < count; ++i) largest = greater(size_of(heights[i * view.channels]), largest);
+        for (const float size : largest_of_each) largest = greater(size, largest);
         return largest;
     };
     const float border = std::fabs(sampler.border[0]);

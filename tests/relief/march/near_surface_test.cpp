@@ -3,19 +3,13 @@
 #include "quadrel/relief/trace/search/near_surface.hpp"
 #include "effort.hpp"
 #include "quadrel/relief/trace/march/pom.hpp"
-#include "relief/march/lattice_rays.hpp"
+#include "relief/march/no_trace.hpp"
 
 namespace quadrel::test {
 namespace {
 
-/// A search at parameters for which there is something to leave out.
-struct LatticeRow {
-    std::string id;
-    Parameters parameters;
-};
-
-const std::vector<LatticeRow>& lattice_rows() {
-    static const std::vector<LatticeRow> rows{
+const std::vector<BoundedRow>& lattice_rows() {
+    static const std::vector<BoundedRow> rows{
         {"linear", {{"steps", 128}}},
         {"linear", {{"steps", 1000}}},
         {"steep", {{"steps", 60}}},
@@ -40,14 +34,6 @@ const std::vector<LatticeRow>& lattice_rows() {
     return rows;
 }
 
-std::vector<Value> outputs_but_counts(const std::string& id) {
-    if (id.starts_with("shadow")) return {Value::shadow_visibility};
-    std::vector<Value> list;
-    for (const Value v : trace_outputs)
-        if (v != Value::hit_steps && v != Value::hit_fetches) list.push_back(v);
-    return list;
-}
-
 /// Set QUADREL_LATTICE_RAYS for more; a million take some minutes.
 int maps_of_a_kind(int usual) {
     const char* const rays = std::getenv("QUADREL_LATTICE_RAYS");
@@ -56,56 +42,15 @@ int maps_of_a_kind(int usual) {
         1 + std::atol(rays) / (64 * static_cast<long>(wild_maps().size() * lattice_rows().size())));
 }
 
-using Damage = std::function<void(DamagedMaxima&)>;
-
-struct Looks {
-    std::uint64_t all = 0, made = 0;
-};
-
-/// Runs a row with and without bounds over one map.
-testing::AssertionResult leaves_no_trace(const StageUnderTest<float>& row,
-                                         const Parameters& parameters, const Map& map,
-                                         Random& random, const Damage& damage, Looks& looks) {
-    Batch<float> with(64);
-    with.bind(TextureSlot::height, map.sampled);
-    fill_neighbouring_rays(with, map, random);
-    if (row.id.starts_with("shadow")) light_hits(with, random);
-    Batch<float> without = with;
-    const auto maxima = height_maxima(*map.texture, map.sampled.sampler);
-    DamagedMaxima damaged(maxima->maxima);
-    if (damage) damage(damaged);
-    with.material.maxima = &damaged.maxima;
-    for (Batch<float>* batch : {&with, &without}) batch->counters = {};
-    row.run(with, parameters);
-    without.run(row.id, parameters);
-    looks.made += with.fetches();
-    looks.all += without.fetches();
-    return same_bits<float>(with, without, outputs_but_counts(row.id));
-}
-
-testing::AssertionResult leaves_no_trace_on_all_maps(const StageUnderTest<float>& row,
-                                                     const Parameters& parameters, int maps,
-                                                     const Damage& damage = {}) {
-    Looks looks;
-    const std::vector<StressMap> kinds = wild_maps();
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
-        for (int i = 0; i < maps; ++i) {
-            Random random(kind * 1000003 + static_cast<std::uint64_t>(i) * 7919 + 1);
-            const Map map = make_wild_map(kinds[kind], random);
-            const auto same = leaves_no_trace(row, parameters, map, random, damage, looks);
-            if (!same)
-                return testing::AssertionFailure() << row.id << " on " << kinds[kind].name << " "
-                                                   << i << ": " << same.message();
-        }
-    if (looks.made * 20 > looks.all * 19)
-        return testing::AssertionFailure()
-               << row.id << " makes " << looks.made << " look-ups of " << looks.all;
-    return testing::AssertionSuccess();
+void fill_lattice(Batch<float>& batch, const std::string& id, const Map& map, Random& random) {
+    fill_neighbouring_rays(batch, map, random);
+    if (id.starts_with("shadow")) light_hits(batch, random);
 }
 
 TEST(NearSurface, RowsKeepTheirBits) {
-    for (const LatticeRow& row : lattice_rows())
-        EXPECT_TRUE(leaves_no_trace_on_all_maps({row.id}, row.parameters, maps_of_a_kind(2)));
+    for (const BoundedRow& row : lattice_rows())
+        EXPECT_TRUE(
+            leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_lattice, maps_of_a_kind(2)));
 }
 
 // ---- Planted errors
@@ -135,7 +80,7 @@ void run_hasty_pom(Batch<float>& batch, const Parameters&) {
 TEST(NearSurface, PlantedErrorsAreCaught) {
     const Parameters steps{{"steps", 128}};
     const auto linear = [&](const Damage& damage) {
-        return leaves_no_trace_on_all_maps({"linear"}, steps, 4, damage);
+        return leaves_no_trace_on_all_maps({"linear"}, steps, fill_lattice, 4, damage);
     };
     EXPECT_TRUE(linear([](DamagedMaxima&) {}));
     // The level above the one that is read.
@@ -160,7 +105,8 @@ TEST(NearSurface, PlantedErrorsAreCaught) {
                 if (std::isinf(node)) node = 0;
     }));
     EXPECT_FALSE(leaves_no_trace_on_all_maps({.id = "pom", .instead = run_hasty_pom},
-                                             {{"steps_grazing", 200}, {"steps_normal", 80}}, 4));
+                                             {{"steps_grazing", 200}, {"steps_normal", 80}},
+                                             fill_lattice, 4));
 }
 
 // ---- The beam

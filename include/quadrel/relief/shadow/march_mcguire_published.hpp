@@ -13,6 +13,7 @@
 #pragma once
 
 #include "quadrel/relief/tangent_light.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/implicit_height.hpp"
 
 namespace quadrel {
@@ -38,6 +39,8 @@ struct ShadowMarchMcguirePublished : StageDefaults {
     static constexpr std::array parameters{parameter<&Params::bump_scale>(
         "bump_scale", "UV", "UV length of the height range", 0, 16, 0.05)};
     static constexpr int most_steps = 65536;
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params&) { return 60; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -51,22 +54,26 @@ struct ShadowMarchMcguirePublished : StageDefaults {
         const vec2<F> delta =
             vec2<F>(tsL.x, tsL.y) * F(params.bump_scale) / (numShadowSteps * tsL.z);
         F NB = io.template load<Value::hit_h>();
-        F height = NB + step * F(0.1f);
-        vec2<F> offsetCoord = io.template load<Value::hit_uv>();
+        // offsetCoord and height
+        vec3<F> march(io.template load<Value::hit_uv>(), NB + step * F(0.1f));
+        const ImplicitHeights heights(io);
+        const Course course{[](const vec3<F>& at) { return vec2<F>(at.x, at.y); },
+                            [](const vec3<F>& at, F h) { return (h < at.z) & (at.z < F(1)); },
+                            [&](const vec3<F>& at) { return at + vec3<F>(delta, step); }};
         const Mask<F> marches = io.active() & (NdotL > F(0)) & light.framed() & has_relief(io);
         Int<F> points(0);
-        Mask<F> active = marches;
-        for (const auto k : steps<F>(1, most_steps)) {
-            active = active & (NB < height) & (height < F(1));
+        Mask<F> active = marches & course.passes(march, NB);
+        march = select(active, course.next(march), march);
+        for (const auto k : steps_on_course<F>(course, march, heights, active, 1, most_steps)) {
             if (none(active)) break;
-            height = select(active, height + step, height);
-            offsetCoord = select(active, offsetCoord + delta, offsetCoord);
-            const F h = implicit_height(io, active, offsetCoord);
-            io.march_step(active, F(1) - height, offsetCoord, height, h);
+            const F h = heights(active, course.at(march));
+            io.march_step(active, F(1) - march.z, course.at(march), march.z, h);
             NB = select(active, h, NB);
             count_in<F>(points, active);
+            active = active & course.passes(march, NB);
+            march = select(active, course.next(march), march);
         }
-        const Mask<F> selfShadow = (NdotL > F(0)) & ((NB < height) | !marches);
+        const Mask<F> selfShadow = (NdotL > F(0)) & ((NB < march.z) | !marches);
         io.template store<Value::shadow_visibility>(select(selfShadow, F(1), F(0)), io.light());
         io.template store<Value::shadow_steps>(points, io.light());
     }

@@ -8,6 +8,8 @@
 #pragma once
 
 #include "quadrel/relief/frame/thesis.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
 
 namespace quadrel {
 
@@ -23,6 +25,9 @@ struct ShadowMarchThesisPublished : StageDefaults {
     static constexpr bool needs_height_map = true;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
+    static constexpr int most_steps = 0x7ffffffe;
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params&) { return 129; }
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
@@ -35,28 +40,29 @@ struct ShadowMarchThesisPublished : StageDefaults {
         const vec3<F> light_ray = L / dot(L, t.N_flat);
         const vec2<F> tex_offset = t.dUVdT * dot(light_ray, t.T) + t.dUVdB * dot(light_ray, t.B);
         const vec2<F> tex_offset_per_sample = tex_offset / F(128);
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
-
-        vec2<F> uv = io.template load<Value::hit_uv>();
-        F light_h = io.template load<Value::hit_depth>();
-        // The listing's loop counter: as many steps as the view march took.
-        F light_sample = light_h * F(128);
+        const ImplicitHeights heights(io);
+        // uv, light_h and the listing's loop counter: as many steps as the view march took.
+        const F hit_h = io.template load<Value::hit_depth>();
+        vec4<F> light(io.template load<Value::hit_uv>(), hit_h, hit_h * F(128));
+        const vec4<F> step(tex_offset_per_sample, F(-offset_per_sample), F(-1));
+        const auto in_light = [](const vec4<F>& at, F h) { return !(at.z > F(1) - h); };
+        const Course course{
+            [](const vec4<F>& at) { return vec2<F>(at.x, at.y); },
+            [&](const vec4<F>& at, F h) { return in_light(at, h) & (at.w >= F(0)); },
+            [&](const vec4<F>& at) { return at + step; }};
         const Mask<F> dark = dot(L, t.N_flat) <= F(0.01f);
-        Mask<F> active = io.active() & !dark & (light_sample >= F(0));
+        Mask<F> active = io.active() & !dark & (light.w >= F(0));
         Mask<F> shadowed(false);
         Int<F> points(0);
-        for (const auto k : rounds<F>()) {
+        light = select(active, course.next(light), light);
+        for (const auto k : steps_on_course<F>(course, light, heights, active, 0, most_steps)) {
             if (none(active)) break;
-            light_h = select(active, light_h - F(offset_per_sample), light_h);
-            uv = select(active, uv + tex_offset_per_sample, uv);
-            const F h = texture(map, io.template context<TextureSlot::height>(active), uv,
-                                io.frame().derivatives)
-                            .x;
-            io.march_step(active, light_h, uv, F(1) - light_h, h);
+            const F h = heights(active, course.at(light));
+            io.march_step(active, light.z, course.at(light), F(1) - light.z, h);
             points = points + select(active, Int<F>(1), Int<F>(0));
-            shadowed = shadowed | (active & (light_h > F(1) - h));
-            light_sample = light_sample - F(1);
-            active = active & !shadowed & (light_sample >= F(0));
+            shadowed = shadowed | (active & !in_light(light, h));
+            active = active & course.passes(light, h);
+            light = select(active, course.next(light), light);
         }
         io.template store<Value::shadow_visibility>(select(dark | shadowed, F(0), F(1)),
                                                     io.light());

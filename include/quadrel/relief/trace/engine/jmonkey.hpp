@@ -107,9 +107,7 @@ struct JMonkey : StageDefaults {
 
     template <class Io, class F>
     static void search(const Io& io, const SearchRay<F>& ray, Steep<F> march) {
-        const auto heights = [&](Mask<F> active, const vec2<F>& uv) {
-            return implicit_height(io, active, uv);
-        };
+        const ImplicitHeights heights(io);
         CountedHeights look_up(io, heights);
         march.descend(look_up);
         const F s = F(1) - march.meeting();

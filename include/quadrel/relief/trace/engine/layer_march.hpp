@@ -62,9 +62,7 @@ struct LayerMarch {
 /// Searches and stores.
 template <class Io, class F = typename Io::Number>
 void store_layer_march(const Io& io, const SearchRay<F>& ray, const vec2<F>& shift, F layers) {
-    const auto map = [&](Mask<F> active, const vec2<F>& uv) {
-        return implicit_height(io, active, uv);
-    };
+    const ImplicitHeights map(io);
     CountedHeights heights(io, map);
     LayerMarch<F> march(ray, shift, layers);
     march.descend(heights);

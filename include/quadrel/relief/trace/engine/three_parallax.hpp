@@ -57,9 +57,7 @@ struct ThreeParallax : HeightSearch {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto heights = [&](Mask<F> active, const vec2<F>& uv) {
-            return implicit_height(io, active, uv);
-        };
+        const ImplicitHeights heights(io);
         CountedHeights look_up(io, heights);
         const vec3<F> V = view(io);
         if (params.mode == basic) {

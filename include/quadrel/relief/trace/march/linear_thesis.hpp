@@ -12,7 +12,8 @@
 // channel.
 #pragma once
 
-#include "quadrel/relief/view.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
 
 namespace quadrel {
 
@@ -29,33 +30,41 @@ struct LinearThesis : HeightSearch {
 
     static constexpr int max_samples = 128;
     static constexpr float offset_per_sample = 0.0f + 1.0f / 128.0f;
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params&) { return max_samples + 1; }
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
+        run(io, ImplicitHeights(io));
+    }
+
+    /// Over heights of implicit levels.
+    template <class Io, class Heights>
+    static void run(Io& io, const Heights& heights) {
         using F = typename Io::Number;
         const vec2<F> UV = io.template load<Value::uv>();
         const vec2<F> dUVdSR = io.template load<Value::uv_rate>();
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const F scalar = io.template load<Value::relief_depth>();
+        const Course course{[&](F offset) { return UV + dUVdSR * offset; },
+                            [&](F offset, F texel) { return !(offset > (F(1) - texel) * scalar); },
+                            [&](F offset) { return offset + F(offset_per_sample); }};
 
         Mask<F> active = io.active(), met_nan(false);
         F offset(0), h(0);
         Int<F> fetches(0);
-        for (const auto sample : steps<F>(0, max_samples)) {
-            const vec2<F> at = UV + dUVdSR * offset;
-            const F texel = texture(map, io.template context<TextureSlot::height>(active), at,
-                                    io.frame().derivatives)
-                                .x;
+        for (const auto sample :
+             steps_on_course<F>(course, offset, heights, active, 0, max_samples)) {
+            const vec2<F> at = course.at(offset);
+            const F texel = heights(active, at);
             io.march_step(active, offset / scalar, at, F(1) - offset / scalar, texel);
-            const F tex_h = (F(1) - texel) * scalar;
             h = select(active, texel, h);
             met_nan = met_nan | (active & is_nan(texel));
             fetches = fetches + select(active, Int<F>(1), Int<F>(0));
-            active = active & !(offset > tex_h);
-            offset = select(active, offset + F(offset_per_sample), offset);
+            active = active & course.passes(offset, texel);
+            offset = select(active, course.next(offset), offset);
             if (none(active)) break;
         }
-        const vec2<F> hit = UV + dUVdSR * offset;
+        const vec2<F> hit = course.at(offset);
         io.template store<Value::hit_uv>(hit);
         io.template store<Value::hit_s>(offset / scalar);
         io.template store<Value::hit_h>(h);

@@ -12,6 +12,7 @@
 // below 0.001.
 #pragma once
 
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
@@ -45,9 +46,9 @@ struct RabbidMarch {
 
     /// Fetches at the height bestBumpHeight in the lanes of `active`.
     template <class Io>
-    void fetch(const Io& io, Mask<F> active) {
+    void fetch(const Io& io, const ImplicitHeights<Io>& heights, Mask<F> active) {
         at = select(active, texC - texStep * bestBumpHeight, at);
-        const F h = implicit_height(io, active, at);
+        const F h = heights(active, at);
         met_nan = met_nan | (active & is_nan(h));
         mapHeight = select(active, back_face + surf_sign * clamp(h, F(0), F(1)), mapHeight);
         io.march_step(active, F(1) - bestBumpHeight, at, bestBumpHeight, mapHeight);
@@ -55,16 +56,22 @@ struct RabbidMarch {
     }
 
     template <class Io>
-    void march(const Io& io, Mask<F> active) {
+    void march(const Io& io, const ImplicitHeights<Io>& heights, Mask<F> active) {
         const F numSteps = trunc(rabbid_steps(quality));
-        for (const auto i : steps<F>(0, 49)) {
+        // From behind, a higher surface is met later.
+        const Course course{
+            [&](F best) { return select(active, texC - texStep * best, at); },
+            [&](F best, F h) { return (surf_sign > F(0)) & !(clamp(h, F(0), F(1)) >= best); },
+            [&](F best) { return best - bumpHeightStep; }};
+        for (const auto i :
+             steps_on_course<F>(course, bestBumpHeight, heights, active, 0, 49, numSteps - F(1))) {
             active = active & (number<F>(i) < numSteps);
             if (none(active)) break;
-            fetch(io, active);
+            fetch(io, heights, active);
             const Mask<F> hit = active & (mapHeight >= bestBumpHeight);
             found = found | hit;
             active = active & !hit;
-            bestBumpHeight = select(active, bestBumpHeight - bumpHeightStep, bestBumpHeight);
+            bestBumpHeight = select(active, course.next(bestBumpHeight), bestBumpHeight);
         }
     }
 
@@ -104,6 +111,8 @@ struct RabbidSearch : HeightSearch {
     static constexpr const char* not_reproduced =
         "the listing's main, which leaves texture coordinates alone at scales below 0.001";
     using Params = RabbidParams;
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params&) { return 50; }
     static constexpr auto parameters = rabbid_parameters;
 };
 

@@ -20,7 +20,7 @@ struct RabbidPom : RabbidSearch {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
         RabbidMarch<F> listing(ray, front_face(io), params);
-        listing.march(io, ray.active);
+        listing.march(io, ImplicitHeights(io), ray.active);
         listing.finish(io, ray);
     }
 };

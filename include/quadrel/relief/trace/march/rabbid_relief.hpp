@@ -20,14 +20,16 @@ struct RabbidRelief : RabbidSearch {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
         RabbidMarch<F> listing(ray, front_face(io), params);
-        listing.march(io, ray.active);
-        refine(io, ray, listing);
+        const ImplicitHeights heights(io);
+        listing.march(io, heights, ray.active);
+        refine(io, heights, ray, listing);
         listing.finish(io, ray);
     }
 
   private:
     template <class Io, class F>
-    static void refine(const Io& io, const SearchRay<F>& ray, RabbidMarch<F>& listing) {
+    static void refine(const Io& io, const ImplicitHeights<Io>& heights, const SearchRay<F>& ray,
+                       RabbidMarch<F>& listing) {
         const F numBinarySteps = trunc(clamp(listing.quality * F(10), F(1), F(7)));
         F& best = listing.bestBumpHeight;
         best = best + listing.bumpHeightStep;
@@ -37,7 +39,7 @@ struct RabbidRelief : RabbidSearch {
             const F half = listing.bumpHeightStep * F(0.5f);
             listing.bumpHeightStep = select(active, half, listing.bumpHeightStep);
             best = select(active, best - listing.bumpHeightStep, best);
-            listing.fetch(io, active);
+            listing.fetch(io, heights, active);
             const F back = select(best < listing.mapHeight, listing.bumpHeightStep, F(0));
             best = select(active, best + back, best);
         }

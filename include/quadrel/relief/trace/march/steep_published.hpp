@@ -15,7 +15,8 @@
 // (vertex_frame.hpp), interpolated. The listing's tangent space has its y axis against growing v.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
@@ -46,33 +47,36 @@ struct SteepListing : HeightSearch {
         parameter<&Params::bump_scale>("bump_scale", "UV", "UV length of the height range", 0, 16,
                                        0.05)};
     static constexpr int most_steps = 65536;
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) { return 2 * params.steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const auto [delta, step] = listed_step(io, params);
-        F height(1);
-        vec2<F> offsetCoord = ray.uv;
+        // offsetCoord and height
+        vec3<F> march(ray.uv, F(1));
+        const ImplicitHeights heights(io);
+        const Course course{[](const vec3<F>& at) { return vec2<F>(at.x, at.y); },
+                            [](const vec3<F>& at, F NB) { return NB < at.z; },
+                            [&](const vec3<F>& at) { return at + vec3<F>(delta, -step); }};
         SearchResult<F> result;
         Mask<F> active = ray.active;
-        for (const auto i : steps<F>(0, most_steps)) {
-            const auto context = io.template context<TextureSlot::height>(active);
-            const F NB = texture(map, context, offsetCoord, io.frame().derivatives).x;
-            io.march_step(active, F(1) - height, offsetCoord, height, NB);
+        for (const auto i : steps_on_course<F>(course, march, heights, active, 0, most_steps)) {
+            const F NB = heights(active, course.at(march));
+            io.march_step(active, F(1) - march.z, course.at(march), march.z, NB);
             result.h = select(active, NB, result.h);
             count_in<F>(result.steps, active);
-            active = active & (NB < height);
+            active = active & course.passes(march, NB);
             if (none(active)) break;
             const Mask<F> moves = active & (number<F>(i) < number<F>(most_steps));
-            height = select(moves, height - step, height);
-            offsetCoord = select(moves, offsetCoord + delta, offsetCoord);
+            march = select(moves, course.next(march), march);
         }
-        result.s = F(1) - height;
+        result.s = F(1) - march.z;
         result.status = search_status<F>(!active, is_nan(result.h), Status::cap);
         result.fetches = result.steps;
-        store_search(io, ray, result, offsetCoord);
+        store_search(io, ray, result, course.at(march));
     }
 
   private:

@@ -59,11 +59,14 @@ inline float greatest_node(const TextureView& nodes, int level, const AxisRange&
     float greatest = -std::numeric_limits<float>::infinity();
     for (std::int64_t j = 0; j < y.count; ++j) {
         const std::int64_t row = y.first + j < height ? y.first + j : y.first + j - height;
+        // Rows on their own: a comparison then waits for few others.
+        float of_row = -std::numeric_limits<float>::infinity();
         for (std::int64_t i = 0; i < x.count; ++i) {
             const std::int64_t column = x.first + i < width ? x.first + i : x.first + i - width;
             const float node = texels[row * width + column];
-            greatest = node > greatest ? node : greatest;
+            of_row = node > of_row ? node : of_row;
         }
+        greatest = of_row > greatest ? of_row : greatest;
     }
     return greatest;
 }

@@ -153,6 +153,10 @@ class StepsNearSurface {
     /// In samples, between looks of the beam. Measured.
     static constexpr int shortest_pause = 4, longest_pause = 16;
 
+    /// Looks are paid for by steps left out, and by a part of those made: where the surface is near
+    /// all along, they end. Measured, in parts of a sample.
+    static constexpr int look_costs = 24, step_spares = 8, first_credit = 72;
+
     bool any_left() const { return any(active_ & (next_ <= end_)); }
 
     void advance() {
@@ -165,6 +169,7 @@ class StepsNearSurface {
         const F leap = leap_by_gaps();
         const F ahead = before_ == Before::needed ? max(leap, F(1)) : leap + F(1);
         move_to(next_ + ahead);
+        ++credit_;
         if (--looks_ahead_ <= 0) advance_beam();
     }
 
@@ -217,6 +222,8 @@ class StepsNearSurface {
         const int from = static_cast<int>(first);
         int k = from;
         for (;;) {
+            if (credit_ < look_costs) break;
+            credit_ -= look_costs;
             const int high = std::min(k + length_ - 1, limit_);
             const int above =
                 high < k ? k - 1
@@ -224,6 +231,7 @@ class StepsNearSurface {
             if (above >= k) {
                 length_ =
                     above == high ? std::min(2 * length_, last_) : std::max(length_ / 2, shortest_);
+                credit_ += step_spares * (above + 1 - k);
                 k = above + 1;
             } else if (high - k >= shortest_) {
                 length_ = std::max((high - k + 1) / 4, shortest_);
@@ -260,6 +268,7 @@ class StepsNearSurface {
     int limit_ = -1;                           ///< the last step that the beam may leave out
     int length_ = 1;                           ///< how many steps it looks at next
     int looks_ahead_ = 1;                      ///< how many samples until it is asked again
+    int credit_ = first_credit;
     int pause_ = shortest_pause;  ///< how many after the next time that it finds the surface near
 };
 
