@@ -65,7 +65,8 @@ class ImplicitHeights {
                       F(static_cast<Scalar<F>>(steps + 4) * 0x1p-22f);
         const F length = sqrt(max(greatest_square(map, from), greatest_square(map, to))) + off;
         const Gradients<F> raised{{length, F(0)}, {F(0), length}};
-        const F level = lod_of_gradients(map, raised, total_bias(map, F(0))).level;
+        const F level =
+            lod_of_scale(map, scale_factor(map.sampler.lod_form, raised.x, raised.y)).level;
         return greatest(level, active);
     }
 
