@@ -102,6 +102,7 @@ std::string counts_of(RenderStats stats) {
     for (PhaseTime* phase : {&stats.plan, &stats.load, &stats.draw, &stats.mark}) *phase = {};
     for (StageStats& stage : stats.stages) stage.wall_ms = stage.cpu_ms = 0;
     stats.peak_memory_kib = 0;
+    stats.maxima = {};  // made by the first render of a scene
     return to_json(stats);
 }
 

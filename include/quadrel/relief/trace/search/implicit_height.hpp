@@ -23,17 +23,21 @@ class ImplicitHeights {
     explicit ImplicitHeights(const Io& io)
         : io_(io),
           settled_(io, height_map(io), finest_lod<F>()),
-          is_settled_(io.call().log == nullptr && !lod_matters(height_map(io))) {}
+          is_settled_(io.call().log == nullptr && !lod_matters(height_map(io))),
+          leaves_out_(io.call().log == nullptr &&
+                      marks_of(io.template context<TextureSlot::height>()) == nullptr) {}
 
     F operator()(Mask<F> active, const vec2<F>& uv) const {
         return is_settled_ ? settled_(active, uv) : by_level(active, uv);
     }
 
     /// No look-up gives more.
-    Scalar<F> highest() const { return height_bounds(io_).high; }
+    Scalar<F> highest() const {
+        return leaves_out_ ? height_bounds(io_).high : HeightBounds<Scalar<F>>().high;
+    }
 
     /// Whether levels_between tells anything.
-    bool bounded() const { return io_.material().maxima != nullptr && io_.call().log == nullptr; }
+    bool bounded() const { return leaves_out_ && io_.material().maxima != nullptr; }
 
     /// Along the map's longer side.
     int texels() const {
@@ -83,6 +87,7 @@ class ImplicitHeights {
     const Io& io_;
     MarchHeights<Io> settled_;
     bool is_settled_;
+    bool leaves_out_;  ///< nothing shows or marks every look-up
 };
 
 /// Heights at the one level, a lane's own or its quad's, that a look-up at the undisplaced UV has.
