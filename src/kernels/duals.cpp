@@ -34,8 +34,9 @@ const KernelTable& dual_kernels() {
         rows_of_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
                       EngineStages, HitStages>();
     static const KernelGroup group{rows.data(), static_cast<std::int32_t>(rows.size())};
+    static const ChainGroup no_chains{nullptr, 0};
     static const KernelTable table{kernel_magic, kernel_abi_version, "scalar", 4, sizeof(Dual), 1,
-                                   &group};
+                                   &group,       &no_chains};
     return table;
 }
 
