@@ -9,6 +9,13 @@
 #include "kernels/groups.hpp"
 #include "kernels/local_io.hpp"
 
+// Under the sanitizers every copy of a function has its checks: compiling would take minutes.
+#ifdef __SANITIZE_ADDRESS__
+#define QUADREL_FLAT
+#else
+#define QUADREL_FLAT [[gnu::flatten]]
+#endif
+
 namespace quadrel {
 
 /// Stages in the order of a plan. One that serves a light at a time stands for any number of
@@ -63,7 +70,7 @@ bool run_links(const StageCall& call, const ChainStage* stages, std::index_seque
 /// Runs a chain over a batch. Flat: a call hands packets over in memory, which is what chains are
 /// to spare. Functions that say so stay out of line.
 template <class Chain, class F>
-[[gnu::flatten]] bool run_chain(const StageCall* call, const ChainStage* stages) {
+QUADREL_FLAT bool run_chain(const StageCall* call, const ChainStage* stages) {
     return run_links<Chain, F>(*call, stages, std::make_index_sequence<Chain::length>());
 }
 
