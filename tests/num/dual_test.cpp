@@ -15,7 +15,7 @@ namespace quadrel::num_tests {
 namespace {
 
 using test::Random;
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 std::vector<DualCase> arithmetic_cases() {
     return {
@@ -256,7 +256,7 @@ TEST(Dual, DerivativesTurnWithTheAxes) {
 
 /// What does not vary has derivative 0, whatever the function is there.
 TEST(Dual, ConstantsHaveNoDerivative) {
-    for (const double x : {0.0, -0.0, 1.0, -1.0, inf, -inf, std::nan(""), 1e300})
+    for (const double x : {0.0, -0.0, 1.0, -1.0, endless, -endless, std::nan(""), 1e300})
         for (const DualCase& of : all_cases()) {
             const Quad<Dual> found = of.dual({Quad<Dual>(x), Quad<Dual>(0.0), Quad<Dual>(x)});
             for (const Dual& lane : found.lane) {
@@ -274,11 +274,11 @@ TEST(Dual, LimitsAtTheEdgesOfDomains) {
     const auto power = [](double y) {
         return [y](const Quad<Dual>& x) { return pow(x, Quad<Dual>(y)); };
     };
-    EXPECT_EQ(slope(sqrt_of, 0), inf);
+    EXPECT_EQ(slope(sqrt_of, 0), endless);
     EXPECT_EQ(slope(power(2), 0), 0);
     EXPECT_EQ(slope(power(1), 0), 1);
     EXPECT_EQ(slope(power(0), 0), 0);
-    EXPECT_EQ(slope(power(0.5), 0), inf);
+    EXPECT_EQ(slope(power(0.5), 0), endless);
     EXPECT_EQ(slope([](const Quad<Dual>& y) { return pow(Quad<Dual>(0.0), y); }, 2), 0);
     EXPECT_EQ(slope([](const Quad<Dual>& x) { return sin(x); }, 1e300), 0);  // counts as sin(0)
     const auto steep = [](const Quad<Dual>& x) { return atan2(x, Quad<Dual>(0x1p-1000)); };
