@@ -4,7 +4,6 @@
 #include <bit>
 #include <numeric>
 
-#include "io/exr/zip_differences.hpp"
 #include "quadrel/check.hpp"
 
 namespace quadrel {
@@ -70,9 +69,7 @@ std::vector<std::uint8_t> ChunkEncoder::compressed(int y) {
 
 /// Or as they are where they do not shrink, as readers expect.
 std::vector<std::uint8_t> ChunkEncoder::deflated(std::vector<std::uint8_t> packed) {
-    differences_.resize(packed.size());
-    zip_differences(packed, differences_.data());
-    const auto stream = zip_.compress(differences_);
+    const auto stream = zip_.compress(packed);
     if (!stream.empty()) packed.assign(stream.begin(), stream.end());
     return packed;
 }

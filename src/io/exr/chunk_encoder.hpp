@@ -57,7 +57,6 @@ class ChunkEncoder {
     exr_encode_pipeline_t encode_ = EXR_ENCODE_PIPELINE_INITIALIZER;
     bool initialized_ = false;
     ZipStream zip_;
-    std::vector<std::uint8_t> differences_;
 };
 
 void write_chunk(const ExrWriteContext& file, const ExrChunkLayout& layout,

@@ -11,6 +11,20 @@ namespace {
 /// bits.
 constexpr int level = 1;
 
+std::uint8_t difference(std::uint8_t byte, std::uint8_t before) {
+    return static_cast<std::uint8_t>(byte - before + 128);
+}
+
+/// Bytes at even places, then those at odd ones, as differences. `out` has room for as many.
+void write_differences(std::span<const std::uint8_t> bytes, std::uint8_t* out) {
+    const std::uint8_t* const in = bytes.data();
+    const std::size_t size = bytes.size(), even = (size + 1) / 2, odd = size / 2;
+    out[0] = in[0];
+    for (std::size_t i = 1; i < even; ++i) out[i] = difference(in[2 * i], in[2 * i - 2]);
+    if (odd > 0) out[even] = difference(in[1], in[2 * even - 2]);
+    for (std::size_t i = 1; i < odd; ++i) out[even + i] = difference(in[2 * i + 1], in[2 * i - 1]);
+}
+
 }  // namespace
 
 void ZipStream::Free::operator()(libdeflate_compressor* compressor) const {
@@ -23,9 +37,11 @@ ZipStream::ZipStream() : compressor_(libdeflate_alloc_compressor(level)) {
 
 std::span<const std::uint8_t> ZipStream::compress(std::span<const std::uint8_t> bytes) {
     if (bytes.empty()) return {};
-    if (stream_.size() < bytes.size()) stream_.resize(bytes.size());
-    const std::size_t size = libdeflate_zlib_compress(compressor_.get(), bytes.data(), bytes.size(),
-                                                      stream_.data(), bytes.size() - 1);
+    differences_.resize(bytes.size());
+    write_differences(bytes, differences_.data());
+    stream_.resize(bytes.size());
+    const std::size_t size = libdeflate_zlib_compress(
+        compressor_.get(), differences_.data(), bytes.size(), stream_.data(), bytes.size() - 1);
     return {stream_.data(), size};
 }
 

@@ -1,4 +1,5 @@
-// zlib's streams, of libdeflate: on films half of zlib's own time at the same size.
+// What OpenEXR calls ZIP: bytes apart by significance, each as the difference to the one before, in
+// a zlib stream. Of libdeflate, which takes half of zlib's time on films, at the same size.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ class ZipStream {
         void operator()(libdeflate_compressor* compressor) const;
     };
     std::unique_ptr<libdeflate_compressor, Free> compressor_;
-    std::vector<std::uint8_t> stream_;
+    std::vector<std::uint8_t> differences_, stream_;
 };
 
 }  // namespace quadrel
