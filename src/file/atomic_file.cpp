@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "file/named_descriptor.hpp"
 #include "file/output_group.hpp"
 #include "file/temporary_file.hpp"
 #include "file/temporary_registry.hpp"
@@ -60,6 +61,7 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
       lock_(std::exchange(other.lock_, -1)),
       slot_(std::exchange(other.slot_, -1)),
       through_(other.through_),
+      appends_(other.appends_),
       spool_(std::move(other.spool_)),
       position_(other.position_),
       sent_(other.sent_) {}
@@ -107,7 +109,10 @@ void AtomicFile::open_temporary() {
 }
 
 void AtomicFile::open_through() {
-    descriptor_ = open(target_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    const std::optional<int> named = named_descriptor(target_);
+    appends_ = named.has_value();
+    descriptor_ = named ? fcntl(*named, F_DUPFD_CLOEXEC, 3)
+                        : open(target_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) fail("open");
 }
 
@@ -177,7 +182,7 @@ void AtomicFile::publish() {
 void AtomicFile::publish_through() {
     struct stat status = {};
     const bool regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-    if (regular && ftruncate(descriptor_, 0) != 0) fail("truncate");
+    if (regular && !appends_ && ftruncate(descriptor_, 0) != 0) fail("truncate");
     std::size_t done = 0;
     while (done < spool_.size()) {
         const ssize_t written = ::write(descriptor_, spool_.data() + done, spool_.size() - done);

@@ -51,6 +51,7 @@ class AtomicFile {
     int lock_ = -1;         ///< keeps the temporary locked while it is closed and not yet renamed
     int slot_ = -1;         ///< in the registry of temporaries
     bool through_ = false;  ///< target cannot be seeked or renamed onto: bytes wait in spool_
+    bool appends_ = false;  ///< a descriptor of the caller's: what others have written to it stays
     std::string spool_;
     std::uint64_t position_ = 0;
     std::uint64_t sent_ = 0;  ///< up to where the disk has been told to begin

@@ -176,6 +176,11 @@ TEST_F(SameFile, StandardOutputLedElsewhere) {
     EXPECT_EQ(code("-o /dev/stdout", ">redirected"), 0) << "a regular file without extension";
     EXPECT_EQ(file_bytes(folder / "piped"), file_bytes(folder / "one"));
     EXPECT_EQ(file_bytes(folder / "redirected"), file_bytes(folder / "one"));
+    // What others have written to the same descriptor stays.
+    EXPECT_EQ(code("-o -", ">>redirected"), 0);
+    EXPECT_EQ(code("-o /dev/stdout", ">>redirected"), 0);
+    EXPECT_EQ(code("-o /dev/fd/7", "7>>redirected"), 0);
+    EXPECT_EQ(file_bytes(folder / "redirected").size(), 4 * file_bytes(folder / "one").size());
     EXPECT_EQ(code("-o -", ">one"), 0);
     EXPECT_EQ(code("-o - --preview /dev/null", ">/dev/null"), 0);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "file/named_descriptor.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel::cli {
@@ -36,16 +37,10 @@ std::string kind_of(const std::string& extension) {
     return extension == ".exr" || extension == ".json" ? extension : "";
 }
 
-/// A name for a file that is open already, under whatever name.
-bool is_descriptor(const std::string& name) {
-    return name == "/dev/stdout" || name == "/dev/stderr" || name.starts_with("/dev/fd/") ||
-           name.starts_with("/proc/self/fd/");
-}
-
 /// Whether the name does not say what is written: devices, pipes and standard output take
 /// everything, and of folders the writer says that they are some.
 bool is_no_file(const std::string& name) {
-    if (name == "-" || is_descriptor(name) || std::filesystem::path(name).filename().empty())
+    if (name == "-" || named_descriptor(name) || std::filesystem::path(name).filename().empty())
         return true;
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(name, error);

@@ -69,11 +69,11 @@ Json stage_json(const StageInfo& stage) {
 
 std::string stage_paragraph(const StageInfo& stage) {
     std::string text =
-        fmt::format("{:<9}{:<26} {}\n", stage.text.room, stage.text.id, stage.text.summary);
+        fmt::format("{:<11}{:<26} {}\n", stage.text.room, stage.text.id, stage.text.summary);
     if (!stage.not_reproduced.empty())
-        text += fmt::format("{:<11}not reproduced: {}\n", "", stage.not_reproduced);
+        text += fmt::format("{:<13}not reproduced: {}\n", "", stage.not_reproduced);
     for (const ParameterText& p : stage.parameters)
-        text += fmt::format("{:<11}{}\n", "", parameter_text(p));
+        text += fmt::format("{:<13}{}\n", "", parameter_text(p));
     return text;
 }
 

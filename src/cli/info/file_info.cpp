@@ -162,7 +162,7 @@ Json file_info(const std::string& file, const ImageSelection& selection) {
     if (is_mesh_file(path)) return mesh_info(file);
     const bool bare_name = path.extension().empty() && !path.has_parent_path();
     if (path.extension() == ".json" || path.extension() == ".glib" ||
-        (bare_name && !std::filesystem::exists(path)))
+        (bare_name && !std::filesystem::exists(path, error) && !error))
         return scene_info(file);
     return image_info(file, selection);
 }

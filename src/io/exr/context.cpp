@@ -4,11 +4,18 @@
 #include <mutex>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 namespace quadrel {
 namespace {
 
-void* allocate_zeros(std::size_t bytes) { return std::calloc(1, bytes); }
+thread_local bool memory_ran_out = false;
+
+void* allocate_zeros(std::size_t bytes) {
+    void* const zeros = std::calloc(1, bytes);
+    memory_ran_out |= zeros == nullptr;
+    return zeros;
+}
 
 /// Some buffers do not come from the context's allocator but from the whole library's.
 void zero_library_buffers() {
@@ -34,6 +41,11 @@ void check_exr(exr_result_t result) {
     if (result == EXR_ERR_SUCCESS) return;
     if (result == EXR_ERR_OUT_OF_MEMORY) throw std::bad_alloc();
     throw std::runtime_error(exr_get_default_error_message(result));
+}
+
+void check_decoded(exr_result_t result) {
+    const bool ran_out = std::exchange(memory_ran_out, false);
+    check_exr(result == EXR_ERR_OUT_OF_MEMORY && !ran_out ? EXR_ERR_CORRUPT_CHUNK : result);
 }
 
 ExrContext::ExrContext(const FileBytes& file, int part) : part_(part) {

@@ -14,6 +14,10 @@ namespace quadrel {
 /// Throws std::bad_alloc, or std::runtime_error with the library's text, unless it is a success.
 void check_exr(exr_result_t result);
 
+/// The same of a decoded chunk. Damaged chunks make the library say that memory has run out, too;
+/// that is believed where it has.
+void check_decoded(exr_result_t result);
+
 /// A handler of the library's messages: check_exr tells what is wrong.
 void say_nothing(exr_const_context_t, exr_result_t, const char*);
 

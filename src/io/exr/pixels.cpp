@@ -91,7 +91,7 @@ class ChunkPixels : public ExrPixels {
             place(pipeline.decode.channels[c], chunk, rows);
         check_exr(exr_decoding_choose_default_routines(context_->get(), context_->part(),
                                                        &pipeline.decode));
-        check_exr(exr_decoding_run(context_->get(), context_->part(), &pipeline.decode));
+        check_decoded(exr_decoding_run(context_->get(), context_->part(), &pipeline.decode));
         return rows;
     }
 

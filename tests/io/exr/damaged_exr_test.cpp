@@ -201,6 +201,25 @@ AssertionResult is_refused(const std::string& channel) {
     return AssertionFailure() << "read";
 }
 
+/// Damaged codes make the library say so where memory is plenty.
+TEST(DamagedExr, CodesThatCannotBeAreNoLackOfMemory) {
+    const TemporaryFolder folder;
+    write_film(folder / "whole.exr", Imf::PIZ_COMPRESSION, false);
+    const std::string bytes = testing_films::file_bytes(folder / "whole.exr");
+    int refused = 0;
+    for (std::size_t at = bytes.size() / 4; at < bytes.size(); at += 37) {
+        std::string changed = bytes;
+        changed[at] = static_cast<char>(changed[at] ^ 0x80);
+        testing_films::write_bytes(folder / "bad.exr", changed);
+        try {
+            read_with_quadrel(folder / "bad.exr");
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 0);
+}
+
 TEST(DamagedExr, ANameIsNoLackOfMemory) {
     EXPECT_TRUE(is_refused("height"));
     EXPECT_TRUE(is_refused("std::bad_alloc"));
