@@ -16,6 +16,7 @@ struct Oracle : StageDefaults {
     static constexpr auto inputs = level_0_search_inputs;
     static constexpr auto outputs = oracle_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
+    static constexpr bool reads_finest_heights_only = true;
 
     struct Params {
         std::int32_t surface = 0;
