@@ -11,7 +11,8 @@
 
 namespace quadrel {
 
-/// One stage, summed over batches and threads.
+/// One stage, summed over batches and threads. Of more than a few batches one in seven is measured,
+/// and look-ups and times are made of these.
 struct StageStats {
     std::string id;
     std::uint64_t batches = 0, lanes = 0;  ///< lanes: helper and padding lanes included
@@ -66,14 +67,17 @@ struct CertifiedStats {
 };
 
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
-/// that lanes of padding depend on the tile size.
+/// that lanes of padding depend on the tile size, and look-ups without `has_touched` on what was
+/// left out, which differs between instruction sets.
 struct RenderStats {
     std::string isa, number;
     int packet_lanes = 0;      ///< lanes of one packet of the kernels
     std::uint64_t pixels = 0;  ///< of the window
     std::uint64_t quads = 0;   ///< shaded: one for each triangle visible in a quad
     std::uint64_t covered_lanes = 0, helper_lanes = 0;
-    FetchCounters fetches;                                 ///< all stages together
+    /// All stages together, as drawn, or with `has_touched` as the algorithms have them: those of
+    /// steps that drawing leaves out, too.
+    FetchCounters fetches;
     std::map<std::string, std::uint64_t> fetches_by_kind;  ///< look-ups by texture slot
     bool has_touched = false;  ///< RenderOptions::touched; else `touched` and steps are 0
     TouchedStats touched;      ///< a texture that several materials share is counted once

@@ -47,16 +47,19 @@ TimeSource fake_source() {
 
 const char* const ids[] = {"first", "second", "third"};
 
-/// A span of batches: stage i takes 100 (i + 1) ticks, as much again passes between stages.
+/// A span of batches of one material: stage i takes 100 (i + 1) ticks, as much again passes between
+/// stages.
 void run_span(StageClock& clock, FakeTime& time, int batches) {
     clock.begin();
-    for (int batch = 0; batch < batches; ++batch)
+    for (int batch = 0; batch < batches; ++batch) {
+        const bool is_timed = clock.begin_batch(ids, 256);
         for (unsigned i = 0; i < 3; ++i) {
-            clock.start(ids[i]);
+            if (is_timed) clock.start(ids[i]);
             time.pass(100 * (i + 1));
-            clock.lap(256, i);
+            if (is_timed) clock.lap(i);
             time.pass(100 * (i + 1));
         }
+    }
     clock.end();
 }
 
@@ -120,20 +123,43 @@ TEST(StageClock, ReadsClocksSeldom) {
     EXPECT_LT(time.tick_readings, 2 * 3 * 1020);
 }
 
-/// A stage that runs in few batches is timed, wherever they come among the others'.
-TEST(StageClock, TimesStagesThatAreRare) {
+/// A material that has few batches is timed, wherever they come among the others'.
+TEST(StageClock, TimesMaterialsThatAreRare) {
     FakeTime time;
     fake = &time;
     StageClock clock(fake_source());
     clock.begin();
     for (int batch = 0; batch < 70; ++batch) {
-        clock.start(batch % 7 == 3 ? "rare" : "common");
+        const char* const id = batch % 7 == 3 ? "rare" : "common";
+        const bool is_timed = clock.begin_batch(id, 256);
+        if (is_timed) clock.start(id);
         time.pass(100);
-        clock.lap(256, 0);
+        if (is_timed) clock.lap(0);
     }
     clock.end();
     EXPECT_EQ(clock.times().at("rare").wall_ns, 10 * 100 * 2);
     EXPECT_EQ(clock.times().at("common").wall_ns, 60 * 100 * 2);
+}
+
+/// What is measured in some batches stands for all, by their lanes: half of them are half as long.
+TEST(StageClock, BatchesThatAreNotTimedAreLikeTheOthers) {
+    FakeTime time;
+    fake = &time;
+    StageClock clock(fake_source());
+    clock.begin();
+    for (int batch = 0; batch < 7000; ++batch) {
+        const int lanes = batch % 2 == 0 ? 256 : 128;
+        const bool is_timed = clock.begin_batch(ids, lanes);
+        if (is_timed) clock.start(ids[0]);
+        time.pass(std::uint64_t(lanes));
+        if (is_timed) clock.lap(std::uint64_t(lanes) * 3);
+    }
+    clock.end();
+    const StageTime stage = clock.times().at(ids[0]);
+    EXPECT_EQ(stage.batches, 7000u);
+    EXPECT_EQ(stage.lanes, 3500u * (256 + 128));
+    EXPECT_EQ(stage.fetches, 3 * stage.lanes);
+    EXPECT_NEAR(double(stage.wall_ns), 2.0 * double(stage.lanes), 4);
 }
 
 /// A thread that is moved to a processor whose counter is behind loses a stage's time, no more.
@@ -143,10 +169,11 @@ TEST(StageClock, CountersThatRunBackTakeNothingAway) {
     StageClock clock(fake_source());
     clock.begin();
     time.pass(1000);
+    ASSERT_TRUE(clock.begin_batch(ids, 256));
     clock.start("first");
     time.pass(100);
     time.moves_back = true;
-    clock.lap(256, 0);
+    clock.lap(0);
     clock.end();
     const StageTimes times = clock.times();
     EXPECT_EQ(times.at("first").wall_ns, 0);

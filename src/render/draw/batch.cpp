@@ -44,7 +44,7 @@ void run_stage(const PlannedStage& stage, const StageCall& call, StageClock* clo
     const std::uint64_t before = fetches_of(stage, call.counters);
     clock->start(stage.info->text.id);
     stage.run(&call);
-    clock->lap(call.lanes, fetches_of(stage, call.counters) - before);
+    clock->lap(fetches_of(stage, call.counters) - before);
 }
 
 }  // namespace
@@ -164,9 +164,10 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
         std::fill(scales_->keys, scales_->keys + lanes_ / 4, 0);
         call.scales = scales_.get();
     }
+    const bool is_timed = clock != nullptr && clock->begin_batch(&plan, lanes_);
     // What a chain has broken a promise in is done again, so that the stage is found and named.
-    if (shortcuts.chains && !plan.chains.empty() && run_chains(plan, call)) return;
-    run_stages(plan, 0, plan.stages.size(), call, clock);
+    if (!is_timed && shortcuts.chains && !plan.chains.empty() && run_chains(plan, call)) return;
+    run_stages(plan, 0, plan.stages.size(), call, is_timed ? clock : nullptr);
 }
 
 void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,

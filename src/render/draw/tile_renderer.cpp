@@ -246,10 +246,9 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
     if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
-    if (recording_ == Recording::nothing)
-        batch_.run(plan, call, geometry_, nullptr, plan_.shortcuts);
-    else
-        batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
+    // A marking pass sees each stage's own values.
+    batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr,
+               recording_ == Recording::marks ? no_shortcuts : plan_.shortcuts);
 }
 
 /// Stages do not throw: whatever did is a mistake of ours. Runs the quads one by one until it is

@@ -1,5 +1,6 @@
 #include "render/stats/stage_clock.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -57,46 +58,70 @@ void StageClock::end() {
     const auto ticks = static_cast<double>(elapsed(begin_.ticks, moment.ticks));
     const double wall = static_cast<double>(moment.wall_ns - begin_.wall_ns);
     const double cpu = static_cast<double>(moment.cpu_ns - begin_.cpu_ns);
-    for (Row& row : rows_) {
-        const double share = ticks > 0 ? static_cast<double>(row.ticks) / ticks : 0;
-        row.wall_ns += share * wall;
-        row.cpu_ns += share * cpu;
-        row.ticks = 0;
+    for (Group& group : groups_)
+        for (Row& row : group.rows) {
+            const double share = ticks > 0 ? static_cast<double>(row.ticks) / ticks : 0;
+            row.wall_ns += share * wall;
+            row.cpu_ns += share * cpu;
+            row.ticks = 0;
+        }
+}
+
+bool StageClock::begin_batch(const void* material, int lanes) {
+    if (groups_.empty() || groups_[current_].material != material) {
+        const auto found = std::ranges::find(groups_, material, &Group::material);
+        current_ = static_cast<std::size_t>(found - groups_.begin());
+        if (found == groups_.end()) groups_.push_back({.material = material, .rows = {}});
     }
+    Group& group = groups_[current_];
+    const bool is_timed = group.batches < period || group.batches % period == 0;
+    ++group.batches;
+    group.lanes += static_cast<std::uint64_t>(lanes);
+    if (!is_timed) return false;
+    ++group.timed_batches;
+    group.timed_lanes += static_cast<std::uint64_t>(lanes);
+    lanes_ = lanes;
+    return true;
 }
 
 /// Batches of a material run the same stages in the same order: mostly the row after the last one.
-std::size_t StageClock::find_row(const char* id) {
-    for (std::size_t i = 1; i <= rows_.size(); ++i) {
-        const std::size_t candidate = (current_ + i) % rows_.size();
-        if (rows_[candidate].id == id) return candidate;
+StageClock::Row& StageClock::find_row(Group& group, const char* id) {
+    for (std::size_t i = 1; i <= group.rows.size(); ++i) {
+        const std::size_t candidate = (group.current + i) % group.rows.size();
+        if (group.rows[candidate].id != id) continue;
+        group.current = candidate;
+        return group.rows[candidate];
     }
-    rows_.push_back({id});
-    return rows_.size() - 1;
+    group.current = group.rows.size();
+    return group.rows.emplace_back(Row{.id = id});
 }
 
 void StageClock::start(const char* id) {
-    current_ = find_row(id);
-    if (rows_[current_].is_timed()) start_ = source_.ticks();
+    find_row(groups_[current_], id);
+    start_ = source_.ticks();
 }
 
-void StageClock::lap(int lanes, std::uint64_t fetches) {
-    Row& row = rows_[current_];
-    if (row.is_timed()) {
-        row.ticks += elapsed(start_, source_.ticks());
-        ++row.timed;
-    }
-    ++row.batches;
-    row.lanes += static_cast<std::uint64_t>(lanes);
+void StageClock::lap(std::uint64_t fetches) {
+    Group& group = groups_[current_];
+    Row& row = group.rows[group.current];
+    row.ticks += elapsed(start_, source_.ticks());
+    ++row.runs;
+    row.lanes += static_cast<std::uint64_t>(lanes_);
     row.fetches += fetches;
 }
 
 StageTimes StageClock::times() const {
     StageTimes times;
-    for (const Row& row : rows_) {
-        const double weight = static_cast<double>(row.batches) / static_cast<double>(row.timed);
-        times[row.id] += {row.batches, row.lanes, row.fetches, std::llround(weight * row.wall_ns),
-                          std::llround(weight * row.cpu_ns)};
+    for (const Group& group : groups_) {
+        const double by_batch = double(group.batches) / double(group.timed_batches);
+        const double by_lane = double(group.lanes) / double(group.timed_lanes);
+        const auto scaled = [](double factor, auto count) {
+            return static_cast<std::uint64_t>(std::llround(factor * static_cast<double>(count)));
+        };
+        for (const Row& row : group.rows)
+            times[row.id] += {scaled(by_batch, row.runs), scaled(by_lane, row.lanes),
+                              scaled(by_lane, row.fetches), std::llround(by_lane * row.wall_ns),
+                              std::llround(by_lane * row.cpu_ns)};
     }
     return times;
 }

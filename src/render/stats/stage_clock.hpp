@@ -38,10 +38,11 @@ TimeSource processor_time();
 ///
 /// Stages are timed in ticks, and what a tick is worth in time comes out at the end of each span,
 /// over all of it: the system's clocks, which take as long as a short stage, are read twice a span,
-/// and the counter needs no steady rate from one span to the next. Of a stage's batches the first
-/// few are timed and then one in `period`, which the others are taken to be like. CPU time is
-/// shared out by ticks, too. So what a thread had to wait for may be booked on one stage with too
-/// great a weight; each is as likely to get it as it is long.
+/// and the counter needs no steady rate from one span to the next. CPU time is shared out by ticks,
+/// too. Of a material's batches the first few are timed and then one in `period`, which the others
+/// are taken to be like, lane by lane: these may run as if no one looked, several stages as one. So
+/// what a thread had to wait for may be booked on one stage with too great a weight; each is as
+/// likely to get it as it is long.
 class StageClock {
   public:
     static constexpr std::uint64_t period = 7;  ///< prime: tiles have 16 batches, or 4, or 64
@@ -53,12 +54,15 @@ class StageClock {
     /// Ends it and turns its ticks into time.
     void end();
 
-    /// Before a stage runs over a batch. `id` must live as long as the clock.
+    /// Before a batch of so many lanes: whether its stages are to be timed, by `start` and `lap`
+    /// around each. `material` tells batches that run the same stages.
+    bool begin_batch(const void* material, int lanes);
+    /// Before a stage runs over a batch that is timed. `id` must live as long as the clock.
     void start(const char* id);
     /// After it.
-    void lap(int lanes, std::uint64_t fetches);
+    void lap(std::uint64_t fetches);
 
-    /// Of the spans that have ended.
+    /// Of the spans that have ended. Exact where all batches were timed.
     StageTimes times() const;
 
   private:
@@ -66,24 +70,29 @@ class StageClock {
         std::uint64_t ticks = 0;
         std::int64_t wall_ns = 0, cpu_ns = 0;
     };
-    struct Row {
+    struct Row {  ///< of batches that were timed
         const char* id;
-        std::uint64_t batches = 0, lanes = 0, fetches = 0;
-        std::uint64_t timed = 0;         ///< batches
-        std::uint64_t ticks = 0;         ///< of the span that is going on
-        double wall_ns = 0, cpu_ns = 0;  ///< of timed batches
-
-        bool is_timed() const { return batches < period || batches % period == 0; }
+        std::uint64_t runs = 0, lanes = 0, fetches = 0;
+        std::uint64_t ticks = 0;  ///< of the span that is going on
+        double wall_ns = 0, cpu_ns = 0;
+    };
+    struct Group {
+        const void* material;
+        std::uint64_t batches = 0, lanes = 0;
+        std::uint64_t timed_batches = 0, timed_lanes = 0;
+        std::vector<Row> rows;    ///< in the order of their first laps
+        std::size_t current = 0;  ///< the row of the stage that was started last
     };
 
     Moment now() const { return {source_.ticks(), source_.wall_ns(), source_.cpu_ns()}; }
-    std::size_t find_row(const char* id);
+    static Row& find_row(Group& group, const char* id);
 
     TimeSource source_;
     Moment begin_;
     std::uint64_t start_ = 0;
-    std::vector<Row> rows_;    ///< in the order of their first laps
-    std::size_t current_ = 0;  ///< the row of the stage that was started last
+    int lanes_ = 0;  ///< of the batch
+    std::vector<Group> groups_;
+    std::size_t current_ = 0;  ///< the group of the last batch
 };
 
 /// Adds what another thread measured.

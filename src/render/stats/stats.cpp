@@ -159,10 +159,11 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     record_maxima(prepared, stats);
 }
 
-void record_drawing(const DrawRecord& record, RenderStats& stats) {
-    stats.quads += record.quads;
-    stats.covered_lanes += record.covered_lanes;
-    stats.helper_lanes += record.helper_lanes;
+namespace {
+
+void record_fetches(const DrawRecord& record, RenderStats& stats) {
+    stats.fetches = {};
+    stats.fetches_by_kind.clear();
     for (int slot = 0; slot < texture_slot_count; ++slot) {
         const FetchCounters& fetches = record.fetches[static_cast<std::size_t>(slot)];
         stats.fetches += fetches;
@@ -170,6 +171,15 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
             stats.fetches_by_kind[std::string(slot_name(static_cast<TextureSlot>(slot)))] +=
                 fetches.fetches;
     }
+}
+
+}  // namespace
+
+void record_drawing(const DrawRecord& record, RenderStats& stats) {
+    stats.quads += record.quads;
+    stats.covered_lanes += record.covered_lanes;
+    stats.helper_lanes += record.helper_lanes;
+    record_fetches(record, stats);
     CertifiedStats& certified = stats.certified;
     certified.by_bounds += record.certified[static_cast<std::size_t>(Certificate::bounds)];
     certified.exactly += record.certified[static_cast<std::size_t>(Certificate::exact)];
@@ -192,6 +202,7 @@ void record_marks(const PreparedRender& prepared, const DrawRecord& record,
                 row->touched.push_back(touched.count(m, slot, level));
             ++row;
         }
+    record_fetches(record, stats);  // of all steps; drawing has left out what it could
     stats.has_touched = true;
     stats.touched = touched.total();
     stats.trace_steps = record.trace_steps;

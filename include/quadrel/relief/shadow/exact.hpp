@@ -83,8 +83,8 @@ struct ShadowExactBy : StageDefaults {
     template <class Io>
     static bool are_steps_counted(const Io& io) {
         const int steps = slot_of(Value::shadow_steps) + io.light();
-        return io.call().counters != nullptr || io.call().log != nullptr ||
-               io.call().values[steps] != nullptr;
+        return marks_of(io.template context<TextureSlot::height>()) != nullptr ||
+               io.call().log != nullptr || io.call().values[steps] != nullptr;
     }
 
     /// q has the root 0: whether q / t is above 0 in (0, length].

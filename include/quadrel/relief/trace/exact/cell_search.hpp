@@ -121,12 +121,13 @@ struct CellSearch {
     }
 };
 
-/// Whether steps or look-ups of a search are asked for, counted or watched. If none are, they may
-/// be others than the source's, as long as the hits are the same.
+/// Whether steps or look-ups of a search are asked for, marked or watched. If none are, they may be
+/// others than the source's, as long as the hits are the same.
 template <class Io>
 bool are_steps_counted(const Io& io) {
-    return io.call().counters != nullptr || io.call().log != nullptr ||
-           io.template wanted<Value::hit_steps>() || io.template wanted<Value::hit_fetches>();
+    return marks_of(io.template context<TextureSlot::height>()) != nullptr ||
+           io.call().log != nullptr || io.template wanted<Value::hit_steps>() ||
+           io.template wanted<Value::hit_fetches>();
 }
 
 /// Stores what was found, with `wrapped` where the hit is in another tile than the fragment.
