@@ -10,11 +10,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 #include "io/exr/byte_stream.hpp"
 #include "io/exr/context.hpp"
 #include "io/exr/dwa_check.hpp"
+#include "io/exr/zip_stream.hpp"
 #include "quadrel/num/half.hpp"
 #include "text/first_error.hpp"
 
@@ -57,6 +59,24 @@ void hand_out(const std::vector<NativeRows>& channels, int x, int y, int width, 
     }
 }
 
+/// A step of the C library's, for ZIP and ZIPS.
+exr_result_t unzip_chunk(exr_decode_pipeline_t* decode) {
+    const std::uint64_t packed = decode->chunk.packed_size, unpacked = decode->chunk.unpacked_size;
+    if (packed == 0) return EXR_ERR_SUCCESS;
+    if (packed == unpacked) {  // got no shorter, and is stored as it was
+        if (decode->unpacked_buffer != decode->packed_buffer)
+            std::memcpy(decode->unpacked_buffer, decode->packed_buffer, unpacked);
+        return EXR_ERR_SUCCESS;
+    }
+    const auto* const stream = static_cast<const std::uint8_t*>(decode->packed_buffer);
+    auto* const bytes = static_cast<std::uint8_t*>(decode->unpacked_buffer);
+    try {
+        return unzip({stream, packed}, {bytes, unpacked}) ? EXR_ERR_SUCCESS : EXR_ERR_CORRUPT_CHUNK;
+    } catch (const std::bad_alloc&) {
+        return EXR_ERR_OUT_OF_MEMORY;
+    }
+}
+
 /// Lossless compressions and Pxr24, by the C library, chunks in parallel.
 class ChunkPixels : public ExrPixels {
   public:
@@ -91,6 +111,11 @@ class ChunkPixels : public ExrPixels {
             place(pipeline.decode.channels[c], chunk, rows);
         check_exr(exr_decoding_choose_default_routines(context_->get(), context_->part(),
                                                        &pipeline.decode));
+        const exr_compression_t compression = context_->compression();
+        // There are no steps where pixels are read right to where they go.
+        if (pipeline.decode.decompress_fn != nullptr &&
+            (compression == EXR_COMPRESSION_ZIP || compression == EXR_COMPRESSION_ZIPS))
+            pipeline.decode.decompress_fn = unzip_chunk;
         check_decoded(exr_decoding_run(context_->get(), context_->part(), &pipeline.decode));
         return rows;
     }
