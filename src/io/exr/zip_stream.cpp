@@ -35,7 +35,7 @@ void sum_differences(std::span<const std::uint8_t> differences, std::uint8_t* ou
     };
     std::uint8_t last_even = in[0];
     for (std::size_t i = 1; i < even; ++i) last_even = after(last_even, in[i]);
-    std::uint8_t a = static_cast<std::uint8_t>(in[0] + 128), b = last_even;
+    std::uint8_t a = 128, b = last_even;
     for (std::size_t i = 0; i < odd; ++i) {
         out[2 * i] = a = after(a, in[i]);
         out[2 * i + 1] = b = after(b, in[even + i]);

@@ -56,7 +56,8 @@ TEST(ZipStream, RefusesWhatIsDamaged) {
     for (std::size_t i = 0; i < stream.size(); ++i) {
         Bytes changed = stream;
         changed[i] ^= 0x10;
-        EXPECT_FALSE(unzip(changed, found)) << i;
+        // A few bits mean nothing: codes that are not used, the end of the last byte.
+        EXPECT_TRUE(!unzip(changed, found) || found == bytes) << i;
         EXPECT_FALSE(unzip(std::span(stream).first(i), found)) << i;
     }
     for (const std::size_t size : {1u, 1999u, 2001u, 4000u}) {
