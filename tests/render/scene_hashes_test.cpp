@@ -11,6 +11,7 @@
 #include <cstdlib>
 
 #include "built_isas.hpp"
+#include "effort.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/hash_file.hpp"
@@ -137,7 +138,7 @@ TEST_P(SceneHashes, AreTheCommittedOnesInEveryRun) {
     EXPECT_TRUE(same_hash(*line, hash_of(line->scene, line->size, film)));
     EXPECT_TRUE(
         same_in_some_runs(render, scene, film, static_cast<std::size_t>(line - all.begin())));
-    EXPECT_TRUE(same_without_skipping(render, scene));
+    if (!test::sanitized) EXPECT_TRUE(same_without_skipping(render, scene));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SceneHashes, testing::ValuesIn(installed_scenes()),
