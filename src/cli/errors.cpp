@@ -5,7 +5,9 @@
 #include <memory>
 
 #include "cli/common/arguments.hpp"
+#include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
+#include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/scene/load.hpp"
@@ -14,29 +16,36 @@ namespace quadrel::cli {
 namespace {
 
 struct ErrorsArguments {
-    std::string scene, size, window;
+    std::string scene, size, window, maps;
     std::vector<std::string> overrides, plugins;
     ErrorOptions options;
     bool json = false;
 };
 
 ExitCode run_errors(const ErrorsArguments& arguments) {
+    CommandFiles files;
+    files.add_output("--maps", arguments.maps);
+    files.check_writable();
+    check_output_kinds({{"--maps", ".png", arguments.maps}});
     load_plugins(arguments.plugins);
     ErrorOptions options = arguments.options;
     if (!arguments.window.empty()) options.window = parse_window("--window", arguments.window);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
+    files.check();
     say_notes(scene.notes);
+    Film film;
+    if (!arguments.maps.empty()) options.film = &film;
     ErrorSummary summary;
     {
         ProgressBar bar;
         options.progress = [&bar](double share) { bar.show(share); };
         summary = measure_errors(scene, options);
     }
-    if (arguments.json) {
-        print_json(to_json(summary));
-        return ExitCode::ok;
+    arguments.json ? print_json(to_json(summary)) : print(to_text(summary));
+    if (!arguments.maps.empty()) {
+        write_png(arguments.maps, error_sheet(film));
+        say_written(arguments.maps);
     }
-    print(to_text(summary));
     return ExitCode::ok;
 }
 
@@ -68,6 +77,8 @@ void add_errors(CLI::App& app, Action& action) {
     verb->add_option("--worst", a->options.worst, "pixels to name of each kind of error")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
+    verb->add_option("--maps", a->maps, "write a PNG of the errors, a labelled map of each kind")
+        ->type_name("OUT.png");
     add_plugin_option(*verb, a->plugins);
     verb->add_flag("--json", a->json, "machine-readable");
     verb->callback([a, &action] { action = [a] { return run_errors(*a); }; });

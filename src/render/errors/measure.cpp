@@ -24,10 +24,14 @@ RenderOptions render_options(const ErrorOptions& options, std::vector<std::strin
     return made;
 }
 
-ErrorSummary measure(const Scene& scene, const RenderOptions& options, std::size_t worst) {
-    ErrorSummary summary = summarize_errors(render(scene, options), worst);
+ErrorSummary measure(const Scene& scene, const RenderOptions& rendering,
+                     const ErrorOptions& options) {
+    Film own;
+    Film& film = options.film != nullptr ? *options.film : own;
+    film = render(scene, rendering);
+    ErrorSummary summary = summarize_errors(film, options.worst);
     summary.judges = judges_text(scene);
-    const ProbeCommand command(scene, select_kernels(options), options.isa);
+    const ProbeCommand command(scene, select_kernels(rendering), rendering.isa);
     for (WorstPixel& pixel : summary.worst) pixel.command = command.text(pixel.x, pixel.y);
     return summary;
 }
@@ -64,7 +68,7 @@ void check_frame(const Film& image, const Scene& scene) {
 }  // namespace
 
 ErrorSummary measure_errors(const Scene& scene, const ErrorOptions& options) {
-    return measure(scene, render_options(options, error_channels()), options.worst);
+    return measure(scene, render_options(options, error_channels()), options);
 }
 
 ErrorSummary measure_errors(const Film& image, const Scene& scene, const ErrorOptions& options) {
@@ -80,7 +84,7 @@ ErrorSummary measure_errors(const Film& image, const Scene& scene, const ErrorOp
         rendering.judged = &part;
     }
     rendering.window = rendering.judged->window;
-    return measure(scene, rendering, options.worst);
+    return measure(scene, rendering, options);
 }
 
 }  // namespace quadrel
