@@ -24,7 +24,10 @@ struct RenderOptions {
     std::string isa = "auto";           ///< auto | scalar | sse4 | avx2 | avx512 | neon
     int threads = 0;                    ///< 0: as many as the process may use; more are obeyed
     bool skip = true;                   ///< false: compute and load what no channel asks for, too
-    RenderStats* stats = nullptr;       ///< receives what the render did and took
+    /// What err.* channels judge in the place of what is drawn: a film of the same window, which
+    /// must stay as long as the render (errors.hpp says which channels of it).
+    const Film* judged = nullptr;
+    RenderStats* stats = nullptr;  ///< receives what the render did and took
     /// `stats` also tells what look-ups touched and how many steps searches made: by a second pass,
     /// which takes three to four times as long as drawing.
     bool touched = false;

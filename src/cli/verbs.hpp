@@ -20,6 +20,7 @@ void add_probe(CLI::App& app, Action& action);
 void add_sheet(CLI::App& app, Action& action);
 void add_mips(CLI::App& app, Action& action);
 void add_bake(CLI::App& app, Action& action);
+void add_errors(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 
 }  // namespace quadrel::cli

@@ -122,6 +122,36 @@ void add_oracle(Table& table) {
                      "height map"});
 }
 
+/// What is drawn less what the judge has; `part` is "", "search." or "frame.".
+void add_errors(Table& table, const std::string& part, const std::string& of) {
+    const auto add = [&](const char* name, ChannelType type, const char* unit,
+                         const std::string& meaning) {
+        table.push_back({"err." + part + name, type, unit, meaning + of});
+    };
+    add("s", real, "-1 early to 1 late", "hit.s minus the judge's");
+    add("uv", real, "texels of level 0", "distance of hit.U, hit.V from the judge's");
+    add("cell", integer, "0 or 1", "1: the hit is in another cell than the judge's");
+    add("kind", integer, "code",
+        "0 same (1/256 texel, 2^-16 of s), 1 late, 2 early, 3 hit where the judge has none, 4 none "
+        "where it has one, 5 other surface, 6 not judged");
+    add("normal", real, "degrees", "angle between N and that of the same stage at the judge's hit");
+    add("shadow", real, "-1 to 1",
+        "visibility of light 0 minus that of shadow-oracle at the judge's hit");
+    for (const char* name : {"color.R", "color.G", "color.B"})
+        add(name, real, "linear radiance",
+            "colour minus that of the same stages at the judge's hit");
+}
+
+void add_errors(Table& table) {
+    add_errors(table, "", "");
+    table.push_back(
+        {"err.certified", integer, "code", "how the judge's hit was proven: certified"});
+    add_errors(table, "search.", ": the search alone, on the exact frame");
+    add_errors(table, "frame.", ": the frame alone, under the judge's search");
+    table.push_back(
+        {"err.frame.K", real, "ratio", "length of K minus the exact K, to that of the exact K"});
+}
+
 void add_level_of_detail(Table& table) {
     table.push_back({"lod.rho", real, "texels a pixel", "scale factor of the pixel's footprint"});
     table.push_back(
@@ -166,6 +196,7 @@ Table make_table() {
     add_frame(table);
     add_hit(table);
     add_oracle(table);
+    add_errors(table);
     add_level_of_detail(table);
     add_shading(table);
     add_identity(table);

@@ -84,6 +84,8 @@ bool is_exact_derivative(const std::string& name) {
     return is_below(name, "exact") || is_below(name, "derr");
 }
 
+bool is_error_channel(const std::string& name) { return is_below(name, "err"); }
+
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {
     if (requests.empty()) return default_channels();
     std::vector<std::string> all;

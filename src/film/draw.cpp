@@ -26,6 +26,10 @@ void draw_glyph(Picture& picture, int left, int top, const Glyph& glyph) {
                 picture.set(left + x, top + y, ink, ink, ink);
 }
 
+std::uint8_t byte(double value) {
+    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5);
+}
+
 }  // namespace
 
 void draw_label(Picture& picture, int left, int top, int width, const std::string& label) {
@@ -55,6 +59,13 @@ std::vector<std::string> text_lines(const std::string& text, int width) {
             lines.back() += " " + word;
     }
     return lines;
+}
+
+void paint_heat(Picture& picture, int x, int y, double heat) {
+    picture.set(x, y, byte(2.5 * heat - 0.25), byte(2.5 * heat - 1.25),
+                byte(heat < 0.4   ? 0.3 + heat
+                     : heat < 0.7 ? 1.4 - 2 * heat
+                                  : 3.4 * heat - 2.4));
 }
 
 }  // namespace quadrel

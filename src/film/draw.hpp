@@ -22,4 +22,7 @@ void draw_picture(Picture& to, int left, int top, const Picture& from);
 /// its own.
 std::vector<std::string> text_lines(const std::string& text, int width);
 
+/// `heat` from 0, dark blue, over red to 1, white.
+void paint_heat(Picture& picture, int x, int y, double heat);
+
 }  // namespace quadrel

@@ -59,18 +59,6 @@ double rough_log2(double value) {
     return exponent - 1 + (2 * mantissa - 1);
 }
 
-std::uint8_t byte(double value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5);
-}
-
-/// `heat` from 0, dark blue, over red to 1, white.
-void paint_heat(Picture& picture, int x, int y, double heat) {
-    picture.set(x, y, byte(2.5 * heat - 0.25), byte(2.5 * heat - 1.25),
-                byte(heat < 0.4   ? 0.3 + heat
-                     : heat < 0.7 ? 1.4 - 2 * heat
-                                  : 3.4 * heat - 2.4));
-}
-
 void paint(Picture& picture, int x, int y, HeatKind kind, double error) {
     if (error == 0) return;
     if (error == incomparable) return picture.set(x, y, 255, 0, 255);

@@ -18,7 +18,7 @@ using testing_films::TemporaryFolder;
 using Words = std::vector<std::string>;
 
 constexpr const char* verbs[] = {"render", "compare", "list", "info", "explain",
-                                 "probe",  "sheet",   "mips", "bake"};
+                                 "probe",  "sheet",   "mips", "bake", "errors"};
 
 Words split(const std::string& line) {
     std::istringstream stream(line);

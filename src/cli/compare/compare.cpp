@@ -10,6 +10,7 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/common/selection_options.hpp"
+#include "cli/compare/against.hpp"
 #include "cli/compare/arguments.hpp"
 #include "cli/compare/blame.hpp"
 #include "cli/compare/region.hpp"
@@ -37,7 +38,7 @@ constexpr const char* details =
     "nearest half, ties to even; --ulp counts halves.";
 
 struct CompareArguments {
-    std::string reference, test, channels, heatmap, encode, blame, ignored_flags;
+    std::string reference, test, channels, heatmap, encode, blame, ignored_flags, against;
     std::vector<std::string> mappings, overrides, plugins;
     ToleranceArguments tolerances;
     ImageSelection selection, reference_selection;
@@ -122,11 +123,37 @@ Images prepare(const CompareArguments& arguments) {
     return images;
 }
 
+/// Options that --against has no use for.
+void refuse_beside_against(const CompareArguments& a) {
+    const ToleranceArguments& t = a.tolerances;
+    const std::pair<const char*, bool> given[] = {
+        {"--abs", !t.abs.empty()},
+        {"--rel", !t.rel.empty()},
+        {"--ulp", !t.ulp.empty()},
+        {"--fraction", !t.fraction.empty()},
+        {"--encode", !a.encode.empty()},
+        {"--blame", !a.blame.empty()},
+        {"--heatmap", !a.heatmap.empty()},
+        {"--ignore-flags", !a.ignored_flags.empty()},
+        {"--overlap", a.region.overlap},
+        {"--reference-layer", !a.reference_selection.layer.empty()},
+        {"--reference-part", !a.reference_selection.part.empty()}};
+    for (const auto& [option, is_given] : given)
+        if (is_given) throw UsageError(std::string(option) + ": not with --against");
+}
+
+ExitCode run_compare_against(const CompareArguments& a) {
+    refuse_beside_against(a);
+    return run_against({a.reference, a.test, a.channels, a.region.window, a.mappings, a.overrides,
+                        a.plugins, a.selection, a.flip_y, a.json});
+}
+
 ExitCode run_compare(const CompareArguments& arguments) {
+    if (!arguments.against.empty()) return run_compare_against(arguments);
     if (arguments.blame.empty() && !arguments.overrides.empty())
-        throw UsageError("-D: expected with --blame only");
+        throw UsageError("-D: expected with --blame or --against only");
     if (arguments.blame.empty() && !arguments.plugins.empty())
-        throw UsageError("--plugin: expected with --blame only");
+        throw UsageError("--plugin: expected with --blame or --against only");
     CommandFiles files;
     for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
     files.add_output("--heatmap", arguments.heatmap);
@@ -200,7 +227,14 @@ void add_preparation(CLI::App& verb, CompareArguments& a) {
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
     const auto a = std::make_shared<CompareArguments>();
-    verb->add_option("reference", a->reference, "the image that is right")->required();
+    verb->add_option("reference", a->reference,
+                     "the image that is right; with --against the scene of the test image")
+        ->required();
+    verb->add_option("--against", a->against,
+                     "oracle: judge the test image by the proven first hits of the scene: its "
+                     "hit.U, hit.V, hit.s, N, R, G, B, whichever it has")
+        ->check(CLI::IsMember({"oracle"}))
+        ->type_name("JUDGE");
     verb->add_option("test", a->test, "the image to be judged, of any format")->required();
     verb->footer(details);
     add_tolerances(*verb, a->tolerances);

@@ -58,6 +58,7 @@ constexpr std::array data_flow = {
     std::string_view{"R"},
     std::string_view{"G"},
     std::string_view{"B"},
+    std::string_view{"err"},
 };
 
 /// Whether a row of the order is the channel or a group that it belongs to.

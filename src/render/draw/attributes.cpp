@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
+#include "render/errors/error_plan.hpp"
 #include "render/plan/names.hpp"
 #include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
@@ -57,6 +59,9 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
         {"quadrel:samples", fmt::format("{}", scene.samples)},
         {"quadrel:number", options.number},
     };
+    const std::vector<std::string> channels = expand_channels(options.channels);
+    if (std::any_of(channels.begin(), channels.end(), is_error_channel))
+        all.emplace_back("quadrel:judges", judges_text(scene));
     const std::vector<std::string> plugins = plugin_hashes();
     if (!plugins.empty())
         all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));

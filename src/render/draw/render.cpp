@@ -126,6 +126,11 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
     prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
     prepared.plan.isa = options.isa;
+    if (options.judged != nullptr) {
+        if (options.judged->window != prepared.window)
+            throw UsageError("the image that is judged has another window than the render");
+        prepared.plan.judged = std::make_shared<JudgedImage>(*options.judged);
+    }
     const GeometryParts parts = parts_read(prepared.plan);
     prepared.geometry = geometry != nullptr
                             ? geometry->take(scene, prepared.plan.hardware, parts)

@@ -167,7 +167,10 @@ void TileFilm::add_fragments(const QuadCoverage* quads, std::uint32_t* plane,
 
 void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
                          const QuadCoverage* quads, const Geometry& geometry,
-                         const TileBuffer& tile, const ExactBatch* exact) const {
+                         const TileBuffer& tile, const Judges& judges) const {
+    const auto in_batch = [&](const QuadCoverage& quad, int lane) {
+        return 4 * static_cast<int>(&quad - quads) + lane;
+    };
     const auto add = [&](const auto& bits) { add_fragments(quads, plane, bits); };
     switch (source.kind) {
         case Kind::value:
@@ -195,20 +198,27 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
         case Kind::exact:
         case Kind::exact_error:
             return add([&](auto& quad, int lane, int) {
-                const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
-                return float_bits(static_cast<float>(exact->value(source, batch, in_batch)));
+                return float_bits(
+                    static_cast<float>(judges.exact->value(source, batch, in_batch(quad, lane))));
+            });
+        case Kind::error:
+            return add([&](auto& quad, int lane, int) {
+                const int y = flip_row(target_.viewport, lane_y(quad, lane));
+                return judges.errors->bits(source, batch, in_batch(quad, lane), lane_x(quad, lane),
+                                           y);
             });
     }
 }
 
 void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
-                   const TileBuffer& tile, const ExactBatch* exact) {
+                   const TileBuffer& tile, const Judges& judges) {
     collect(quads, batch.quads(), tile);
     if (sample_count_ > 1) add_samples(batch);
     for (std::size_t c = 0; c < target_.channels->size(); ++c) {
         const ChannelSource& source = (*target_.channels)[c];
         // Of pixels that are resolved in the end, too: it writes over them.
-        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile, exact);
+        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile,
+                  judges);
     }
 }
 

@@ -69,6 +69,7 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       touched_(touched),
       solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {
     if (!plan.exact.empty()) exact_.emplace(&command_);
+    if (!plan.errors.empty()) errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get());
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -208,19 +209,24 @@ void TileRenderer::shade() {
             count_certified(plan_.materials[material], {quads_.data() + first, end - first});
         if (recording_ != Recording::marks)
             film_.add(batch_, quads_.data() + first, geometry_, buffer_,
-                      run_exact(material, quads_.data() + first, count));
+                      run_judges(material, quads_.data() + first, count));
         first = end;
     }
 }
 
-/// The quads on dual numbers; null where no channel asks.
-const ExactBatch* TileRenderer::run_exact(std::uint32_t material, const QuadCoverage* quads,
-                                          int count) {
-    if (!exact_) return nullptr;
+/// The quads on dual numbers and with the judge's stages, where channels ask.
+Judges TileRenderer::run_judges(std::uint32_t material, const QuadCoverage* quads, int count) {
+    Judges judges;
+    if (!exact_ && !errors_) return judges;
     const QuadContext context(command_, {quads, static_cast<std::size_t>(count)});
-    exact_->run(plan_.exact[material], stage_call(plan_, material), quads, count, geometry_,
-                scene_.samples, scene_.centroid);
-    return &*exact_;
+    const auto run = [&](auto& batch, const auto& plans) {
+        batch->run(plans[material], stage_call(plan_, material), quads, count, geometry_,
+                   scene_.samples, scene_.centroid);
+        return &*batch;
+    };
+    if (exact_) judges.exact = run(exact_, plan_.exact);
+    if (errors_) judges.errors = run(errors_, plan_.errors);
+    return judges;
 }
 
 void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,

@@ -63,7 +63,7 @@ class TileRenderer {
     void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
     bool is_discarded(const Material& material, int i) const;
     void shade();
-    const ExactBatch* run_exact(std::uint32_t material, const QuadCoverage* quads, int count);
+    Judges run_judges(std::uint32_t material, const QuadCoverage* quads, int count);
     void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
@@ -83,7 +83,8 @@ class TileRenderer {
     TileFilm film_;
     ProbeCommand command_;
     Batch batch_;
-    std::optional<ExactBatch> exact_;  ///< the same quads on dual numbers, where channels ask
+    std::optional<ExactBatch> exact_;   ///< the same quads on dual numbers, where channels ask
+    std::optional<ErrorBatch> errors_;  ///< the same quads with the judge's stages, likewise
     const MaterialPlan* prepared_ = nullptr;  ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;

@@ -124,6 +124,47 @@ bool find_exact(const std::string& name, ChannelSource& source) {
     return true;
 }
 
+struct MeasureName {
+    ErrorMeasure measure;
+    int component = 0;
+};
+
+/// What err.*, err.search.* and err.frame.* are about, without these words.
+const std::map<std::string, MeasureName>& error_measures() {
+    using enum ErrorMeasure;
+    static const std::map<std::string, MeasureName> table{{"s", {s}},
+                                                          {"uv", {uv}},
+                                                          {"cell", {cell}},
+                                                          {"kind", {kind}},
+                                                          {"normal", {normal}},
+                                                          {"shadow", {shadow}},
+                                                          {"color.R", {color}},
+                                                          {"color.G", {color, 1}},
+                                                          {"color.B", {color, 2}},
+                                                          {"K", {K}},
+                                                          {"certified", {certified}}};
+    return table;
+}
+
+/// The source of err.*; false for other channels.
+bool find_error(std::string name, ChannelSource& source) {
+    const auto begins = [&](const std::string& prefix) {
+        const bool has = name.starts_with(prefix);
+        if (has) name.erase(0, prefix.size());
+        return has;
+    };
+    if (!begins("err.")) return false;
+    source.part = begins("search.")  ? ErrorPart::search
+                  : begins("frame.") ? ErrorPart::frame
+                                     : ErrorPart::whole;
+    const auto found = error_measures().find(name);
+    QUADREL_CHECK(found != error_measures().end(), name);
+    source.kind = Kind::error;
+    source.measure = found->second.measure;
+    source.component = found->second.component;
+    return true;
+}
+
 const Table& value_channels() {
     static const Table table = [] {
         Table made;
@@ -176,7 +217,7 @@ ChannelSource channel_source(const std::string& name) {
         source.kind = special->second;
         return source;
     }
-    if (find_exact(name, source)) return source;
+    if (find_exact(name, source) || find_error(name, source)) return source;
     const auto found = value_channels().find(without_light(name, source.light));
     QUADREL_CHECK(found != value_channels().end(), name);
     source.value = found->second.value;

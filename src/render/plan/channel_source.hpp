@@ -8,6 +8,23 @@
 
 namespace quadrel {
 
+/// What an err.* channel measures (film/channels.hpp lists them for people).
+enum class ErrorMeasure : std::int32_t {
+    s,
+    uv,
+    cell,
+    kind,
+    normal,
+    shadow,
+    color,
+    K,          ///< of the frame alone
+    certified,  ///< how the truth was proven, as channel `certified`
+};
+
+/// What is judged: all that is drawn, its search on the exact frame, or its frame under the judge's
+/// search.
+enum class ErrorPart : std::int32_t { whole, search, frame };
+
 struct ChannelSource {
     enum class Kind {
         value,      ///< component of a stage value
@@ -20,6 +37,7 @@ struct ChannelSource {
         quad_coverage,
         exact,        ///< exact derivative of a component of a stage value
         exact_error,  ///< the drawn finite difference minus it
+        error,        ///< what a row has minus what the judge has: `measure` of `part`
     };
     std::string name;
     ChannelType type = ChannelType::float32;
@@ -27,6 +45,8 @@ struct ChannelSource {
     Value value = Value::P;
     int component = 0, light = 0;
     int axis = 0;  ///< of a derivative: 0 window x, 1 window y
+    ErrorMeasure measure = ErrorMeasure::s;
+    ErrorPart part = ErrorPart::whole;
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

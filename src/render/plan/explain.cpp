@@ -44,6 +44,19 @@ struct MaterialText {
     std::vector<std::string> does, leaves_out;
 };
 
+/// What runs again for err.* channels.
+void describe_judge(const ErrorPlan& plan, MaterialText& text) {
+    if (!plan.judge) text.leaves_out.push_back("the judge: there is no height map");
+    constexpr const char* purposes[] = {"for the truth", "for the error of the search",
+                                        "for the error of the frame"};
+    for (std::size_t run = 0; run < plan.runs.size(); ++run) {
+        if (!plan.runs[run]) continue;
+        std::vector<std::string> names;
+        for (const PlannedStage& stage : plan.runs[run]->stages) names.push_back(stage_name(stage));
+        text.does.push_back(fmt::format("runs {}: {}", purposes[run], fmt::join(names, ", ")));
+    }
+}
+
 void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
     const Scene& scene = *prepared.scene;
     const MaterialPlan& plan = prepared.plan.materials[m];
@@ -60,9 +73,10 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     }
     for (const PlannedStage& stage : prepared.plan.discard[m].stages)
         text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
-    if (prepared.plan.exact.empty()) return;
-    for (const PlannedStage& stage : prepared.plan.exact[m].stages)
-        text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
+    if (!prepared.plan.exact.empty())
+        for (const PlannedStage& stage : prepared.plan.exact[m].stages)
+            text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
+    if (!prepared.plan.errors.empty()) describe_judge(prepared.plan.errors[m], text);
 }
 
 /// Ids of the planned stages that leave out steps by the heights of the map.

@@ -12,6 +12,7 @@
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "quadrel/scene/default_stage.hpp"
 #include "render/draw/border_check.hpp"
+#include "render/errors/error_plan.hpp"
 #include "render/plan/chains.hpp"
 #include "render/registry/added_stages.hpp"
 #include "text/suggest.hpp"
@@ -206,6 +207,11 @@ Wanted wanted_values(const std::vector<ChannelSource>& channels) {
             if (info(channel.value).per_light)
                 wanted.lights.set(static_cast<std::size_t>(channel.light));
         }
+        if (channel.kind == ChannelSource::Kind::error && channel.part == ErrorPart::whole)
+            for (const Value v : judged_values(channel.measure)) {
+                wanted.values.set(index_of(v));
+                if (info(v).per_light) wanted.lights.set(0);
+            }
         if (channel.kind == ChannelSource::Kind::z) wanted.values.set(index_of(Value::hit_P));
     }
     // Statistics tell fragments without a ray from those whose hit is not proven.

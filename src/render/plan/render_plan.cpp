@@ -111,22 +111,31 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         check_height(scene, material, plan.materials.back());
         check_height(scene, material, plan.discard.back());
         plan.uniforms.push_back(material_uniforms(material));
-        plan.texels_read.push_back(
-            skip ? texels_read(material, plan.materials.back(), plan.discard.back())
-                 : TexelsRead());
     }
     plan.exact = plan_exact(scene, channels);
+    plan.errors = plan_errors(scene, channels, kernels);
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        plan.texels_read.push_back(skip ? texels_read(scene.materials[m], plans_that_load(plan, m))
+                                        : TexelsRead());
     plan.textures.resize(scene.materials.size());
     return plan;
 }
 
+std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::size_t material) {
+    std::vector<const MaterialPlan*> plans{&plan.materials[material], &plan.discard[material]};
+    if (plan.errors.empty()) return plans;
+    for (const auto& run : plan.errors[material].runs)
+        if (run) plans.push_back(&*run);
+    return plans;
+}
+
 GeometryParts parts_read(const RenderPlan& plan) {
     GeometryParts parts;
-    for (const auto* const list : {&plan.materials, &plan.discard}) {
-        for (const MaterialPlan& material : *list) {
+    for (std::size_t m = 0; m < plan.materials.size(); ++m) {
+        for (const MaterialPlan* material : plans_that_load(plan, m)) {
             for (const Value v : frame_values)
-                parts.frames |= material.values[static_cast<std::size_t>(v)];
-            for (const PlannedStage& stage : material.stages)
+                parts.frames |= material->values[static_cast<std::size_t>(v)];
+            for (const PlannedStage& stage : material->stages)
                 parts.vertices |= stage.info->reads_vertices;
         }
     }
@@ -152,7 +161,8 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
                         const BakingListener& baking, std::int64_t pixels) {
     std::vector<SlotSet> slots(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)
-        if (used[m]) slots[m] = plan.materials[m].textures | plan.discard[m].textures;
+        for (const MaterialPlan* reader : plans_that_load(plan, m))
+            if (used[m]) slots[m] |= reader->textures;
     plan.textures = load_textures(scene, slots, plan.texels_read, *scene.texture_cache, baking);
     plan.maxima.resize(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)

@@ -5,11 +5,14 @@
 
 #include "bake/pyramid/height_maxima.hpp"
 #include "render/draw/geometry.hpp"
+#include "render/errors/error_plan.hpp"
 #include "render/plan/plan.hpp"
 #include "render/plan/shortcuts.hpp"
 #include "render/plan/textures.hpp"
 
 namespace quadrel {
+
+class JudgedImage;
 
 /// All that is settled before the first tile, but for geometry.
 struct RenderPlan {
@@ -22,6 +25,8 @@ struct RenderPlan {
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
     std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
+    std::vector<ErrorPlan> errors;        ///< what runs again for the judge; likewise
+    std::shared_ptr<const JudgedImage> judged;  ///< that err.* judge; null: what is drawn
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
@@ -34,6 +39,9 @@ struct RenderPlan {
 /// drawn without shortcuts.
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
                             const KernelTable& kernels, bool skip);
+
+/// All that runs of a material, but for exact derivatives, which read no more than is drawn.
+std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::size_t material);
 
 /// What the planned stages read of triangles.
 GeometryParts parts_read(const RenderPlan& plan);

@@ -16,18 +16,18 @@ bool reads(const PlannedStage& stage, TextureSlot slot) {
 /// Whether f holds for all planned stages that read a slot.
 class Readers {
   public:
-    Readers(const MaterialPlan& drawn, const MaterialPlan& discard) : plans_{&drawn, &discard} {}
+    explicit Readers(const std::vector<const MaterialPlan*>& plans) : plans_(plans) {}
 
     template <class F>
     bool all(TextureSlot slot, const F& f) const {
-        return std::all_of(std::begin(plans_), std::end(plans_), [&](const MaterialPlan* plan) {
+        return std::all_of(plans_.begin(), plans_.end(), [&](const MaterialPlan* plan) {
             return std::all_of(plan->stages.begin(), plan->stages.end(),
                                [&](const auto& stage) { return !reads(stage, slot) || f(stage); });
         });
     }
 
   private:
-    const MaterialPlan* plans_[2];
+    const std::vector<const MaterialPlan*>& plans_;
 };
 
 bool reads_finest_level(const TextureReference& texture, TextureSlot slot, const Readers& readers) {
@@ -47,9 +47,8 @@ bool reads_first_channel(const TextureReference& texture, TextureSlot slot,
 
 }  // namespace
 
-TexelsRead texels_read(const Material& material, const MaterialPlan& drawn,
-                       const MaterialPlan& discard) {
-    const Readers readers(drawn, discard);
+TexelsRead texels_read(const Material& material, const std::vector<const MaterialPlan*>& plans) {
+    const Readers readers(plans);
     TexelsRead read;
     for (std::size_t i = 0; i < static_cast<std::size_t>(first_baked_slot); ++i) {
         const auto slot = static_cast<TextureSlot>(i);

@@ -16,7 +16,7 @@ struct TexelsRead {
     SlotSet first_channel;
 };
 
-TexelsRead texels_read(const Material& material, const MaterialPlan& drawn,
-                       const MaterialPlan& discard);
+/// `plans`: all that run of the material.
+TexelsRead texels_read(const Material& material, const std::vector<const MaterialPlan*>& plans);
 
 }  // namespace quadrel

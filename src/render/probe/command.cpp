@@ -28,8 +28,12 @@ std::string ProbeCommand::text(const QuadCoverage& quad) const {
     const auto lane =
         seen == quad.samples.end() ? 0 : static_cast<int>(seen - quad.samples.begin());
     const Viewport viewport{scene_.width, scene_.height, scene_.conventions};
-    return fmt::format("quadrel probe {} --pixel {},{}{}", shell_word(scene_.file.string()),
-                       quad.x + lane % 2, flip_row(viewport, quad.y + lane / 2), options_);
+    return text(quad.x + lane % 2, flip_row(viewport, quad.y + lane / 2));
+}
+
+std::string ProbeCommand::text(int x, int y) const {
+    return fmt::format("quadrel probe {} --pixel {},{}{}", shell_word(scene_.file.string()), x, y,
+                       options_);
 }
 
 std::string QuadContext::text() const {

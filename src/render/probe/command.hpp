@@ -19,6 +19,8 @@ class ProbeCommand {
 
     /// For a pixel of the quad that is seen, ready for a shell.
     std::string text(const QuadCoverage& quad) const;
+    /// For a pixel in image coordinates.
+    std::string text(int x, int y) const;
 
   private:
     const Scene& scene_;

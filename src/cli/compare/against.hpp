@@ -1,0 +1,23 @@
+// --against oracle: an image of a scene, judged by the truth instead of by a second image.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadrel/error.hpp"
+#include "quadrel/texture/selection.hpp"
+
+namespace quadrel::cli {
+
+struct AgainstArguments {
+    std::string scene, image, channels, window;
+    std::vector<std::string> mappings, overrides, plugins;
+    ImageSelection selection;
+    bool flip_y = false, json = false;
+};
+
+/// Prints the errors of the image against the first hits of the scene, which is taken in the
+/// image's size. Throws UsageError and InputError as compare does.
+ExitCode run_against(const AgainstArguments& arguments);
+
+}  // namespace quadrel::cli
