@@ -14,6 +14,8 @@ constexpr Example all[] = {
      "allow a small error, and show where there is more"},
     {"compare", "bricks.exr port.png --channels R,G,B --encode srgb8 --ulp 1",
      "against a picture of 8 bits, a code apart at most"},
+    {"compare", "ranges.exr port.exr --legal --heatmap verdicts.png",
+     "by what the reference says that a value may be"},
     {"list", "algorithms cone", "stages whose texts have the word cone"},
     {"list", "scenes --json", "for programs"},
     {"info", "bricks.exr", "channels with their ranges, attributes, hash"},
