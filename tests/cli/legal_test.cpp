@@ -12,7 +12,6 @@
 namespace quadrel::cli_tests {
 namespace {
 
-using testing_films::bits;
 using testing_films::TemporaryFolder;
 
 /// A reference whose R, G and B may be 0.002 off, and images to judge by it.
@@ -26,7 +25,7 @@ class LegalFiles : public testing::Test {
             for (const auto& [prefix, by] : {std::pair{"gpu.lo.", -0.002f}, {"gpu.hi.", 0.002f}}) {
                 Plane& plane = reference.add(prefix + values.name, ChannelType::float32);
                 for (std::size_t i = 0; i < plane.bits.size(); ++i)
-                    plane.bits[i] = bits(values.as_float(i) + by);
+                    plane.bits[i] = testing_films::bits(values.as_float(i) + by);
             }
             reference.add("gpu.paths." + values.name, ChannelType::uint32, 1);
         }
@@ -34,7 +33,7 @@ class LegalFiles : public testing::Test {
         write_exr(folder / "ref.exr", reference, {});
         write_exr(folder / "good.exr", test, {});
         Film bad = test;
-        bad.find("G")->bits[bad.index(4, 2)] = bits(2);
+        bad.find("G")->bits[bad.index(4, 2)] = testing_films::bits(2);
         write_exr(folder / "bad.exr", bad, {});
     }
     Outcome compare(std::vector<std::string> options) {
