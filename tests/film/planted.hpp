@@ -42,6 +42,14 @@ enum class FilmError {
     vectors_in_gray,         ///< a vector shows its first component alone
     chunks_swapped,          ///< the second chunk of a file takes the place of the first
     rows_off_by_band,        ///< a band of rows is written a row late
+    legal_nan_passes,        ///< `v < lo` is false for NaN: as if it were permitted
+    legal_ends_excluded,     ///< a value at an end of its range fails
+    legal_unknown_fails,     ///< the ends are looked at although nothing is known
+    legal_wide_passes,       ///< a range says nothing, and what lies in it passes
+    legal_wide_excuses,      ///< a value outside of a wide range does not fail
+    legal_gaps_pass,         ///< several ranges taken for one
+    legal_window_shifted,    ///< pixels are matched by their place in the window
+    legal_first_ten,         ///< the first ten that fail instead of the worst ten
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
 };
 

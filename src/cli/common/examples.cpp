@@ -16,6 +16,8 @@ constexpr Example all[] = {
      "against a picture of 8 bits, a code apart at most"},
     {"compare", "bricks-45 port.exr --against oracle",
      "how far what a port drew of a scene is from the truth"},
+    {"compare", "ranges.exr port.exr --legal --heatmap verdicts.png",
+     "by what the reference says that a value may be"},
     {"list", "algorithms cone", "stages whose texts have the word cone"},
     {"list", "scenes --json", "for programs"},
     {"info", "bricks.exr", "channels with their ranges, attributes, hash"},

@@ -13,6 +13,8 @@
 #include "cli/compare/against.hpp"
 #include "cli/compare/arguments.hpp"
 #include "cli/compare/blame.hpp"
+#include "cli/compare/images.hpp"
+#include "cli/compare/legal.hpp"
 #include "cli/compare/region.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
@@ -35,7 +37,15 @@ constexpr const char* details =
     "nearest\n"
     "code (rounded on the encoded side, 0.5 up; below 0 gives 0, above 1 gives 255; A is linear).\n"
     "Codes of an 8-bit file stay as they are; --ulp counts codes. half: every float becomes the\n"
-    "nearest half, ties to even; --ulp counts halves.";
+    "nearest half, ties to even; --ulp counts halves.\n"
+    "--legal: REF holds what each value may be, from gpu.lo.X to gpu.hi.X in gpu.paths.X ranges.\n"
+    "A value outside fails, as does a NaN where neither end is one, and a missing pixel. Within, "
+    "it\n"
+    "is unconstrained if nothing is known (no paths), or the range is infinite or wide; ambiguous "
+    "if\n"
+    "there are several ranges; else it passes. Exit code 0: nothing fails, no channel is lacking, "
+    "and\n"
+    "no channel has more ambiguous or unconstrained pixels than it may.";
 
 struct CompareArguments {
     std::string reference, test, channels, heatmap, encode, blame, ignored_flags, against;
@@ -43,18 +53,9 @@ struct CompareArguments {
     ToleranceArguments tolerances;
     ImageSelection selection, reference_selection;
     RegionArguments region;
+    LegalArguments legal;
     bool flip_y = false, json = false;
 };
-
-/// "float32 uint32": how the channels that are compared are stored.
-std::string storage_text(const ComparableImage& image) {
-    std::set<std::string> names;
-    for (const Plane& plane : image.film.planes)
-        names.insert(storage_name(image.stored.at(plane.name)));
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-    return text;
-}
 
 Encoding encoding_argument(const std::string& text) {
     if (text.empty()) return Encoding::none;
@@ -63,13 +64,6 @@ Encoding encoding_argument(const std::string& text) {
         throw UsageError("--encode: found \"" + text + "\", expected srgb8, unorm8 or half");
     return *encoding;
 }
-
-/// Both images as they are to be compared, and how they became so.
-struct Images {
-    ComparableImage reference, test;
-    Preparation preparation;
-    CompareRules rules;
-};
 
 /// The pixels that --ignore-flags leaves out.
 std::vector<bool> left_out(const std::string& flags, const Film& reference) {
@@ -96,10 +90,10 @@ std::optional<Window> wanted_part(const CompareArguments& arguments) {
     return parse_window("--window", arguments.region.window);
 }
 
-Images prepare(const CompareArguments& arguments) {
+/// Both images, turned and renamed, and which pixels are compared.
+Images read_images(const CompareArguments& arguments) {
     const Encoding encoding = encoding_argument(arguments.encode);
     const std::vector<ChannelMapping> mappings = parse_mappings(arguments.mappings);
-    const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
     const auto wanted = wanted_part(arguments);
     Images images{read_comparable(arguments.reference, arguments.reference_selection, wanted),
                   read_comparable(arguments.test, arguments.selection, wanted),
@@ -109,17 +103,9 @@ Images prepare(const CompareArguments& arguments) {
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
     const auto region = keep_region(arguments.region, reference.film, test.film);
-    images.rules = match_tolerances(tolerances, reference.film, test.film);
     images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
-    if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
-    const std::string storage[] = {storage_text(reference), storage_text(test)};
-    const auto by_value = compare_by_value(reference.film, test.film);
-    // They stay integers in what is allowed: no tolerance for all channels is for them.
-    for (const std::string& name : by_value)
-        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
-    images.rules.encodings = encode_both(reference, test, encoding);
-    images.preparation = {arguments.reference, arguments.test, storage[0], storage[1], encoding,
-                          arguments.flip_y,    mappings,       by_value,   region};
+    images.preparation = {arguments.reference, arguments.test, "", "",    encoding,
+                          arguments.flip_y,    mappings,       {}, region};
     return images;
 }
 
@@ -137,7 +123,8 @@ void refuse_beside_against(const CompareArguments& a) {
         {"--ignore-flags", !a.ignored_flags.empty()},
         {"--overlap", a.region.overlap},
         {"--reference-layer", !a.reference_selection.layer.empty()},
-        {"--reference-part", !a.reference_selection.part.empty()}};
+        {"--reference-part", !a.reference_selection.part.empty()},
+        {"--legal", a.legal.wanted}};
     for (const auto& [option, is_given] : given)
         if (is_given) throw UsageError(std::string(option) + ": not with --against");
 }
@@ -148,17 +135,76 @@ ExitCode run_compare_against(const CompareArguments& a) {
                         a.plugins, a.selection, a.flip_y, a.json});
 }
 
+Images prepare(const CompareArguments& arguments) {
+    const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
+    Images images = read_images(arguments);
+    ComparableImage &reference = images.reference, &test = images.test;
+    const std::vector<bool> left_out = images.rules.left_out;
+    images.rules = match_tolerances(tolerances, reference.film, test.film);
+    images.rules.left_out = left_out;
+    if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
+    images.preparation.reference_storage = storage_text(reference);
+    images.preparation.test_storage = storage_text(test);
+    images.preparation.by_value = compare_by_value(reference.film, test.film);
+    // They stay integers in what is allowed: no tolerance for all channels is for them.
+    for (const std::string& name : images.preparation.by_value)
+        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
+    images.rules.encodings = encode_both(reference, test, images.preparation.encoding);
+    return images;
+}
+
+template <class Report>
+void print_report(Report& report, bool json) {
+    if (json) return print_json(to_json(report));
+    for (std::string* name : {&report.preparation->reference_file, &report.preparation->test_file})
+        *name = printable(*name);
+    print(to_text(report));
+}
+
+/// What has a meaning beside other options only.
+void check_combinations(const CompareArguments& arguments) {
+    const bool blame = !arguments.blame.empty(), legal = arguments.legal.wanted;
+    if (!blame && !arguments.overrides.empty())
+        throw UsageError("-D: expected with --blame or --against only");
+    if (!blame && !arguments.plugins.empty())
+        throw UsageError("--plugin: expected with --blame or --against only");
+    if (legal && blame) throw UsageError("--blame: not with --legal");
+    const ToleranceArguments& tolerances = arguments.tolerances;
+    for (const auto& [option, values] : {std::pair{"--abs", &tolerances.abs},
+                                         {"--rel", &tolerances.rel},
+                                         {"--ulp", &tolerances.ulp},
+                                         {"--fraction", &tolerances.fraction}})
+        if (legal && !values->empty())
+            throw UsageError(std::string(option) +
+                             ": not with --legal, whose reference says what is permitted");
+}
+
+ExitCode run_legal(const CompareArguments& arguments, const CommandFiles& files) {
+    const LegalRules rules = legal_rules(arguments.legal);
+    LegalJudgement judgement = judge_legal(rules, read_images(arguments), arguments.channels);
+    files.check();
+    LegalReport& report = judgement.report;
+    print_report(report, arguments.json);
+    if (!arguments.heatmap.empty()) {
+        if (report.channels.empty())
+            say("quadrel: no heat map: no channel is judged");
+        else
+            write_png(arguments.heatmap,
+                      legal_picture(judgement.reference, judgement.test, report.rules));
+    }
+    return report.passes() ? ExitCode::ok : ExitCode::difference;
+}
+
 ExitCode run_compare(const CompareArguments& arguments) {
     if (!arguments.against.empty()) return run_compare_against(arguments);
-    if (arguments.blame.empty() && !arguments.overrides.empty())
-        throw UsageError("-D: expected with --blame or --against only");
-    if (arguments.blame.empty() && !arguments.plugins.empty())
-        throw UsageError("--plugin: expected with --blame or --against only");
+    check_combinations(arguments);
+    legal_rules(arguments.legal);
     CommandFiles files;
     for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
     files.add_output("--heatmap", arguments.heatmap);
     files.check_writable();
     check_output_kinds({{"--heatmap", ".png", arguments.heatmap}});
+    if (arguments.legal.wanted) return run_legal(arguments, files);
     load_plugins(arguments.plugins);
     Images images = prepare(arguments);
     std::optional<ProbedScene> scene;
@@ -174,14 +220,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
         report.blame = find_blame(reference, test, images.rules, report);
         if (report.blame) point_at_probe(*report.blame, *scene, images.reference);
     }
-    if (arguments.json) {
-        print_json(to_json(report));
-    } else {
-        for (std::string* name :
-             {&report.preparation->reference_file, &report.preparation->test_file})
-            *name = printable(*name);
-        print(to_text(report));
-    }
+    print_report(report, arguments.json);
     if (!arguments.heatmap.empty()) {
         if (reference.window == test.window) {
             fill_left_out(reference, images.test.film, images.rules.left_out);
@@ -224,6 +263,15 @@ void add_preparation(CLI::App& verb, CompareArguments& a) {
 
 }  // namespace
 
+std::string storage_text(const ComparableImage& image) {
+    std::set<std::string> names;
+    for (const Plane& plane : image.film.planes)
+        names.insert(storage_name(image.stored.at(plane.name)));
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
     const auto a = std::make_shared<CompareArguments>();
@@ -245,8 +293,11 @@ void add_compare(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     add_plugin_option(*verb, a->plugins);
-    verb->add_option("--heatmap", a->heatmap,
-                     "write a PNG of the largest differences, a panel for each kind of channel")
+    add_legal_options(*verb, a->legal);
+    verb->add_option(
+            "--heatmap", a->heatmap,
+            "write a PNG of the largest differences, a panel for each kind of channel; with "
+            "--legal of the verdicts")
         ->type_name("OUT.png");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });

@@ -12,7 +12,7 @@ constexpr int number(ExitCode code) { return static_cast<int>(code); }
 
 constexpr ExitCodeText codes[] = {
     {number(ExitCode::ok), "ok"},
-    {number(ExitCode::difference), "`compare` found a difference"},
+    {number(ExitCode::difference), "`compare` found a difference, or what is not legal"},
     {number(ExitCode::usage), "bad command line; an output that would overwrite an input"},
     {number(ExitCode::input),
      "bad or missing input: one line that says file, key, what was found, what was expected"},

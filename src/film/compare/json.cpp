@@ -5,21 +5,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "quadrel/compare.hpp"
+#include "film/compare/preparation.hpp"
 
 namespace quadrel {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON has no NaN and no infinity: such values are the strings that fmt gives.
 template <class Float>
-Json number_json(Float value) {
+Json finite_or_text(Float value) {
     return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
-}
-
-Json value_json(ChannelType type, std::uint32_t bits) {
-    return type == ChannelType::uint32 ? Json(bits) : number_json(std::bit_cast<float>(bits));
 }
 
 std::string bits_text(std::uint32_t bits) { return fmt::format("{:#010x}", bits); }
@@ -69,20 +64,6 @@ Json window_json(const std::optional<Window>& window) {
     return {window->x0, window->y0, window->x1, window->y1};
 }
 
-Json preparation_json(const Preparation& preparation) {
-    Json map = Json::object();
-    for (const auto& [reference, test] : preparation.mappings) map[reference] = test;
-    return {{"reference", preparation.reference_file},
-            {"test", preparation.test_file},
-            {"reference_storage", preparation.reference_storage},
-            {"test_storage", preparation.test_storage},
-            {"encode", encoding_name(preparation.encoding)},
-            {"flip_y", preparation.flip_y},
-            {"map", map},
-            {"by_value", preparation.by_value},
-            {"window", window_json(preparation.window)}};
-}
-
 ChannelType type_of(const CompareReport& report, const std::string& name) {
     for (const ChannelReport& channel : report.channels)
         if (channel.name == name) return channel.type;
@@ -105,6 +86,27 @@ Json blame_json(const CompareReport& report, const Blame& blame) {
 }
 
 }  // namespace
+
+Json number_json(double value) { return finite_or_text(value); }
+Json number_json(float value) { return finite_or_text(value); }
+
+Json value_json(ChannelType type, std::uint32_t bits) {
+    return type == ChannelType::uint32 ? Json(bits) : number_json(std::bit_cast<float>(bits));
+}
+
+Json preparation_json(const Preparation& preparation) {
+    Json map = Json::object();
+    for (const auto& [reference, test] : preparation.mappings) map[reference] = test;
+    return {{"reference", preparation.reference_file},
+            {"test", preparation.test_file},
+            {"reference_storage", preparation.reference_storage},
+            {"test_storage", preparation.test_storage},
+            {"encode", encoding_name(preparation.encoding)},
+            {"flip_y", preparation.flip_y},
+            {"map", map},
+            {"by_value", preparation.by_value},
+            {"window", window_json(preparation.window)}};
+}
 
 std::string to_json(const CompareReport& report) {
     Json json = {{"equal", report.equal()}};

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "quadrel/compare.hpp"
+#include "film/compare/preparation.hpp"
 #include "text/printable.hpp"
 
 namespace quadrel {
@@ -67,25 +67,6 @@ std::string channel_text(const ChannelReport& channel) {
     return text;
 }
 
-std::string preparation_text(const Preparation& preparation) {
-    std::string text =
-        fmt::format("reference {} ({}), test {} ({})\n", preparation.reference_file,
-                    preparation.reference_storage, preparation.test_file, preparation.test_storage);
-    if (preparation.encoding != Encoding::none)
-        text += fmt::format("encoded as {}\n", encoding_name(preparation.encoding));
-    if (preparation.flip_y) text += "test flipped in y\n";
-    for (const auto& [reference, test] : preparation.mappings)
-        text +=
-            fmt::format("channel {} is {} of the test\n", printable(reference), printable(test));
-    for (const std::string& name : preparation.by_value)
-        text += fmt::format("channel {}: integers of one image as the nearest floats\n",
-                            printable(name));
-    if (const auto& window = preparation.window)
-        text += fmt::format("only pixels {},{} to {},{}, the latter excluded\n", window->x0,
-                            window->y0, window->x1, window->y1);
-    return text;
-}
-
 std::string blame_text(const CompareReport& report, const Blame& blame) {
     std::string text =
         fmt::format("worst pixel of {}: {},{}\n", printable(blame.symptom), blame.x, blame.y);
@@ -105,6 +86,25 @@ std::string blame_text(const CompareReport& report, const Blame& blame) {
 }
 
 }  // namespace
+
+std::string preparation_text(const Preparation& preparation) {
+    std::string text =
+        fmt::format("reference {} ({}), test {} ({})\n", preparation.reference_file,
+                    preparation.reference_storage, preparation.test_file, preparation.test_storage);
+    if (preparation.encoding != Encoding::none)
+        text += fmt::format("encoded as {}\n", encoding_name(preparation.encoding));
+    if (preparation.flip_y) text += "test flipped in y\n";
+    for (const auto& [reference, test] : preparation.mappings)
+        text +=
+            fmt::format("channel {} is {} of the test\n", printable(reference), printable(test));
+    for (const std::string& name : preparation.by_value)
+        text += fmt::format("channel {}: integers of one image as the nearest floats\n",
+                            printable(name));
+    if (const auto& window = preparation.window)
+        text += fmt::format("only pixels {},{} to {},{}, the latter excluded\n", window->x0,
+                            window->y0, window->x1, window->y1);
+    return text;
+}
 
 std::string to_text(const CompareReport& report) {
     std::string text;

@@ -1,0 +1,71 @@
+// quadrel-stress: a short run of it, and that it finds what it looks for.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "film/films.hpp"
+
+namespace quadrel::tools_tests {
+namespace {
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+};
+
+/// Runs `quadrel-stress arguments`, standard error aside.
+Outcome run_stress(const std::string& arguments) {
+    const std::string command = QUADREL_STRESS " " + arguments + " 2>/dev/null";
+    Outcome outcome;
+    FILE* const pipe = popen(command.c_str(), "r");
+    char bytes[4096];
+    for (std::size_t got; (got = fread(bytes, 1, sizeof bytes, pipe)) > 0;)
+        outcome.out.append(bytes, got);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000;
+    return outcome;
+}
+
+TEST(Stress, AShortRunFindsNothing) {
+    const Outcome outcome = run_stress("--scenes 80 --lists 40 --seconds 120");
+    EXPECT_EQ(outcome.code, 0) << outcome.out;
+    EXPECT_NE(outcome.out.find("No crash, no hang"), std::string::npos);
+}
+
+TEST(Stress, PlantedErrorsAreFound) {
+    const Outcome outcome = run_stress("--planted");
+    EXPECT_EQ(outcome.code, 0) << outcome.out;
+    EXPECT_NE(outcome.out.find("planted errors: all 9 found"), std::string::npos) << outcome.out;
+}
+
+TEST(Stress, AnySceneCanBeHadAlone) {
+    const Outcome once = run_stress("--seed 7 --only 12");
+    EXPECT_EQ(once.code, 0);
+    EXPECT_EQ(nlohmann::json::parse(once.out)["quadrel"], 1);
+    EXPECT_EQ(run_stress("--seed 7 --only random/12").out, once.out);
+    EXPECT_NE(run_stress("--seed 8 --only 12").out, once.out);
+    EXPECT_NE(run_stress("--seed 7 --only 13").out, once.out);
+    const testing_films::TemporaryFolder folder;
+    const std::string into = " -o " + folder.path().string();
+    EXPECT_EQ(run_stress("--only 'E.1/wall-x/max-mip'" + into).code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "scene.json"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "wall-x-64x64.exr"));
+    EXPECT_NE(run_stress("--list").out.find("\nE.1/wall-x/max-mip\n"), std::string::npos);
+}
+
+/// The scene is the same on every machine and by every compiler: this one was written down.
+TEST(Stress, NumbersAreTheSameEverywhere) {
+    const auto scene = nlohmann::json::parse(run_stress("--seed 1 --only 3").out);
+    EXPECT_EQ(scene["size"].dump() + scene["conventions"].get<std::string>(), EXPECTED_SCENE);
+}
+
+TEST(Stress, NonsenseIsRefused) {
+    for (const char* arguments :
+         {"--only nonsense", "--only 12x", "--scenes -1", "--processes 0", "--seconds 0",
+          "--seconds nan", "--lists -1", "--nonsense", "extra"})
+        EXPECT_EQ(run_stress(arguments).code, 2) << arguments;
+}
+
+}  // namespace
+}  // namespace quadrel::tools_tests
