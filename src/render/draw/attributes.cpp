@@ -57,6 +57,7 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
         {"quadrel:samples", fmt::format("{}", scene.samples)},
         {"quadrel:number", options.number},
     };
+    if (!options.limits.empty()) all.emplace_back("quadrel:limits", options.limits);
     const std::vector<std::string> plugins = plugin_hashes();
     if (!plugins.empty())
         all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "quadrel/film/channels.hpp"
 
@@ -11,6 +12,11 @@ namespace {
 using Kind = ChannelSource::Kind;
 
 std::uint32_t float_bits(float x) { return canonical_bits(std::bit_cast<std::uint32_t>(x)); }
+
+float float_not_above(double x) {
+    const auto f = static_cast<float>(x);
+    return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
 
 std::uint32_t covered_lanes(const QuadCoverage& quad) {
     std::uint32_t mask = 0;
@@ -167,7 +173,7 @@ void TileFilm::add_fragments(const QuadCoverage* quads, std::uint32_t* plane,
 
 void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
                          const QuadCoverage* quads, const Geometry& geometry,
-                         const TileBuffer& tile, const ExactBatch* exact) const {
+                         const TileBuffer& tile, const OtherNumbers& others) const {
     const auto add = [&](const auto& bits) { add_fragments(quads, plane, bits); };
     switch (source.kind) {
         case Kind::value:
@@ -196,19 +202,41 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
         case Kind::exact_error:
             return add([&](auto& quad, int lane, int) {
                 const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
-                return float_bits(static_cast<float>(exact->value(source, batch, in_batch)));
+                return float_bits(static_cast<float>(others.exact->value(source, batch, in_batch)));
             });
+        case Kind::range_low:
+        case Kind::range_high:
+        case Kind::range_paths:
+        case Kind::undecided:
+            return add_range(source, plane, quads,
+                             source.range_set == RangeSet::gpu ? *others.limits : *others.bounds);
     }
 }
 
+/// Ends are rounded outwards.
+void TileFilm::add_range(const ChannelSource& source, std::uint32_t* plane,
+                         const QuadCoverage* quads, const RangeBatch& ranges) const {
+    add_fragments(quads, plane, [&](auto& quad, int lane, int) {
+        const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
+        if (source.kind == Kind::undecided) return ranges.undecided(in_batch);
+        const FragmentRange& range = ranges.range(source, in_batch);
+        if (source.kind == Kind::range_paths) return range.paths;
+        const bool low = source.kind == Kind::range_low;
+        const double end = (low != source.negated) ? range.low : range.high;
+        const double value = source.negated ? -end : end;
+        return float_bits(low ? float_not_above(value) : -float_not_above(-value));
+    });
+}
+
 void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
-                   const TileBuffer& tile, const ExactBatch* exact) {
+                   const TileBuffer& tile, const OtherNumbers& others) {
     collect(quads, batch.quads(), tile);
     if (sample_count_ > 1) add_samples(batch);
     for (std::size_t c = 0; c < target_.channels->size(); ++c) {
         const ChannelSource& source = (*target_.channels)[c];
         // Of pixels that are resolved in the end, too: it writes over them.
-        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile, exact);
+        add_plane(source, target_.film->planes[c].bits.data(), batch, quads, geometry, tile,
+                  others);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "render/draw/batch.hpp"
 #include "render/exact/exact_batch.hpp"
 #include "render/plan/channel_source.hpp"
+#include "render/ranges/range_batch.hpp"
 
 namespace quadrel {
 
@@ -28,6 +29,12 @@ struct FilmTarget {
     std::ptrdiff_t index(int x, int y) const;
 };
 
+/// The quads of a batch on other number types, where channels ask; else null.
+struct OtherNumbers {
+    const ExactBatch* exact = nullptr;
+    const RangeBatch *bounds = nullptr, *limits = nullptr;
+};
+
 /// Collects what one tile shades.
 class TileFilm {
   public:
@@ -42,10 +49,9 @@ class TileFilm {
     /// Starts a tile: every pixel of it becomes background. `covered`: each will be written.
     void begin(const PixelRect& rect, bool covered);
 
-    /// Stores the shaded quads of a batch. `exact`: the same on dual numbers, where channels ask
-    /// for exact derivatives.
+    /// Stores the shaded quads of a batch.
     void add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,
-             const TileBuffer& tile, const ExactBatch* exact = nullptr);
+             const TileBuffer& tile, const OtherNumbers& others = {});
 
     /// Ends the tile: resolves the samples.
     void end();
@@ -91,7 +97,9 @@ class TileFilm {
     void add_fragments(const QuadCoverage* quads, std::uint32_t* plane, const Bits& bits) const;
     void add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
                    const QuadCoverage* quads, const Geometry& geometry, const TileBuffer& tile,
-                   const ExactBatch* exact) const;
+                   const OtherNumbers& others) const;
+    void add_range(const ChannelSource& source, std::uint32_t* plane, const QuadCoverage* quads,
+                   const RangeBatch& ranges) const;
     std::uint32_t resolved_bits(const ChannelSource& source, const ColorSample& pixel) const;
 
     const FilmTarget& target_;

@@ -69,6 +69,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       touched_(touched),
       solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {
     if (!plan.exact.empty()) exact_.emplace(&command_);
+    if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
+    if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -208,19 +210,28 @@ void TileRenderer::shade() {
             count_certified(plan_.materials[material], {quads_.data() + first, end - first});
         if (recording_ != Recording::marks)
             film_.add(batch_, quads_.data() + first, geometry_, buffer_,
-                      run_exact(material, quads_.data() + first, count));
+                      run_others(material, quads_.data() + first, count));
         first = end;
     }
 }
 
-/// The quads on dual numbers; null where no channel asks.
-const ExactBatch* TileRenderer::run_exact(std::uint32_t material, const QuadCoverage* quads,
-                                          int count) {
-    if (!exact_) return nullptr;
+/// The quads that have been drawn on other number types, where channels ask.
+OtherNumbers TileRenderer::run_others(std::uint32_t material, const QuadCoverage* quads,
+                                      int count) {
+    OtherNumbers others;
+    if (!exact_ && !bounds_ && !limits_) return others;
     const QuadContext context(command_, {quads, static_cast<std::size_t>(count)});
-    exact_->run(plan_.exact[material], stage_call(plan_, material), quads, count, geometry_,
-                scene_.samples, scene_.centroid);
-    return &*exact_;
+    const StageCall call = stage_call(plan_, material);
+    if (exact_) {
+        exact_->run(plan_.exact[material], call, quads, count, geometry_, scene_.samples,
+                    scene_.centroid);
+        others.exact = &*exact_;
+    }
+    if (bounds_) bounds_->run(material, call, batch_, quads, geometry_);
+    if (limits_) limits_->run(material, call, batch_, quads, geometry_);
+    if (bounds_) others.bounds = &*bounds_;
+    if (limits_) others.limits = &*limits_;
+    return others;
 }
 
 void TileRenderer::run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,

@@ -63,7 +63,7 @@ class TileRenderer {
     void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
     bool is_discarded(const Material& material, int i) const;
     void shade();
-    const ExactBatch* run_exact(std::uint32_t material, const QuadCoverage* quads, int count);
+    OtherNumbers run_others(std::uint32_t material, const QuadCoverage* quads, int count);
     void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
@@ -84,7 +84,8 @@ class TileRenderer {
     ProbeCommand command_;
     Batch batch_;
     std::optional<ExactBatch> exact_;  ///< the same quads on dual numbers, where channels ask
-    const MaterialPlan* prepared_ = nullptr;  ///< the batch's arrays are this one's
+    std::optional<RangeBatch> bounds_, limits_;  ///< and on ranges
+    const MaterialPlan* prepared_ = nullptr;     ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;
     StageClock clock_;

@@ -8,6 +8,13 @@
 
 namespace quadrel {
 
+/// Under which errors ranges are taken.
+enum class RangeSet {
+    none,   ///< no range
+    exact,  ///< bound.*: exact arithmetic on float32 inputs
+    gpu,    ///< gpu.*: what a specification permits
+};
+
 struct ChannelSource {
     enum class Kind {
         value,      ///< component of a stage value
@@ -20,6 +27,10 @@ struct ChannelSource {
         quad_coverage,
         exact,        ///< exact derivative of a component of a stage value
         exact_error,  ///< the drawn finite difference minus it
+        range_low,    ///< of a value or Z, the least that it may be
+        range_high,
+        range_paths,  ///< how many ranges the ways of open decisions leave
+        undecided,    ///< what decisions were open
     };
     std::string name;
     ChannelType type = ChannelType::float32;
@@ -27,6 +38,8 @@ struct ChannelSource {
     Value value = Value::P;
     int component = 0, light = 0;
     int axis = 0;  ///< of a derivative: 0 window x, 1 window y
+    RangeSet range_set = RangeSet::none;
+    bool negated = false;  ///< of a range: Z is the opposite of its value
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

@@ -8,6 +8,7 @@
 #include "render/plan/plan.hpp"
 #include "render/plan/shortcuts.hpp"
 #include "render/plan/textures.hpp"
+#include "render/ranges/range_plan.hpp"
 
 namespace quadrel {
 
@@ -22,6 +23,7 @@ struct RenderPlan {
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
     std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
+    RangePlan bounds, limits;             ///< and on ranges
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
@@ -31,9 +33,9 @@ struct RenderPlan {
 
 /// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
 /// `textures` are unbound. With `skip` off every stage of every material is planned, and
-/// drawn without shortcuts.
+/// drawn without shortcuts. `limits`: as RenderOptions has it.
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels, bool skip);
+                            const KernelTable& kernels, bool skip, const std::string& limits = "");
 
 /// What the planned stages read of triangles.
 GeometryParts parts_read(const RenderPlan& plan);
