@@ -22,8 +22,12 @@ struct RenderOptions {
     std::optional<Window> window;       ///< image coordinates; the whole frame if absent
     std::string number = "float";       ///< float | double
     std::string isa = "auto";           ///< auto | scalar | sse4 | avx2 | avx512 | neon
-    int threads = 0;                    ///< 0: as many as the process may use; more are obeyed
-    bool skip = true;                   ///< false: compute and load what no channel asks for, too
+    /// vulkan, d3d, gl or webgpu: what gpu.* channels take for granted; for each other channel that
+    /// has a range (has_range) they are rendered, too. After the name, settings of what no
+    /// specification states: "gl,plane=1e-6" (README of data/limits). Empty: no gpu.* channels.
+    std::string limits;
+    int threads = 0;   ///< 0: as many as the process may use; more are obeyed
+    bool skip = true;  ///< false: compute and load what no channel asks for, too
     /// What err.* channels judge in the place of what is drawn: a film of the same window, which
     /// must stay as long as the render (errors.hpp says which channels of it).
     const Film* judged = nullptr;

@@ -196,6 +196,10 @@ void add_execution(CLI::App& verb, RenderOptions& options) {
     verb.add_option("--number", options.number, "number type of the shading")
         ->check(CLI::IsMember({"float", "double"}))
         ->capture_default_str();
+    verb.add_option("--limits", options.limits,
+                    "also render what an implementation of this interface may give: gpu.lo.X, "
+                    "gpu.hi.X and gpu.paths.X for each channel X; vulkan, d3d, gl or webgpu")
+        ->type_name("INTERFACE");
     verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
         ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
         ->capture_default_str();

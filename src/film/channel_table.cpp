@@ -187,6 +187,23 @@ void add_identity(Table& table) {
         {"quad.coverage", integer, "bits", "lanes of the quad that are covered, bit = lane"});
 }
 
+/// Of any float channel X of the stages, and of Z.
+void add_ranges(Table& table) {
+    const std::string any = "<channel>";
+    table.push_back({"gpu.lo." + any, real, "the channel's",
+                     "least value that a GPU may give (render --limits)"});
+    table.push_back({"gpu.hi." + any, real, "the channel's", "greatest value that a GPU may give"});
+    table.push_back({"gpu.paths." + any, integer, "ranges",
+                     "disjoint ranges that open decisions leave; 0: too many to follow"});
+    table.push_back({"bound.lo." + any, real, "the channel's",
+                     "least value by exact arithmetic on the same inputs"});
+    table.push_back({"bound.hi." + any, real, "the channel's",
+                     "greatest value by exact arithmetic on the same inputs"});
+    table.push_back({"undecided", integer, "bits",
+                     "what a GPU may decide either way: 1 coverage, 2 hit or miss, 4 cell, "
+                     "8 mip level, 16 cube face, 32 branch"});
+}
+
 Table make_table() {
     Table table;
     add_color(table);
@@ -200,6 +217,7 @@ Table make_table() {
     add_level_of_detail(table);
     add_shading(table);
     add_identity(table);
+    add_ranges(table);
     return table;
 }
 

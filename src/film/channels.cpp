@@ -16,6 +16,9 @@ bool is_index(const std::string& text) {
            std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// Stands in the table for the channel that a range is of.
+constexpr std::string_view any_channel = "<channel>";
+
 /// Replaces the index in "shadow.2.visibility" by the table's placeholder; sets `index`.
 std::string generic_name(const std::string& name, std::string& index) {
     const std::size_t begin = name.find('.');
@@ -46,6 +49,7 @@ std::vector<std::string> matches(const std::string& request) {
     const std::string generic = generic_name(request, index);
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
+        if (channel.name.find(any_channel) != std::string::npos) continue;
         const bool per_light = channel.name.find(placeholder) != std::string::npos;
         if (per_light && index.empty()) continue;
         if (is_below(channel.name, generic)) names.push_back(with_index(channel.name, index));
@@ -74,9 +78,13 @@ std::vector<std::string> known_requests() {
 
 const ChannelInfo* find_channel(const std::string& name) {
     std::string index;
-    const std::string generic = generic_name(name, index);
+    const auto range = range_channel(name);
+    const std::string of_table =
+        range ? range->set + "." + range->part + "." + std::string(any_channel)
+              : generic_name(name, index);
+    if (name.find('<') != std::string::npos) return nullptr;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name == generic && name.find(placeholder) == std::string::npos) return &channel;
+        if (channel.name == of_table) return &channel;
     return nullptr;
 }
 
@@ -85,6 +93,35 @@ bool is_exact_derivative(const std::string& name) {
 }
 
 bool is_error_channel(const std::string& name) { return is_below(name, "err"); }
+
+std::optional<RangeChannel> range_channel(const std::string& name) {
+    for (const char* set : {"gpu", "bound"})
+        for (const char* part : {"lo", "hi", "paths"}) {
+            const std::string group = std::string(set) + "." + part;
+            if (group == "bound.paths" || !is_below(name, group)) continue;
+            const std::string channel = name.substr(group.size() + 1);
+            if (has_range(channel)) return RangeChannel{set, part, channel};
+        }
+    return std::nullopt;
+}
+
+bool has_range(const std::string& channel) {
+    if (channel == "Z") return true;
+    if (channel == "A" || channel == "depth" || is_exact_derivative(channel) ||
+        is_error_channel(channel) || is_below(channel, "oracle") || is_below(channel, "gpu") ||
+        is_below(channel, "bound"))
+        return false;
+    const ChannelInfo* const info = find_channel(channel);
+    return info != nullptr && info->type == ChannelType::float32;
+}
+
+bool needs_ranges(const std::string& name) {
+    return name == "undecided" || range_channel(name).has_value();
+}
+
+bool runs_stages_again(const std::string& name) {
+    return is_exact_derivative(name) || is_error_channel(name) || needs_ranges(name);
+}
 
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {
     if (requests.empty()) return default_channels();

@@ -1,6 +1,7 @@
 // What can be asked for: every channel of a rendered image.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,26 @@ bool is_exact_derivative(const std::string& name);
 
 /// Whether a full name is one of err.*, for which stages run once more with the judge's hit.
 bool is_error_channel(const std::string& name);
+
+/// A channel gpu.lo.X, gpu.hi.X, gpu.paths.X, bound.lo.X or bound.hi.X, taken apart.
+struct RangeChannel {
+    std::string set;      ///< gpu or bound
+    std::string part;     ///< lo, hi or paths
+    std::string channel;  ///< X: the full name of a float channel of stages, or Z
+};
+
+/// Empty for other channels. (Those of an X that there is no range of, too.)
+std::optional<RangeChannel> range_channel(const std::string& name);
+
+/// Whether there is a range of that channel.
+bool has_range(const std::string& channel);
+
+/// Whether a full name is a range's, or `undecided`: stages run once more for it, on ranges.
+bool needs_ranges(const std::string& name);
+
+/// Whether stages run once more for the channel: on dual numbers, with the judge's stages, on
+/// ranges.
+bool runs_stages_again(const std::string& name);
 
 /// Full names for what a user asks for: each request is a full name or a group, which stands for
 /// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*; "B" is blue, the bitangent

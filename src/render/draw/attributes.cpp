@@ -62,6 +62,7 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
     const std::vector<std::string> channels = expand_channels(options.channels);
     if (std::any_of(channels.begin(), channels.end(), is_error_channel))
         all.emplace_back("quadrel:judges", judges_text(scene));
+    if (!options.limits.empty()) all.emplace_back("quadrel:limits", options.limits);
     const std::vector<std::string> plugins = plugin_hashes();
     if (!plugins.empty())
         all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));

@@ -150,16 +150,8 @@ void Batch::load_slopes(const QuadCoverage* quads, const Geometry& geometry) {
 void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
                 StageClock* clock, const Shortcuts& shortcuts) {
     call.values = values_.data();
-    call.active = active_;
     call.lanes = lanes_;
-    for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i];
-    for (int i = 0; i < 2; ++i) call.window[i] = geometry.planes.empty() ? nullptr : window_[i];
-    call.planes = geometry.planes.empty() ? nullptr : geometry.planes.data();
-    call.primitive = primitive_;
-    call.primitives = geometry.data.data();
-    call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
-    call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
-    call.edge_slopes = slopes_.data();
+    point_to_quads(call, geometry);
     if (shortcuts.shared_scales) {
         std::fill(scales_->keys, scales_->keys + lanes_ / 4, 0);
         call.scales = scales_.get();
@@ -168,6 +160,20 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     // What a chain has broken a promise in is done again, so that the stage is found and named.
     if (!is_timed && shortcuts.chains && !plan.chains.empty() && run_chains(plan, call)) return;
     run_stages(plan, 0, plan.stages.size(), call, is_timed ? clock : nullptr);
+}
+
+void Batch::point_to_quads(StageCall& call, const Geometry& geometry, int first_quad) const {
+    const int lane = 4 * first_quad;
+    call.active = active_ + lane;
+    for (int i = 0; i < 3; ++i) call.edges[i] = edges_[i] + lane;
+    for (int i = 0; i < 2; ++i)
+        call.window[i] = geometry.planes.empty() ? nullptr : window_[i] + lane;
+    call.planes = geometry.planes.empty() ? nullptr : geometry.planes.data();
+    call.primitive = primitive_ + lane;
+    call.primitives = geometry.data.data();
+    call.frames = geometry.frames.empty() ? nullptr : geometry.frames.data();
+    call.vertices = geometry.vertices.empty() ? nullptr : geometry.vertices.data();
+    call.edge_slopes = slopes_.empty() ? nullptr : slopes_.data() + first_quad;
 }
 
 void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,

@@ -40,6 +40,9 @@ class Batch {
     void run(const MaterialPlan& plan, StageCall call, const Geometry& geometry,
              StageClock* clock = nullptr, const Shortcuts& shortcuts = no_shortcuts);
 
+    /// What a call needs beside values, parameters and lanes, from a quad of the batch on.
+    void point_to_quads(StageCall& call, const Geometry& geometry, int first_quad = 0) const;
+
     int quads() const { return quads_; }
     /// Sum over all lanes of the quads; 0 where the array is not there.
     std::uint64_t sum(int slot) const;

@@ -38,9 +38,21 @@ void check_options(const RenderOptions& options) {
     if (options.threads < 0) throw UsageError("the number of threads cannot be negative");
 }
 
+/// Those that are asked for, and what `limits` adds.
+std::vector<std::string> channels_with_ranges(const RenderOptions& options) {
+    std::vector<std::string> names = expand_channels(options.channels);
+    if (options.limits.empty()) return names;
+    const std::vector<std::string> asked = names;
+    for (const std::string& name : asked)
+        for (const char* part : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
+            if (has_range(name) && std::ranges::count(names, part + name) == 0)
+                names.push_back(part + name);
+    return names;
+}
+
 std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptions& options) {
     std::vector<ChannelSource> sources;
-    for (const std::string& name : expand_channels(options.channels)) {
+    for (const std::string& name : channels_with_ranges(options)) {
         sources.push_back(channel_source(name));
         if (sources.back().light > 0 &&
             sources.back().light >= static_cast<int>(scene.lights.size()))
@@ -124,7 +136,8 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
     check_options(options);
     PreparedRender prepared{
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
-    prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip);
+    prepared.plan =
+        make_render_plan(scene, prepared.channels, kernels, options.skip, options.limits);
     prepared.plan.isa = options.isa;
     if (options.judged != nullptr) {
         if (options.judged->window != prepared.window)

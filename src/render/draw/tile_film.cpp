@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "quadrel/film/channels.hpp"
 
@@ -11,6 +12,11 @@ namespace {
 using Kind = ChannelSource::Kind;
 
 std::uint32_t float_bits(float x) { return canonical_bits(std::bit_cast<std::uint32_t>(x)); }
+
+float float_not_above(double x) {
+    const auto f = static_cast<float>(x);
+    return f > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+}
 
 std::uint32_t covered_lanes(const QuadCoverage& quad) {
     std::uint32_t mask = 0;
@@ -207,7 +213,28 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
                 return judges.errors->bits(source, batch, in_batch(quad, lane), lane_x(quad, lane),
                                            y);
             });
+        case Kind::range_low:
+        case Kind::range_high:
+        case Kind::range_paths:
+        case Kind::undecided:
+            return add_range(source, plane, quads,
+                             source.range_set == RangeSet::gpu ? *judges.limits : *judges.bounds);
     }
+}
+
+/// Ends are rounded outwards.
+void TileFilm::add_range(const ChannelSource& source, std::uint32_t* plane,
+                         const QuadCoverage* quads, const RangeBatch& ranges) const {
+    add_fragments(quads, plane, [&](auto& quad, int lane, int) {
+        const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
+        if (source.kind == Kind::undecided) return ranges.undecided(in_batch);
+        const FragmentRange& range = ranges.range(source, in_batch);
+        if (source.kind == Kind::range_paths) return range.paths;
+        const bool low = source.kind == Kind::range_low;
+        const double end = (low != source.negated) ? range.low : range.high;
+        const double value = source.negated ? -end : end;
+        return float_bits(low ? float_not_above(value) : -float_not_above(-value));
+    });
 }
 
 void TileFilm::add(const Batch& batch, const QuadCoverage* quads, const Geometry& geometry,

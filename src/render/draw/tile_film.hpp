@@ -12,6 +12,7 @@
 #include "render/errors/error_batch.hpp"
 #include "render/exact/exact_batch.hpp"
 #include "render/plan/channel_source.hpp"
+#include "render/ranges/range_batch.hpp"
 
 namespace quadrel {
 
@@ -31,8 +32,9 @@ struct FilmTarget {
 
 /// The shaded quads once more, where channels ask; else null.
 struct Judges {
-    const ExactBatch* exact = nullptr;   ///< on dual numbers
-    const ErrorBatch* errors = nullptr;  ///< with the judge's stages
+    const ExactBatch* exact = nullptr;                      ///< on dual numbers
+    const ErrorBatch* errors = nullptr;                     ///< with the judge's stages
+    const RangeBatch *bounds = nullptr, *limits = nullptr;  ///< on ranges
 };
 
 /// Collects what one tile shades.
@@ -98,6 +100,8 @@ class TileFilm {
     void add_plane(const ChannelSource& source, std::uint32_t* plane, const Batch& batch,
                    const QuadCoverage* quads, const Geometry& geometry, const TileBuffer& tile,
                    const Judges& judges) const;
+    void add_range(const ChannelSource& source, std::uint32_t* plane, const QuadCoverage* quads,
+                   const RangeBatch& ranges) const;
     std::uint32_t resolved_bits(const ChannelSource& source, const ColorSample& pixel) const;
 
     const FilmTarget& target_;

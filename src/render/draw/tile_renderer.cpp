@@ -70,6 +70,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {
     if (!plan.exact.empty()) exact_.emplace(&command_);
     if (!plan.errors.empty()) errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get());
+    if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
+    if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -214,18 +216,24 @@ void TileRenderer::shade() {
     }
 }
 
-/// The quads on dual numbers and with the judge's stages, where channels ask.
+/// The quads on other number types and with the judge's stages, where channels ask.
 Judges TileRenderer::run_judges(std::uint32_t material, const QuadCoverage* quads, int count) {
     Judges judges;
-    if (!exact_ && !errors_) return judges;
+    if (!exact_ && !errors_ && !bounds_ && !limits_) return judges;
     const QuadContext context(command_, {quads, static_cast<std::size_t>(count)});
+    const StageCall call = stage_call(plan_, material);
     const auto run = [&](auto& batch, const auto& plans) {
-        batch->run(plans[material], stage_call(plan_, material), quads, count, geometry_,
-                   scene_.samples, scene_.centroid);
+        batch->run(plans[material], call, quads, count, geometry_, scene_.samples, scene_.centroid);
         return &*batch;
+    };
+    const auto run_ranges = [&](RangeBatch& batch) {
+        batch.run(material, call, batch_, quads, geometry_);
+        return &batch;
     };
     if (exact_) judges.exact = run(exact_, plan_.exact);
     if (errors_) judges.errors = run(errors_, plan_.errors);
+    if (bounds_) judges.bounds = run_ranges(*bounds_);
+    if (limits_) judges.limits = run_ranges(*limits_);
     return judges;
 }
 

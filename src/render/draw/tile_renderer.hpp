@@ -85,7 +85,8 @@ class TileRenderer {
     Batch batch_;
     std::optional<ExactBatch> exact_;   ///< the same quads on dual numbers, where channels ask
     std::optional<ErrorBatch> errors_;  ///< the same quads with the judge's stages, likewise
-    const MaterialPlan* prepared_ = nullptr;  ///< the batch's arrays are this one's
+    std::optional<RangeBatch> bounds_, limits_;  ///< and on ranges
+    const MaterialPlan* prepared_ = nullptr;     ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;
     StageClock clock_;

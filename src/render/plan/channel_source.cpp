@@ -165,6 +165,35 @@ bool find_error(std::string name, ChannelSource& source) {
     return true;
 }
 
+const Table& value_channels();
+
+/// The source of gpu.*, bound.* or undecided; false for other channels.
+bool find_range(const std::string& name, ChannelSource& source) {
+    if (name == "undecided") {
+        source.kind = Kind::undecided;
+        source.range_set = RangeSet::gpu;
+        source.value = Value::hit_uv;
+        return true;
+    }
+    const auto range = range_channel(name);
+    if (!range) return false;
+    source.kind = range->part == "lo"   ? Kind::range_low
+                  : range->part == "hi" ? Kind::range_high
+                                        : Kind::range_paths;
+    source.range_set = range->set == "gpu" ? RangeSet::gpu : RangeSet::exact;
+    if (range->channel == "Z") {
+        source.negated = true;
+        source.value = Value::hit_P;
+        source.component = 2;
+        return true;
+    }
+    const ChannelSource of = channel_source(range->channel);
+    source.value = of.value;
+    source.component = of.component;
+    source.light = of.light;
+    return true;
+}
+
 const Table& value_channels() {
     static const Table table = [] {
         Table made;
@@ -217,7 +246,8 @@ ChannelSource channel_source(const std::string& name) {
         source.kind = special->second;
         return source;
     }
-    if (find_exact(name, source) || find_error(name, source)) return source;
+    if (find_exact(name, source) || find_error(name, source) || find_range(name, source))
+        return source;
     const auto found = value_channels().find(without_light(name, source.light));
     QUADREL_CHECK(found != value_channels().end(), name);
     source.value = found->second.value;

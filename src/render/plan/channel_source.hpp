@@ -25,6 +25,13 @@ enum class ErrorMeasure : std::int32_t {
 /// search.
 enum class ErrorPart : std::int32_t { whole, search, frame };
 
+/// Under which errors ranges are taken.
+enum class RangeSet {
+    none,   ///< no range
+    exact,  ///< bound.*: exact arithmetic on float32 inputs
+    gpu,    ///< gpu.*: what a specification permits
+};
+
 struct ChannelSource {
     enum class Kind {
         value,      ///< component of a stage value
@@ -38,6 +45,10 @@ struct ChannelSource {
         exact,        ///< exact derivative of a component of a stage value
         exact_error,  ///< the drawn finite difference minus it
         error,        ///< what a row has minus what the judge has: `measure` of `part`
+        range_low,    ///< of a value or Z, the least that it may be
+        range_high,
+        range_paths,  ///< how many ranges the ways of open decisions leave
+        undecided,    ///< what decisions were open
     };
     std::string name;
     ChannelType type = ChannelType::float32;
@@ -47,6 +58,8 @@ struct ChannelSource {
     int axis = 0;  ///< of a derivative: 0 window x, 1 window y
     ErrorMeasure measure = ErrorMeasure::s;
     ErrorPart part = ErrorPart::whole;
+    RangeSet range_set = RangeSet::none;
+    bool negated = false;  ///< of a range: Z is the opposite of its value
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

@@ -96,7 +96,7 @@ void bound_material(RenderPlan& plan, std::size_t material, TextureCache& cache,
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels, bool skip) {
+                            const KernelTable& kernels, bool skip, const std::string& limits) {
     check_lights(scene);
     RenderPlan plan;
     plan.hardware = scene_hardware(scene);
@@ -117,6 +117,8 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         plan.texels_read.push_back(skip ? texels_read(scene.materials[m], plans_that_load(plan, m))
                                         : TexelsRead());
+    plan.bounds = plan_ranges(scene, channels, RangeSet::exact, limits);
+    plan.limits = plan_ranges(scene, channels, RangeSet::gpu, limits);
     plan.textures.resize(scene.materials.size());
     return plan;
 }

@@ -9,6 +9,7 @@
 #include "render/plan/plan.hpp"
 #include "render/plan/shortcuts.hpp"
 #include "render/plan/textures.hpp"
+#include "render/ranges/range_plan.hpp"
 
 namespace quadrel {
 
@@ -27,6 +28,7 @@ struct RenderPlan {
     std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
     std::vector<ErrorPlan> errors;        ///< what runs again for the judge; likewise
     std::shared_ptr<const JudgedImage> judged;  ///< that err.* judge; null: what is drawn
+    RangePlan bounds, limits;                   ///< and on ranges
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
@@ -36,9 +38,9 @@ struct RenderPlan {
 
 /// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
 /// `textures` are unbound. With `skip` off every stage of every material is planned, and
-/// drawn without shortcuts.
+/// drawn without shortcuts. `limits`: as RenderOptions has it.
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels, bool skip);
+                            const KernelTable& kernels, bool skip, const std::string& limits = "");
 
 /// All that runs of a material, but for exact derivatives, which read no more than is drawn.
 std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::size_t material);

@@ -1,0 +1,153 @@
+// Interpolated values as ranges. No specification says how far an implementation's may be off; this
+// is a model, whose three numbers are settings (num/range/error_budget.hpp).
+//
+// The vertices' values are off by `plane` times the largest of them, and their places by `snapping`
+// pixels along each axis. These errors belong to the triangle: they are named, weighed by the
+// barycentrics in every lane, and so hardly show in differences between lanes. What is left is each
+// lane's own, `evaluation` times the largest value. Outside of the triangle the weights grow, and
+// the errors with them. Which vertices and edges a lane has are the reference's.
+#pragma once
+
+#include "quadrel/num/range/geometry.hpp"
+#include "quadrel/quad/interpolate.hpp"
+
+namespace quadrel {
+
+/// A quad's row: its four lanes are of one triangle.
+template <>
+class PrimitiveReader<Ranges> {
+  public:
+    template <class Row>
+    PrimitiveReader(const StageCall& call, int first_lane, const Row* rows)
+        : first_(reinterpret_cast<const float*>(rows + call.primitive[first_lane])) {}
+
+    /// What is the same over a triangle, with the errors of the vertex stage.
+    Ranges at(int offset) const {
+        const double value = first_[offset];
+        const double off = range_context().budget.plane * std::fabs(value);
+        return off > 0 ? Ranged(range_detail::widened(value, off)) : Ranged(value);
+    }
+    PerVertex<Ranges> per_vertex(int offset, int stride) const {
+        return {at(offset), at(offset + stride), at(offset + 2 * stride)};
+    }
+    bool uniform() const { return true; }
+    PerVertex<float> uniform_vertex(int offset, int stride) const {
+        return {first_[offset], first_[offset + stride], first_[offset + 2 * stride]};
+    }
+
+  private:
+    const float* first_;
+};
+
+template <>
+class Interpolator<Ranges> {
+  public:
+    Interpolator(const StageCall& call, int first_lane) {
+        const PrimitiveReader<Ranges> rows(call, first_lane, call.primitives);
+        constexpr int w = static_cast<int>(offsetof(PrimitiveData, w) / sizeof(float));
+        const PerVertex<float> of = rows.uniform_vertex(w, 1);
+        const double others[3] = {double(of.v1) * of.v2, double(of.v2) * of.v0,
+                                  double(of.v0) * of.v1};
+        for (int lane = 0; lane < 4; ++lane) {
+            RealInterval q[3];
+            for (int v = 0; v < 3; ++v)
+                q[v] = RealInterval(call.edges[v][first_lane + lane]) *
+                       range_detail::near(others[v], others[v]);
+            const RealInterval sum = q[0] + q[1] + q[2];
+            known_[lane] = !sum.has_zero();
+            for (int v = 0; v < 3 && known_[lane]; ++v) weight_[lane][v] = q[v] / sum;
+        }
+    }
+
+    Barycentrics<Ranges> barycentrics() const {
+        const auto unit = [&](int v) {
+            return varying({v == 0 ? 1.0 : 0.0, v == 1 ? 1.0 : 0.0, v == 2 ? 1.0 : 0.0});
+        };
+        return {unit(0), unit(1), unit(2)};
+    }
+
+    Ranges at(const PrimitiveReader<Ranges>& rows, int offset, int stride) const {
+        const PerVertex<float> v = rows.uniform_vertex(offset, stride);
+        return varying({v.v0, v.v1, v.v2});
+    }
+    template <int n>
+    vec<n, Ranges> vector(const PrimitiveReader<Ranges>& rows, int offset) const {
+        vec<n, Ranges> result;
+        for (int i = 0; i < n; ++i) result[i] = at(rows, offset + i, n);
+        return result;
+    }
+    /// Of what a vertex program gives: its error is the vertex', the same in all lanes.
+    Ranges operator()(const PerVertex<Ranges>& value) const {
+        for (const Ranges& v : {value.v0, value.v1, value.v2})
+            if (!v.lane[0].is_bounded()) return Ranges(Ranged::anything());
+        return varying(
+            {value.v0.lane[0].range(), value.v1.lane[0].range(), value.v2.lane[0].range()});
+    }
+    template <glm::length_t n>
+    glm::vec<n, Ranges, glm::defaultp> operator()(
+        const PerVertex<glm::vec<n, Ranges, glm::defaultp>>& value) const {
+        glm::vec<n, Ranges, glm::defaultp> result;
+        for (glm::length_t i = 0; i < n; ++i)
+            result[i] = (*this)(PerVertex<Ranges>{value.v0[i], value.v1[i], value.v2[i]});
+        return result;
+    }
+
+  private:
+    struct Vertices {
+        RealInterval v[3];
+    };
+
+    /// The value in a lane by exact arithmetic of the vertices' middles.
+    RealInterval middle(const Vertices& of, int lane) const {
+        return weight_[lane][0] * RealInterval(of.v[0].middle()) +
+               weight_[lane][1] * RealInterval(of.v[1].middle()) +
+               weight_[lane][2] * RealInterval(of.v[2].middle());
+    }
+    /// The greatest change from pixel to pixel along x plus that along y, twice what the quad
+    /// shows: it grows towards the triangle's ends.
+    double gradient(const Vertices& of) const {
+        const auto change = [&](int a, int b) {
+            return known_[a] && known_[b] ? (middle(of, a) - middle(of, b)).magnitude() : 0;
+        };
+        return 2 * (std::max(change(1, 0), change(3, 2)) + std::max(change(2, 0), change(3, 1)));
+    }
+
+    Ranges varying(const Vertices& of) const {
+        RangeContext& context = range_context();
+        const ErrorBudget& errors = context.budget;
+        double largest = 0;
+        for (const RealInterval& v : of.v) largest = std::max(largest, v.magnitude());
+        const double snapped = errors.snapping > 0 ? errors.snapping * gradient(of) : 0;
+        const std::int32_t group = ++context.shared_errors;
+        Ranges result(Ranged::anything());
+        for (int lane = 0; lane < 4; ++lane) {
+            if (!known_[lane]) continue;
+            Ranged value(middle(of, lane));
+            if (!value.is_bounded()) continue;
+            double spread = 0, parts = 0, slack = 0;
+            for (int v = 0; v < 3; ++v) {
+                const double weight = weight_[lane][v].middle();
+                slack += std::fabs(weight) * largest * 0x1p-50;
+                const double off = next_up(of.v[v].width() / 2) + errors.plane * largest + snapped;
+                value.part[v] = weight * off;
+                parts += std::fabs(value.part[v]);
+                spread += std::fabs(weight);
+                slack += weight_[lane][v].width() * off;
+            }
+            const RealInterval own =
+                range_detail::widened({value.lo, value.hi}, errors.evaluation * largest * spread +
+                                                                slack + parts * 0x1p-48);
+            value.lo = own.lo;
+            value.hi = own.hi;
+            value.named = parts > 0 ? group : 0;
+            value.mass = std::max(std::fabs(own.lo), std::fabs(own.hi)) + parts * 1.01;
+            result.lane[lane] = value;
+        }
+        return result;
+    }
+
+    bool known_[4];
+    RealInterval weight_[4][3];
+};
+
+}  // namespace quadrel

@@ -1,0 +1,41 @@
+// The stages that run on ranges: those that find their way by comparing numbers. Searches that walk
+// over cells and levels do not, since their state is whole numbers (the judge certifies what they
+// find), nor what reads baked maps or texels by its own addresses.
+#pragma once
+
+#include "quadrel/relief/range/words.hpp"
+#include "quadrel/relief/stages.hpp"
+#include "quadrel/shade/stages.hpp"
+
+namespace quadrel {
+
+using RangeStages = StageList<
+    // quad, frame
+    Interpolate, Differentiate, LevelOfDetail, DepthConstant, DepthGraded, FrameNone, FrameThesis,
+    FrameGram, FrameFace, FrameVertex, FrameVertexPublished, FrameMikkt, FrameCot,
+    FrameCotPublished, FrameInverseTbn, FrameInverseTbnPublished,
+    // trace
+    TraceNone, Parallax, ParallaxBias, ParallaxBiasPublished, OffsetLimit, OffsetLimitPublished,
+    OffsetLimit042, OffsetLimit042Published, OffsetLimitFixed, OffsetLimitRabbidPublished,
+    ParallaxSlopeNz, ParallaxSlopeNv, ParallaxIter, Linear, LinearThesis, HeightOutward,
+    HeightOutwardPublished, Steep, SteepPublished, SteepConstantXy, SteepConstantXyPublished,
+    SteepAdaptive, SteepAdaptiveRabbid, SteepQuality, SteepMipC, SteepMipI, Pom, PomDxsdk,
+    RabbidPom, ReliefBinary, ReliefGg3, RabbidRelief, ThesisLinearBinary,
+    ThesisLinearBinaryPublished, Secant, Interval, Contact, ThesisSphere, Babylon, Bevy, Godot,
+    JMonkey, LearnOpenGl, O3de, PlayCanvas, ThreeParallax, ThreeParallaxUv, UnityPom,
+    UnrealBumpOffset,
+    // hit, surface
+    ClipUv, ClipPath, Displace, FragDepth, FragDepthPublished, SurfaceNone, H2nThesis,
+    H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap, H2n4TapPublished, H2nSobel,
+    H2nSobelPublished, BumpBlinn, BumpNoise, BumpNoisePublished, NormalMap, NormalMapFlightGear,
+    NormalSmoothMcGuire, NormalMcGuirePublished, NormalWelshPublished,
+    // shadow, occlusion
+    ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished, ShadowMarchMcguire,
+    ShadowMarchMcguirePublished, ShadowRelief, ShadowSoftPom, ShadowSoftPomPublished,
+    ShadowSoftRiccardi, OcclusionNone,
+    // shade
+    ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished, ShadeMcGuire,
+    ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3, ShadeLambert, ShadePhong,
+    ShadeBlinnPhong, ShadeCookTorrance>;
+
+}  // namespace quadrel

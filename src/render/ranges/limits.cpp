@@ -1,0 +1,126 @@
+// Sources: Vulkan specification, "Precision and Operation of SPIR-V Instructions" and required
+// limits; Direct3D 11.3 functional specification, 3.1.3, 7.18 and 22.10; OpenGL Shading Language
+// 4.60, 4.7.1; WebGPU Shading Language, "Floating Point Accuracy".
+#include "render/ranges/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <sstream>
+
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+constexpr double largest_pi = 3.15;  // arguments up to pi, rounded up
+
+/// What the four have in common, and what none states: interpolation, and how precisely fixed-point
+/// texels are filtered.
+ErrorBudget shared_limits() {
+    ErrorBudget budget;
+    budget.unit = 0x1p-23;
+    budget.division = 2.5;
+    budget.inverse_root = 2;
+    budget.square_root = 4.5;  // 1 / inversesqrt(x)
+    budget.normalize = 7;      // v / length(v)
+    budget.exp2 = 3;
+    budget.exp2_slope = 2;
+    budget.log2 = 3;
+    budget.log2_absolute = 0x1p-21;
+    budget.sine = 0x1p-11;
+    budget.sine_limit = largest_pi;
+    budget.arctangent = 4096;
+    budget.flushes_denormals = true;
+    budget.any_derivative = true;
+    budget.filtered = 0x1p-16;
+    budget.plane = 0x1p-20;
+    budget.snapping = 0x1p-9;
+    budget.evaluation = 0x1p-22;
+    return budget;
+}
+
+ErrorBudget vulkan() {
+    ErrorBudget budget = shared_limits();
+    budget.address = 0x1p-4;  // subTexelPrecisionBits 4
+    budget.lod = 0x1p-4;      // mipmapPrecisionBits 4
+    budget.lod_freedom = LodFreedom::vulkan;
+    return budget;
+}
+
+ErrorBudget gl() {
+    ErrorBudget budget = shared_limits();
+    budget.sine_limit = 0x1p-149;  // nothing is stated
+    budget.address = 0x1p-8;       // nor here: what implementations have
+    budget.lod = 0x1p-4;
+    budget.lod_freedom = LodFreedom::gl;
+    return budget;
+}
+
+ErrorBudget d3d() {
+    ErrorBudget budget = shared_limits();
+    budget.division = 1.5;    // x * rcp(y)
+    budget.inverse_root = 4;  // 2^-21
+    budget.square_root = 1;
+    budget.normalize = 5;
+    budget.exp2 = 4;
+    budget.exp2_slope = 0;
+    budget.log2 = 4;
+    budget.sine = 0.0008;
+    budget.sine_limit = 314;  // 100 pi
+    budget.address = 0.6 * 0x1p-8;
+    budget.lod = 0x1p-8;
+    budget.lod_freedom = LodFreedom::d3d;
+    return budget;
+}
+
+double* setting(ErrorBudget& budget, const std::string& name) {
+    if (name == "plane") return &budget.plane;
+    if (name == "snapping") return &budget.snapping;
+    if (name == "evaluation") return &budget.evaluation;
+    if (name == "filtered") return &budget.filtered;
+    if (name == "address") return &budget.address;
+    return nullptr;
+}
+
+void apply_setting(ErrorBudget& budget, const std::string& text) {
+    const std::size_t equals = text.find('=');
+    double* const place = setting(budget, text.substr(0, equals));
+    if (place == nullptr || equals == std::string::npos)
+        throw UsageError(
+            fmt::format("--limits: found \"{}\", expected plane=, snapping=, evaluation=, "
+                        "filtered= or address= and a number",
+                        text));
+    const char* const first = text.data() + equals + 1;
+    const char* const last = text.data() + text.size();
+    double value = 0;
+    const auto [end, error] = std::from_chars(first, last, value);
+    if (error != std::errc() || end != last || !(value >= 0 && value <= 1))
+        throw UsageError(
+            fmt::format("--limits: found \"{}\", expected a number from 0 to 1", text));
+    *place = value;
+}
+
+}  // namespace
+
+std::string interface_of_limits(const std::string& text) { return text.substr(0, text.find(',')); }
+
+ErrorBudget budget_of_limits(const std::string& text) {
+    std::istringstream parts(text);
+    std::string part;
+    std::getline(parts, part, ',');
+    ErrorBudget budget;
+    if (part == "vulkan" || part == "webgpu")
+        budget = vulkan();
+    else if (part == "gl")
+        budget = gl();
+    else if (part == "d3d")
+        budget = d3d();
+    else
+        throw UsageError(
+            fmt::format("--limits: found \"{}\", expected vulkan, d3d, gl or webgpu", part));
+    while (std::getline(parts, part, ',')) apply_setting(budget, part);
+    return budget;
+}
+
+}  // namespace quadrel

@@ -1,0 +1,60 @@
+// The quads of a batch once more, on ranges: quad by quad, and where decisions are open, lane by
+// lane and way by way.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "quadrel/raster/coverage.hpp"
+#include "render/draw/batch.hpp"
+#include "render/ranges/range_plan.hpp"
+
+namespace quadrel {
+
+/// What a number of a fragment may be.
+struct FragmentRange {
+    double low = 0, high = 0;
+    std::uint32_t paths = 1;  ///< disjoint ranges; 0: more ways than are followed
+};
+
+/// One thread's.
+class RangeBatch {
+  public:
+    /// Ways of a lane that are followed.
+    static constexpr int most_ways = 64;
+
+    explicit RangeBatch(const RangePlan& plan);
+
+    /// Runs the stages over the quads that `drawn` has been loaded with. `call` comes with
+    /// material, frame and textures set; bounds of heights in it are not used.
+    void run(std::uint32_t material, const StageCall& call, const Batch& drawn,
+             const QuadCoverage* quads, const Geometry& geometry);
+
+    /// A channel of a lane of the batch.
+    const FragmentRange& range(const ChannelSource& channel, int lane) const;
+    /// A set of Undecided's bits.
+    std::uint32_t undecided(int lane) const { return undecided_[static_cast<std::size_t>(lane)]; }
+
+  private:
+    void prepare(const MaterialPlan& plan);
+    void run_stages(const MaterialPlan& plan);
+    void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
+    void follow(const MaterialPlan& plan, int quad, int lane);
+    void record(int quad, int lane);
+    FragmentRange& result(std::size_t slot, int lane) {
+        return results_[slot * batch_lanes + static_cast<std::size_t>(lane)];
+    }
+
+    const RangePlan& plan_;
+    RangeContext* context_ = nullptr;
+    const MaterialPlan* prepared_ = nullptr;
+    StageCall call_{};
+    MaterialUniforms material_{};
+    std::vector<std::byte> memory_;
+    std::vector<void*> values_;
+    std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]
+    std::vector<std::vector<FragmentRange>> ways_;  ///< of the followed lane: [slot of the plan]
+    std::vector<std::uint32_t> undecided_;
+};
+
+}  // namespace quadrel

@@ -1,0 +1,63 @@
+#include "render/ranges/range_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "quadrel/error.hpp"
+#include "render/ranges/limits.hpp"
+
+namespace quadrel {
+namespace {
+
+std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> number = 0;
+    return ++number;
+}
+
+MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const Wanted& wanted,
+                            const RangeTable& table, const std::string& asked) {
+    MaterialPlan plan = plan_material(scene, material, wanted, scalar_double_kernels());
+    for (PlannedStage& stage : plan.stages) {
+        stage.run = find_kernel(table, stage.info->text.id);
+        stage.checks = {};
+        if (stage.run == nullptr)
+            throw UsageError(
+                fmt::format("channel \"{}\": stage \"{}\" of material \"{}\" does not run on "
+                            "ranges: its state is whole numbers, or a map's own texels",
+                            asked, stage.info->text.id, material.name));
+    }
+    return plan;
+}
+
+}  // namespace
+
+bool is_range(const ChannelSource& channel) { return channel.range_set != RangeSet::none; }
+
+RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
+                      const std::string& limits) {
+    RangePlan plan;
+    std::vector<ChannelSource> asking;
+    for (const ChannelSource& channel : channels)
+        if (channel.range_set == set) asking.push_back(channel);
+    if (asking.empty()) return plan;
+    const std::string& asked = asking.front().name;
+    if (scene.samples > 1)
+        throw UsageError(fmt::format("channel \"{}\": ranges are of one sample a pixel", asked));
+    if (set == RangeSet::gpu && limits.empty())
+        throw UsageError(
+            fmt::format("channel \"{}\": expected --limits vulkan, d3d, gl or webgpu", asked));
+    if (set == RangeSet::gpu) plan.budget = budget_of_limits(limits);
+    plan.table = &range_kernels();
+    plan.maps = next_number();
+    for (const ChannelSource& channel : asking)
+        if (std::ranges::count(plan.slots, channel.slot()) == 0)
+            plan.slots.push_back(channel.slot());
+    const Wanted wanted = wanted_values(asking);
+    for (const Material& material : scene.materials)
+        plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table, asked));
+    return plan;
+}
+
+}  // namespace quadrel

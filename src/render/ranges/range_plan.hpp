@@ -1,0 +1,29 @@
+// Which stages run once more, on ranges, for the channels that ask for them.
+#pragma once
+
+#include <vector>
+
+#include "kernels/ranges.hpp"
+#include "render/plan/plan.hpp"
+
+namespace quadrel {
+
+/// Ranges under one budget.
+struct RangePlan {
+    ErrorBudget budget;
+    std::uint64_t maps = 0;  ///< RangeContext::maps
+    const RangeTable* table = nullptr;
+    std::vector<MaterialPlan> materials;  ///< per material of the scene
+    std::vector<int> slots;               ///< arrays that channels show
+};
+
+/// Whether the channel is a range, or says how many there are.
+bool is_range(const ChannelSource& channel);
+
+/// What the channels of a set (exact arithmetic, or an implementation's) need; no materials where
+/// none asks. `limits`: as RenderOptions has it. Throws UsageError that names the first stage that
+/// does not run on ranges, or what else is in the way.
+RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
+                      const std::string& limits);
+
+}  // namespace quadrel
