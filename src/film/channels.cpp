@@ -84,6 +84,20 @@ bool is_exact_derivative(const std::string& name) {
     return is_below(name, "exact") || is_below(name, "derr");
 }
 
+bool is_integral_channel(const std::string& name) { return is_below(name, "integral"); }
+
+const std::vector<std::string>& integral_channels() {
+    static const std::vector<std::string> names{"R",
+                                                "G",
+                                                "B",
+                                                "A",
+                                                "integral.error.R",
+                                                "integral.error.G",
+                                                "integral.error.B",
+                                                "integral.samples"};
+    return names;
+}
+
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {
     if (requests.empty()) return default_channels();
     std::vector<std::string> all;

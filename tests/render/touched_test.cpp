@@ -26,7 +26,8 @@ RenderStats stats_of(const Scene& scene, RenderOptions options) {
 std::vector<std::string> probed_channels() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos && !is_exact_derivative(channel.name))
+        if (channel.name.find('<') == std::string::npos && !is_exact_derivative(channel.name) &&
+            !is_integral_channel(channel.name))
             names.push_back(channel.name);
     return names;
 }

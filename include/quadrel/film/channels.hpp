@@ -30,6 +30,12 @@ const ChannelInfo* find_channel(const std::string& name);
 /// numbers, where they do at all.
 bool is_exact_derivative(const std::string& name);
 
+/// Whether a full name is one of integral.*, which integrals over pixels alone have.
+bool is_integral_channel(const std::string& name);
+
+/// R G B A integral.error.R G B integral.samples.
+const std::vector<std::string>& integral_channels();
+
 /// Full names for what a user asks for: each request is a full name or a group, which stands for
 /// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*; "B" is blue, the bitangent
 /// is "B.X" and so on). Order is kept, repetition dropped; no request at all gives the default.

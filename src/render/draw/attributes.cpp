@@ -57,6 +57,12 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
         {"quadrel:samples", fmt::format("{}", scene.samples)},
         {"quadrel:number", options.number},
     };
+    if (options.integral)
+        all.emplace_back("quadrel:integral",
+                         nlohmann::ordered_json{{"samples", options.integral->samples},
+                                                {"error", options.integral->error},
+                                                {"replicates", IntegralOptions::replicates}}
+                             .dump());
     const std::vector<std::string> plugins = plugin_hashes();
     if (!plugins.empty())
         all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));

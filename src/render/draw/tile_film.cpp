@@ -198,6 +198,9 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
                 const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
                 return float_bits(static_cast<float>(exact->value(source, batch, in_batch)));
             });
+        case Kind::integral_error:
+        case Kind::integral_samples:
+            return;  // of integrals, which do not come fragment by fragment
     }
 }
 

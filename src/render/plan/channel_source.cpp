@@ -124,6 +124,16 @@ bool find_exact(const std::string& name, ChannelSource& source) {
     return true;
 }
 
+/// The source of integral.error.*; false for other channels.
+bool find_integral_error(const std::string& name, ChannelSource& source) {
+    const std::string prefix = "integral.error.", components = "RGB";
+    if (!name.starts_with(prefix)) return false;
+    source.kind = Kind::integral_error;
+    source.value = Value::color;
+    source.component = static_cast<int>(components.find(name.back()));
+    return true;
+}
+
 const Table& value_channels() {
     static const Table table = [] {
         Table made;
@@ -143,7 +153,8 @@ const std::map<std::string, Kind>& special_channels() {
                                                    {"id.object", Kind::object},
                                                    {"id.primitive", Kind::primitive},
                                                    {"quad.lane", Kind::lane},
-                                                   {"quad.coverage", Kind::quad_coverage}};
+                                                   {"quad.coverage", Kind::quad_coverage},
+                                                   {"integral.samples", Kind::integral_samples}};
     return table;
 }
 
@@ -176,7 +187,7 @@ ChannelSource channel_source(const std::string& name) {
         source.kind = special->second;
         return source;
     }
-    if (find_exact(name, source)) return source;
+    if (find_exact(name, source) || find_integral_error(name, source)) return source;
     const auto found = value_channels().find(without_light(name, source.light));
     QUADREL_CHECK(found != value_channels().end(), name);
     source.value = found->second.value;

@@ -18,8 +18,10 @@ struct ChannelSource {
         primitive,  ///< id.primitive
         lane,       ///< quad.lane
         quad_coverage,
-        exact,        ///< exact derivative of a component of a stage value
-        exact_error,  ///< the drawn finite difference minus it
+        exact,             ///< exact derivative of a component of a stage value
+        exact_error,       ///< the drawn finite difference minus it
+        integral_error,    ///< standard error of a component of the colour
+        integral_samples,  ///< integral.samples
     };
     std::string name;
     ChannelType type = ChannelType::float32;

@@ -189,7 +189,8 @@ ProbeFragment probe_fragment(const PreparedRender& prepared, const QuadCoverage&
 std::vector<std::string> every_channel() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos && !is_exact_derivative(channel.name))
+        if (channel.name.find('<') == std::string::npos && !is_exact_derivative(channel.name) &&
+            !is_integral_channel(channel.name))
             names.push_back(channel.name);
     return names;
 }
