@@ -17,6 +17,17 @@ namespace quadrel {
 struct RenderStats;    // stats.hpp
 struct RenderSummary;  // stats.hpp
 
+/// A render whose pixels are integrals: see "Integrals over pixels" in the README.
+struct IntegralOptions {
+    static constexpr int replicates = 16;  ///< independent estimates, whose spread is the error
+    static constexpr int least_samples = 16, most_samples = 65536;
+
+    int samples = 4096;  ///< a pixel; a multiple of `replicates`
+    /// Above 0: a quad gets no more samples once no standard error in its pixels is above this, in
+    /// units of the channels; `samples` is the most.
+    double error = 0;
+};
+
 struct RenderOptions {
     std::vector<std::string> channels;  ///< names or groups; none: R G B A Z
     std::optional<Window> window;       ///< image coordinates; the whole frame if absent
@@ -35,7 +46,12 @@ struct RenderOptions {
     /// `stats` also tells what look-ups touched and how many steps searches made: by a second pass,
     /// which takes three to four times as long as drawing.
     bool touched = false;
-    RenderSummary* summary = nullptr;      ///< receives the little of it that costs nothing
+    RenderSummary* summary = nullptr;  ///< receives the little of it that costs nothing
+    /// Each pixel is the mean of the judge's shading over its area. The scene is changed for that:
+    /// the first hit of the height field in place of what the trace finds, textures filtered
+    /// bilinearly at level 0, exact hardware, one sample a pixel a pass. Channels are then R, G, B,
+    /// A and integral.*, which is the default.
+    std::optional<IntegralOptions> integral;
     int tile = 64;                         ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time
     /// The same before the first tile, while a map that no cache has is derived from heights; `map`

@@ -66,6 +66,14 @@ struct CertifiedStats {
     }
 };
 
+/// Samples of pixels that are integrals; the time that they take is that of drawing.
+struct IntegralStats {
+    bool drawn = false;                 ///< else pixels are no integrals
+    std::uint64_t samples = 0;          ///< of all pixels of the window
+    std::uint64_t least = 0, most = 0;  ///< of a pixel
+    std::uint64_t above = 0;  ///< pixels that have all samples, and an error above the stated one
+};
+
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size, and look-ups without `has_touched` on what was
 /// left out, which differs between instruction sets.
@@ -85,6 +93,7 @@ struct RenderStats {
     /// lights.
     std::uint64_t trace_steps = 0, shadow_steps = 0;
     CertifiedStats certified;
+    IntegralStats integral;
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;

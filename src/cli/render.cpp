@@ -32,6 +32,8 @@ struct RenderArguments {
     std::string scene, output, preview, stats, channels, size, window;
     std::vector<std::string> overrides, plugins;
     bool explain = false, no_skip = false;
+    std::optional<int> integral_samples;
+    std::optional<double> integral_error;
     bool streams() const { return output == "-"; }  ///< the EXR goes to standard output
     RenderOptions options;
     ExrCompression compression = ExrCompression::zip;
@@ -47,8 +49,22 @@ void tell_hint(const std::optional<std::string>& hint) {
     if (hint) tell("quadrel: " + *hint);
 }
 
+/// Either option makes pixels integrals.
+std::optional<IntegralOptions> integral_options(const RenderArguments& arguments) {
+    if (!arguments.integral_samples && !arguments.integral_error) return std::nullopt;
+    IntegralOptions integral;
+    if (arguments.integral_samples) integral.samples = *arguments.integral_samples;
+    if (!arguments.integral_error) return integral;
+    if (!(*arguments.integral_error > 0))
+        throw UsageError(fmt::format("--integrate-error: found {}, expected a number above 0",
+                                     *arguments.integral_error));
+    integral.error = *arguments.integral_error;
+    return integral;
+}
+
 RenderOptions parse_options(const RenderArguments& arguments) {
     RenderOptions options = arguments.options;
+    options.integral = integral_options(arguments);
     if (!arguments.channels.empty()) {
         const std::vector<std::string> requests = parse_list("--channels", arguments.channels);
         options.channels = expand_channels(requests);
@@ -176,6 +192,14 @@ void add_values(CLI::App& verb, RenderArguments& a) {
         ->allow_extra_args(false);
     verb.add_option("--channels", a.channels,
                     "comma-separated channels or groups (default R,G,B,A,Z; see list channels)");
+    verb.add_option("--integrate", a.integral_samples,
+                    "each pixel the mean of so many samples of its area, without derivatives and "
+                    "mip levels: a multiple of 16")
+        ->type_name("N");
+    verb.add_option("--integrate-error", a.integral_error,
+                    "no more samples where the mean's standard error is at most this; --integrate "
+                    "is the most then (4096)")
+        ->type_name("ERROR");
     verb.add_option("--size", a.size, "image size in pixels")->type_name("WxH");
     verb.add_option("--window", a.window,
                     "render this part only: half-open, pixels from the top-left")

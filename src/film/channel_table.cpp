@@ -176,6 +176,14 @@ void add_shading(Table& table) {
                    std::string(term) + " term of the shaded colour");
 }
 
+/// Of renders whose pixels are integrals alone.
+void add_integral(Table& table) {
+    for (const char* name : {"R", "G", "B"})
+        table.push_back({std::string("integral.error.") + name, real, "linear radiance",
+                         std::string("standard error of ") + name + " as a mean over the pixel"});
+    table.push_back({"integral.samples", integer, "count", "samples of the pixel's area"});
+}
+
 void add_identity(Table& table) {
     table.push_back(
         {"id.object", integer, "index", "object in the scene's list; 0xffffffff uncovered"});
@@ -218,6 +226,7 @@ Table make_table() {
     add_shading(table);
     add_identity(table);
     add_ranges(table);
+    add_integral(table);
     return table;
 }
 

@@ -108,8 +108,8 @@ std::optional<RangeChannel> range_channel(const std::string& name) {
 bool has_range(const std::string& channel) {
     if (channel == "Z") return true;
     if (channel == "A" || channel == "depth" || is_exact_derivative(channel) ||
-        is_error_channel(channel) || is_below(channel, "oracle") || is_below(channel, "gpu") ||
-        is_below(channel, "bound"))
+        is_error_channel(channel) || is_integral_channel(channel) || is_below(channel, "oracle") ||
+        is_below(channel, "gpu") || is_below(channel, "bound"))
         return false;
     const ChannelInfo* const info = find_channel(channel);
     return info != nullptr && info->type == ChannelType::float32;
@@ -119,8 +119,23 @@ bool needs_ranges(const std::string& name) {
     return name == "undecided" || range_channel(name).has_value();
 }
 
-bool runs_stages_again(const std::string& name) {
-    return is_exact_derivative(name) || is_error_channel(name) || needs_ranges(name);
+bool is_integral_channel(const std::string& name) { return is_below(name, "integral"); }
+
+bool is_drawn_apart(const std::string& name) {
+    return is_exact_derivative(name) || is_error_channel(name) || needs_ranges(name) ||
+           is_integral_channel(name);
+}
+
+const std::vector<std::string>& integral_channels() {
+    static const std::vector<std::string> names{"R",
+                                                "G",
+                                                "B",
+                                                "A",
+                                                "integral.error.R",
+                                                "integral.error.G",
+                                                "integral.error.B",
+                                                "integral.samples"};
+    return names;
 }
 
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {

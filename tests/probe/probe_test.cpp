@@ -60,7 +60,7 @@ std::map<std::string, std::uint32_t> pixel_bits(const ProbeReport& report, int l
 Film full_render(const Scene& scene) {
     RenderOptions options;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos && !runs_stages_again(channel.name))
+        if (channel.name.find('<') == std::string::npos && !is_drawn_apart(channel.name))
             options.channels.push_back(channel.name);
     return render(scene, options);
 }

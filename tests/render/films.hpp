@@ -31,7 +31,7 @@ inline bool is_judged(const std::string& name) {
 inline std::vector<std::string> all_channels(const Scene& scene) {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
-        if (runs_stages_again(channel.name) || is_judged(channel.name)) continue;
+        if (is_drawn_apart(channel.name) || is_judged(channel.name)) continue;
         const std::size_t index = channel.name.find("<i>");
         if (index == std::string::npos) {
             names.push_back(channel.name);

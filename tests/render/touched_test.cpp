@@ -26,7 +26,7 @@ RenderStats stats_of(const Scene& scene, RenderOptions options) {
 std::vector<std::string> probed_channels() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos && !runs_stages_again(channel.name))
+        if (channel.name.find('<') == std::string::npos && !is_drawn_apart(channel.name))
             names.push_back(channel.name);
     return names;
 }

@@ -50,9 +50,15 @@ bool has_range(const std::string& channel);
 /// Whether a full name is a range's, or `undecided`: stages run once more for it, on ranges.
 bool needs_ranges(const std::string& name);
 
-/// Whether stages run once more for the channel: on dual numbers, with the judge's stages, on
-/// ranges.
-bool runs_stages_again(const std::string& name);
+/// Whether a full name is one of integral.*, which integrals over pixels alone have.
+bool is_integral_channel(const std::string& name);
+
+/// Whether a full name is none that every render can draw beside the others: stages run once more
+/// for it, on dual numbers, with the judge's stages, on ranges, or pixels are integrals.
+bool is_drawn_apart(const std::string& name);
+
+/// R G B A integral.error.R G B integral.samples.
+const std::vector<std::string>& integral_channels();
 
 /// Full names for what a user asks for: each request is a full name or a group, which stands for
 /// every channel below it ("uv" for uv.U and uv.V, "hit" for all hit.*; "B" is blue, the bitangent

@@ -10,6 +10,8 @@ constexpr Example all[] = {
     {"render", "bricks-45 -o bricks.exr --preview bricks.png", "an installed scene, and a picture"},
     {"render", "scene.json -D material.relief.trace=cone-cell --channels R,G,B,hit,N",
      "another search, and where its rays end"},
+    {"render", "bricks-45 --size 48x48 --integrate 64 -o truth.exr",
+     "each pixel the mean over its area, for judging mip levels"},
     {"compare", "bricks.exr port.exr --abs 1e-4 --heatmap difference.png",
      "allow a small error, and show where there is more"},
     {"compare", "bricks.exr port.png --channels R,G,B --encode srgb8 --ulp 1",

@@ -55,6 +55,7 @@ constexpr std::array data_flow = {
     std::string_view{"light.emissive"},
     std::string_view{"light.reflection"},
     std::string_view{"light.refraction"},
+    std::string_view{"integral"},
     std::string_view{"R"},
     std::string_view{"G"},
     std::string_view{"B"},

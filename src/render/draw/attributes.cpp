@@ -63,6 +63,12 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
     if (std::any_of(channels.begin(), channels.end(), is_error_channel))
         all.emplace_back("quadrel:judges", judges_text(scene));
     if (!options.limits.empty()) all.emplace_back("quadrel:limits", options.limits);
+    if (options.integral)
+        all.emplace_back("quadrel:integral",
+                         nlohmann::ordered_json{{"samples", options.integral->samples},
+                                                {"error", options.integral->error},
+                                                {"replicates", IntegralOptions::replicates}}
+                             .dump());
     const std::vector<std::string> plugins = plugin_hashes();
     if (!plugins.empty())
         all.emplace_back("quadrel:plugins", fmt::format("{}", fmt::join(plugins, " ")));

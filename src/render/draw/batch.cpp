@@ -4,6 +4,7 @@
 #include <cstring>
 #include <new>
 
+#include "quadrel/check.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/plan/chains.hpp"
 
@@ -97,9 +98,7 @@ void Batch::prepare(const MaterialPlan& plan) {
 
 void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
                  bool centroid, bool runs) {
-    quads_ = count;
-    loaded_ = quads;
-    lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
+    begin_load(quads, count);
     const auto load_one = [&](const QuadCoverage& quad, int q) {
         const ScreenTriangle& triangle = geometry.triangles[quad.triangle].screen;
         load_quad(quad, q, geometry,
@@ -117,6 +116,30 @@ void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
     // Padding repeats the last quad, inactive: every address that it computes is valid.
     for (int q = count; q < lanes_ / 4; ++q) load_one(quads[count - 1], q);
     if (scalar_bytes_ == sizeof(Dual)) load_slopes(quads, geometry);
+    end_load(count);
+}
+
+void Batch::load(const QuadCoverage* quads, int count, const Geometry& geometry,
+                 const QuadPlaces& places) {
+    QUADREL_CHECK(geometry.planes.empty(), geometry.planes.size());
+    begin_load(quads, count);
+    for (int q = 0; q < lanes_ / 4; ++q) {
+        const QuadCoverage& quad = quads[std::min(q, count - 1)];
+        attribute_edges(geometry.triangles[quad.triangle].screen, quad, places.at(quad.x, quad.y),
+                        edges_[0] + 4 * q, edges_[1] + 4 * q, edges_[2] + 4 * q);
+        std::fill_n(primitive_ + 4 * q, 4, static_cast<std::int32_t>(quad.triangle));
+    }
+    end_load(count);
+}
+
+void Batch::begin_load(const QuadCoverage* quads, int count) {
+    quads_ = count;
+    loaded_ = quads;
+    lanes_ = 4 * ((count + padding_quads - 1) / padding_quads * padding_quads);
+}
+
+/// Lanes of real quads are active, helpers included.
+void Batch::end_load(int count) {
     std::fill_n(active_, 4 * count, 0xffffffffu);
     std::fill(active_ + 4 * count, active_ + lanes_, 0u);
 }

@@ -8,6 +8,7 @@
 #include "quadrel/num/dual.hpp"
 #include "quadrel/quad/shared_scales.hpp"
 #include "quadrel/raster/quad_points.hpp"
+#include "raster/placed.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/draw/lane_bits.hpp"
 #include "render/plan/plan.hpp"
@@ -33,6 +34,9 @@ class Batch {
     /// filled in together.
     void load(const QuadCoverage* quads, int count, const Geometry& geometry, int samples,
               bool centroid, bool runs = false);
+    /// The same at samples that lie anywhere in their pixels. Attributes are interpolated exactly.
+    void load(const QuadCoverage* quads, int count, const Geometry& geometry,
+              const QuadPlaces& places);
 
     /// Runs the plan's stages and checks what each stored. `call` comes with material, frame,
     /// textures and counters set. A `clock`, if given, times the stages. `shortcuts`: those that
@@ -67,6 +71,8 @@ class Batch {
         void operator()(std::byte* memory) const;
     };
 
+    void begin_load(const QuadCoverage* quads, int count);
+    void end_load(int count);
     void load_quad(const QuadCoverage& quad, int q, const Geometry& geometry,
                    const QuadPoints& points);
     void load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry);

@@ -1,6 +1,7 @@
 // What drawing counts.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -10,6 +11,13 @@
 
 namespace quadrel {
 
+/// Of integrals over pixels of the film.
+struct IntegralCounts {
+    std::uint64_t samples = 0;                   ///< of all pixels
+    std::uint64_t least = UINT64_MAX, most = 0;  ///< of one
+    std::uint64_t above = 0;                     ///< pixels whose error is above the stated one
+};
+
 struct DrawRecord {
     std::uint64_t pixels = 0;  ///< of the film, with a visible fragment; the rest is on demand
     StageTimes stages;
@@ -18,7 +26,15 @@ struct DrawRecord {
     std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
     std::array<std::uint64_t, 3> certified{};         ///< covered lanes by Certificate
     std::uint64_t without_ray = 0;                    ///< of those of Certificate::none
+    IntegralCounts integral;
 };
+
+inline void merge(IntegralCounts& into, const IntegralCounts& from) {
+    into.samples += from.samples;
+    into.least = std::min(into.least, from.least);
+    into.most = std::max(into.most, from.most);
+    into.above += from.above;
+}
 
 /// Adds what another thread recorded.
 inline void merge(DrawRecord& into, const DrawRecord& from) {
@@ -33,6 +49,7 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     into.shadow_steps += from.shadow_steps;
     for (std::size_t k = 0; k < into.certified.size(); ++k) into.certified[k] += from.certified[k];
     into.without_ray += from.without_ray;
+    merge(into.integral, from.integral);
 }
 
 }  // namespace quadrel

@@ -5,12 +5,15 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/stats.hpp"
 #include "render/draw/planes.hpp"
 #include "render/draw/tile_progress.hpp"
+#include "render/integral/integral_scene.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/prepare/geometry_cache.hpp"
 #include "render/registry/added_stages.hpp"
@@ -31,11 +34,35 @@ Window checked_window(const Scene& scene, const RenderOptions& options) {
     return w;
 }
 
+void check_integral(const IntegralOptions& integral, const RenderOptions& options) {
+    constexpr int least = IntegralOptions::least_samples, most = IntegralOptions::most_samples;
+    constexpr int step = IntegralOptions::replicates;
+    if (integral.samples < least || integral.samples > most || integral.samples % step != 0)
+        throw UsageError(fmt::format("{} samples a pixel: expected a multiple of {} from {} to {}",
+                                     integral.samples, step, least, most));
+    if (!(integral.error >= 0) || !std::isfinite(integral.error))
+        throw UsageError("the error of an integral: expected a finite number that is not negative");
+    if (options.touched)
+        throw UsageError("an integral over pixels does not tell which texels it touches");
+}
+
 void check_options(const RenderOptions& options) {
     if (options.tile < 2 || options.tile > 1024 || options.tile % 2 != 0)
         throw UsageError(
             fmt::format("tile size {}: expected an even number from 2 to 1024", options.tile));
     if (options.threads < 0) throw UsageError("the number of threads cannot be negative");
+    if (options.integral) check_integral(*options.integral, options);
+}
+
+/// Integrals have channels of their own, and no others.
+void check_channel(const std::string& name, bool integral) {
+    const std::vector<std::string>& known = integral_channels();
+    if (integral && std::find(known.begin(), known.end(), name) == known.end())
+        throw UsageError(fmt::format("channel \"{}\": an integral over pixels has {}", name,
+                                     fmt::join(known, ", ")));
+    if (!integral && is_integral_channel(name))
+        throw UsageError(fmt::format(
+            "channel \"{}\": only an integral over pixels has it (render --integrate)", name));
 }
 
 /// Those that are asked for, and what `limits` adds.
@@ -52,7 +79,11 @@ std::vector<std::string> channels_with_ranges(const RenderOptions& options) {
 
 std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptions& options) {
     std::vector<ChannelSource> sources;
-    for (const std::string& name : channels_with_ranges(options)) {
+    const bool integral = options.integral.has_value();
+    for (const std::string& name : integral&& options.channels.empty()
+                                       ? integral_channels()
+                                       : channels_with_ranges(options)) {
+        check_channel(name, integral);
         sources.push_back(channel_source(name));
         if (sources.back().light > 0 &&
             sources.back().light >= static_cast<int>(scene.lights.size()))
@@ -129,13 +160,11 @@ RenderStats count_all(const PreparedRender& prepared, const RenderOptions& optio
     return stats;
 }
 
-}  // namespace
-
-PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
-                           const KernelTable& kernels, GeometryCache* geometry) {
-    check_options(options);
+/// plan_render of the scene as it is drawn.
+PreparedRender plan_drawn(const Scene& scene, const RenderOptions& options,
+                          const KernelTable& kernels, GeometryCache* geometry) {
     PreparedRender prepared{
-        &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}};
+        &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}, {}};
     prepared.plan =
         make_render_plan(scene, prepared.channels, kernels, options.skip, options.limits);
     prepared.plan.isa = options.isa;
@@ -144,6 +173,7 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
             throw UsageError("the image that is judged has another window than the render");
         prepared.plan.judged = std::make_shared<JudgedImage>(*options.judged);
     }
+    prepared.plan.integral = options.integral;
     const GeometryParts parts = parts_read(prepared.plan);
     prepared.geometry = geometry != nullptr
                             ? geometry->take(scene, prepared.plan.hardware, parts)
@@ -154,6 +184,18 @@ PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
         prepared.used =
             used_materials(scene, prepared.geometry, quad_rect(viewport, prepared.window));
     }
+    return prepared;
+}
+
+}  // namespace
+
+PreparedRender plan_render(const Scene& scene, const RenderOptions& options,
+                           const KernelTable& kernels, GeometryCache* geometry) {
+    check_options(options);
+    if (!options.integral) return plan_drawn(scene, options, kernels, geometry);
+    const auto changed = std::make_shared<const Scene>(integral_scene(scene));
+    PreparedRender prepared = plan_drawn(*changed, options, kernels, geometry);
+    prepared.changed = changed;
     return prepared;
 }
 

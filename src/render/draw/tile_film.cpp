@@ -219,6 +219,9 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
         case Kind::undecided:
             return add_range(source, plane, quads,
                              source.range_set == RangeSet::gpu ? *judges.limits : *judges.bounds);
+        case Kind::integral_error:
+        case Kind::integral_samples:
+            return;  // of integrals, which do not come fragment by fragment
     }
 }
 

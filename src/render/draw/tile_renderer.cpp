@@ -62,16 +62,18 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       plan_(plan),
       geometry_(geometry),
       buffer_({0, 0, 2, 2}, scene.samples, depth_compare(scene)),
+      target_(target),
       film_(target, scene.samples, plan.shortcuts.film_rows),
       command_(scene, *plan.kernels, plan.isa),
       batch_(plan.scalar_bytes, &command_),
       recording_(recording),
       touched_(touched),
-      solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels)) {
+      solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels) && !plan.integral) {
     if (!plan.exact.empty()) exact_.emplace(&command_);
     if (!plan.errors.empty()) errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get());
     if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
     if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
+    if (plan.integral) integral_.emplace(*plan.integral, target.background);
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -81,12 +83,16 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 void TileRenderer::render(const Tile& tile) {
     const bool writes = recording_ != Recording::marks, times = recording_ == Recording::counts;
     if (times) clock_.begin();
-    quads_.clear();
-    solid_ = false;
-    if (!tile.triangles.empty()) find_visible(tile);
-    if (writes) film_.begin(tile.rect, solid_);
-    shade();
-    if (writes) film_.end();
+    if (integral_) {
+        integrate(tile);
+    } else {
+        quads_.clear();
+        solid_ = false;
+        if (!tile.triangles.empty()) find_visible(tile);
+        if (writes) film_.begin(tile.rect, solid_);
+        shade();
+        if (writes) film_.end();
+    }
     if (times) clock_.end();
 }
 
@@ -127,8 +133,31 @@ std::optional<std::uint32_t> TileRenderer::find_solid(const Tile& tile) const {
 
 void TileRenderer::draw_opaque(const Tile& tile) {
     for (const std::uint32_t t : tile.triangles)
-        if (!draws_in_order(scene_.materials[geometry_.triangles[t].material]))
-            rasterize(geometry_.triangles[t].screen, t, buffer_);
+        if (!draws_in_order(scene_.materials[geometry_.triangles[t].material])) draw_triangle(t);
+}
+
+void TileRenderer::draw_triangle(std::uint32_t t) {
+    const ScreenTriangle& triangle = geometry_.triangles[t].screen;
+    if (integral_)
+        rasterize(triangle, t, integral_->places(), buffer_);
+    else
+        rasterize(triangle, t, buffer_);
+}
+
+/// Quads of the triangle whose samples are covered and pass the test.
+void TileRenderer::collect_covered(std::uint32_t t, DepthTest test) {
+    const ScreenTriangle& triangle = geometry_.triangles[t].screen;
+    if (integral_)
+        collect_passing(triangle, t, integral_->places(), buffer_, quads_, test);
+    else
+        collect_passing(triangle, t, buffer_, quads_, test);
+}
+
+void TileRenderer::write_kept(const ScreenTriangle& triangle, const QuadCoverage& quad) {
+    if (integral_)
+        write_quad(triangle, quad, integral_->places(), buffer_);
+    else
+        write_quad(triangle, quad, buffer_);
 }
 
 /// Materials that discard or write depth, in submission order. At equal depth the earlier triangle
@@ -139,8 +168,7 @@ void TileRenderer::draw_in_order(const Tile& tile) {
         const Material& material = scene_.materials[triangle.material];
         if (!draws_in_order(material)) continue;
         quads_.clear();
-        collect_passing(triangle.screen, t, buffer_, quads_,
-                        writes_depth(material) ? DepthTest::late : DepthTest::early);
+        collect_covered(t, writes_depth(material) ? DepthTest::late : DepthTest::early);
         for (std::size_t first = 0; first < quads_.size(); first += batch_quads)
             draw_batch(triangle,
                        std::span(quads_).subspan(
@@ -164,7 +192,7 @@ void TileRenderer::draw_batch(const DrawnTriangle& triangle, std::span<QuadCover
         if (writes_depth(material))
             write_quad_depth(quads[q], depth, buffer_);
         else
-            write_quad(triangle.screen, quads[q], buffer_);
+            write_kept(triangle.screen, quads[q]);
     }
 }
 
@@ -180,7 +208,7 @@ bool TileRenderer::is_discarded(const Material& material, int i) const {
 DrawRecord TileRenderer::record() const {
     DrawRecord record = record_;
     record.stages = clock_.times();
-    record.pixels = film_.pixels();
+    record.pixels += film_.pixels();
     return record;
 }
 
@@ -209,7 +237,9 @@ void TileRenderer::shade() {
         run(plan_.materials[material], material, quads_.data() + first, count);
         if (recording_ == Recording::counts)
             count_certified(plan_.materials[material], {quads_.data() + first, end - first});
-        if (recording_ != Recording::marks)
+        if (integral_)
+            integral_->add(batch_, quads_.data() + first);
+        else if (recording_ != Recording::marks)
             film_.add(batch_, quads_.data() + first, geometry_, buffer_,
                       run_judges(material, quads_.data() + first, count));
         first = end;
@@ -255,8 +285,11 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
                               std::span<const QuadCoverage> quads) {
     if (prepared_ != &plan) batch_.prepare(plan);
     prepared_ = &plan;
-    batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
-                scene_.centroid, plan_.shortcuts.edge_runs);
+    if (integral_)
+        batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, integral_->places());
+    else
+        batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
+                    scene_.centroid, plan_.shortcuts.edge_runs);
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
     if (recording_ != Recording::nothing) call.counters = record_.fetches.data();

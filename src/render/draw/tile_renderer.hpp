@@ -13,6 +13,7 @@
 #include "render/draw/geometry.hpp"
 #include "render/draw/tile_film.hpp"
 #include "render/exact/exact_batch.hpp"
+#include "render/integral/block_integral.hpp"
 #include "render/plan/render_plan.hpp"
 #include "render/stats/touched_texels.hpp"
 
@@ -60,10 +61,16 @@ class TileRenderer {
     std::optional<std::uint32_t> find_solid(const Tile& tile) const;
     void draw_opaque(const Tile& tile);
     void draw_in_order(const Tile& tile);
+    void draw_triangle(std::uint32_t t);
+    void collect_covered(std::uint32_t t, DepthTest test);
+    void write_kept(const ScreenTriangle& triangle, const QuadCoverage& quad);
     void draw_batch(const DrawnTriangle& triangle, std::span<QuadCoverage> quads);
     bool is_discarded(const Material& material, int i) const;
     void shade();
     Judges run_judges(std::uint32_t material, const QuadCoverage* quads, int count);
+    void integrate(const Tile& tile);
+    void integrate_block(const Tile& block);
+    void write_integral();
     void count_quads();
     void run(const MaterialPlan& plan, std::uint32_t material, const QuadCoverage* quads,
              int count);
@@ -80,12 +87,14 @@ class TileRenderer {
     const RenderPlan& plan_;
     const Geometry& geometry_;
     TileBuffer buffer_;
+    const FilmTarget& target_;
     TileFilm film_;
     ProbeCommand command_;
     Batch batch_;
     std::optional<ExactBatch> exact_;   ///< the same quads on dual numbers, where channels ask
     std::optional<ErrorBatch> errors_;  ///< the same quads with the judge's stages, likewise
     std::optional<RangeBatch> bounds_, limits_;  ///< and on ranges
+    std::optional<BlockIntegral> integral_;      ///< where pixels are integrals
     const MaterialPlan* prepared_ = nullptr;     ///< the batch's arrays are this one's
     Recording recording_;
     const TouchedTexels* touched_;

@@ -194,6 +194,16 @@ bool find_range(const std::string& name, ChannelSource& source) {
     return true;
 }
 
+/// The source of integral.error.*; false for other channels.
+bool find_integral_error(const std::string& name, ChannelSource& source) {
+    const std::string prefix = "integral.error.", components = "RGB";
+    if (!name.starts_with(prefix)) return false;
+    source.kind = Kind::integral_error;
+    source.value = Value::color;
+    source.component = static_cast<int>(components.find(name.back()));
+    return true;
+}
+
 const Table& value_channels() {
     static const Table table = [] {
         Table made;
@@ -213,7 +223,8 @@ const std::map<std::string, Kind>& special_channels() {
                                                    {"id.object", Kind::object},
                                                    {"id.primitive", Kind::primitive},
                                                    {"quad.lane", Kind::lane},
-                                                   {"quad.coverage", Kind::quad_coverage}};
+                                                   {"quad.coverage", Kind::quad_coverage},
+                                                   {"integral.samples", Kind::integral_samples}};
     return table;
 }
 
@@ -246,7 +257,8 @@ ChannelSource channel_source(const std::string& name) {
         source.kind = special->second;
         return source;
     }
-    if (find_exact(name, source) || find_error(name, source) || find_range(name, source))
+    if (find_exact(name, source) || find_error(name, source) || find_range(name, source) ||
+        find_integral_error(name, source))
         return source;
     const auto found = value_channels().find(without_light(name, source.light));
     QUADREL_CHECK(found != value_channels().end(), name);

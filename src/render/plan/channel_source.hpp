@@ -47,8 +47,10 @@ struct ChannelSource {
         error,        ///< what a row has minus what the judge has: `measure` of `part`
         range_low,    ///< of a value or Z, the least that it may be
         range_high,
-        range_paths,  ///< how many ranges the ways of open decisions leave
-        undecided,    ///< what decisions were open
+        range_paths,       ///< how many ranges the ways of open decisions leave
+        undecided,         ///< what decisions were open
+        integral_error,    ///< standard error of a component of the colour
+        integral_samples,  ///< integral.samples
     };
     std::string name;
     ChannelType type = ChannelType::float32;

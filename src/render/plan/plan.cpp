@@ -202,6 +202,8 @@ Wanted wanted_values(const std::vector<ChannelSource>& channels) {
         if (channel.kind == ChannelSource::Kind::exact ||
             channel.kind == ChannelSource::Kind::exact_error)
             wanted.values.set(index_of(channel.value));  // drawn, too: what it is compared with
+        if (channel.kind == ChannelSource::Kind::integral_error)
+            wanted.values.set(index_of(channel.value));
         if (channel.kind == ChannelSource::Kind::value || channel.range_set != RangeSet::none) {
             wanted.values.set(index_of(channel.value));
             if (info(channel.value).per_light)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "quadrel/render.hpp"
@@ -13,14 +14,15 @@ namespace quadrel {
 class GeometryCache;
 
 /// Everything that a render needs before its first tile. Refers to the scene, which must outlive
-/// it; may be drawn any number of times.
+/// it unless the render is one of a changed copy; may be drawn any number of times.
 struct PreparedRender {
     const Scene* scene;
     Window window;
     std::vector<ChannelSource> channels;
     RenderPlan plan;
     Geometry geometry;
-    std::vector<bool> used;  ///< materials that have a triangle in the window
+    std::vector<bool> used;                ///< materials that have a triangle in the window
+    std::shared_ptr<const Scene> changed;  ///< `scene`, where that is not the caller's
 };
 
 /// Checks the options, plans and assembles geometry, or takes it from where one is given; loads no

@@ -1,9 +1,11 @@
 // What a whole render computes, and what it need not: stages and textures of each material.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bake/pyramid/height_maxima.hpp"
+#include "quadrel/render.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/errors/error_plan.hpp"
 #include "render/plan/plan.hpp"
@@ -22,6 +24,7 @@ struct RenderPlan {
     std::string isa = "auto";  ///< by which name the kernels were asked for
     int scalar_bytes = 4;
     Shortcuts shortcuts;
+    std::optional<IntegralOptions> integral;  ///< where pixels are integrals
     FrameUniforms frame{};
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept

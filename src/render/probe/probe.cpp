@@ -189,7 +189,7 @@ ProbeFragment probe_fragment(const PreparedRender& prepared, const QuadCoverage&
 std::vector<std::string> every_channel() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table())
-        if (channel.name.find('<') == std::string::npos && !runs_stages_again(channel.name))
+        if (channel.name.find('<') == std::string::npos && !is_drawn_apart(channel.name))
             names.push_back(channel.name);
     return names;
 }

@@ -70,6 +70,13 @@ Json to_json(const CertifiedStats& certified) {
             {"without_ray", certified.without_ray}};
 }
 
+Json to_json(const IntegralStats& integral) {
+    return {{"samples", integral.samples},
+            {"least", integral.least},
+            {"most", integral.most},
+            {"pixels_above_error", integral.above}};
+}
+
 // What is baked comes from the file of the heights.
 std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
     const auto kind = static_cast<TextureSlot>(slot);
@@ -155,6 +162,7 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     stats.left_out = left_out(prepared);
     for (const ChannelSource& channel : prepared.channels)
         stats.certified.drawn |= channel.name == "certified";
+    stats.integral.drawn = prepared.plan.integral.has_value();
     record_textures(prepared, stats);
     record_maxima(prepared, stats);
 }
@@ -185,6 +193,9 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
     certified.exactly += record.certified[static_cast<std::size_t>(Certificate::exact)];
     certified.not_proven += record.certified[0] - record.without_ray;
     certified.without_ray += record.without_ray;
+    if (stats.integral.drawn)
+        stats.integral = {true, record.integral.samples, record.integral.least,
+                          record.integral.most, record.integral.above};
     for (const auto& [id, time] : record.stages)
         stats.stages.push_back({id, time.batches, time.lanes, time.fetches,
                                 1e-6 * static_cast<double>(time.wall_ns),
@@ -233,6 +244,7 @@ std::string to_json(const RenderStats& stats) {
                {"draw", to_json(stats.draw)}}},
              {"peak_memory_kib", stats.peak_memory_kib}};
     if (stats.certified.drawn) out["certified"] = to_json(stats.certified);
+    if (stats.integral.drawn) out["integral"] = to_json(stats.integral);
     if (stats.has_touched) {
         out["touched"] = to_json(stats.touched);
         out["steps"] = {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}};
