@@ -21,5 +21,7 @@ void add_sheet(CLI::App& app, Action& action);
 void add_mips(CLI::App& app, Action& action);
 void add_bake(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action);
+void add_advise(CLI::App& app, Action& action);
 
 }  // namespace quadrel::cli

@@ -76,7 +76,7 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 }
 
 void TileRenderer::render(const Tile& tile) {
-    const bool writes = recording_ != Recording::marks, times = recording_ == Recording::counts;
+    const bool writes = recording_ != Recording::marks, times = keeps_time();
     if (times) clock_.begin();
     quads_.clear();
     solid_ = false;
@@ -245,11 +245,17 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
                 scene_.centroid, plan_.shortcuts.edge_runs);
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
-    if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
-    if (recording_ == Recording::nothing)
-        batch_.run(plan, call, geometry_, nullptr, plan_.shortcuts);
-    else
-        batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr);
+    if (recording_ == Recording::counts || recording_ == Recording::marks)
+        call.counters = record_.fetches.data();
+    batch_.run(plan, call, geometry_, keeps_time() ? &clock_ : nullptr, shortcuts_of_stages());
+}
+
+/// What counts takes none; chains have no times by stage.
+Shortcuts TileRenderer::shortcuts_of_stages() const {
+    if (recording_ == Recording::counts || recording_ == Recording::marks) return no_shortcuts;
+    Shortcuts taken = plan_.shortcuts;
+    if (keeps_time()) taken.chains = false;
+    return taken;
 }
 
 /// Stages do not throw: whatever did is a mistake of ours. Runs the quads one by one until it is

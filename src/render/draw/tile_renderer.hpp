@@ -33,6 +33,7 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, std::span<const std::u
 /// What a renderer writes down beside the film.
 enum class Recording {
     nothing,
+    times,   ///< of the stages, which run one by one and count nothing
     counts,  ///< times, look-ups, lanes
     marks,   ///< texels that are touched, and steps that searches make; writes no film
 };
@@ -75,6 +76,10 @@ class TileRenderer {
     void count_steps(const MaterialPlan& plan);
     void count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
+    bool keeps_time() const {
+        return recording_ == Recording::times || recording_ == Recording::counts;
+    }
+    Shortcuts shortcuts_of_stages() const;
 
     const Scene& scene_;
     const RenderPlan& plan_;
