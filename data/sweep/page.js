@@ -138,7 +138,12 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
   }
   const width = Math.max(300, place.clientWidth || 600);
   const height = place.classList.contains("tall") ? Math.min(640, Math.max(420, width * 0.5)) : Math.min(420, Math.max(320, width * 0.6));
-  const left = 58, right = 14, top = 12, bottom = 46;
+  /* Where there is room, names of lines stand in a margin of their own. */
+  const some = state.chosen.size > 0;
+  const wants = (s) => state.chosen.has(s.name) || (!some && labelled(s));
+  const longest = Math.max(0, ...series.filter(wants).map((s) => s.name.length));
+  const beside = !dots && width >= 560 && longest > 0 && longest < 48;
+  const left = 58, right = beside ? Math.min(260, 6.6 * longest + 20) : 14, top = 12, bottom = 46;
   const X = scaleOf(every.map((p) => p.x), x.log, left, width - right);
   const Y = scaleOf(every.map((p) => p.y), y.log, height - bottom, top);
   const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${y.title} against ${x.title}` });
@@ -173,7 +178,6 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
       return;
     }
   };
-  const some = state.chosen.size > 0;
   const layer = (s) => state.chosen.has(s.name) ? 2 : s.back ? 0 : 1;
   for (const s of [...series].sort((a, b) => layer(a) - layer(b))) {
     const isChosen = state.chosen.has(s.name);
@@ -194,10 +198,20 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
       root.append(dot);
     }
   }
-  const wants = (s) => state.chosen.has(s.name) || (!some && labelled(s));
-  for (const s of series.filter(wants)) {
-    const p = s.points[s.points.length - 1];
-    label(X.at(p.x), Y.at(p.y), s.name, !dots);
+  const ends = series.filter(wants).map((s) => ({ s, p: s.points[s.points.length - 1] }));
+  if (beside) {
+    ends.sort((a, b) => b.p.y - a.p.y);
+    let low = top;
+    for (const end of ends) { end.y = Math.max(low, Y.at(end.p.y)); low = end.y + 14; }
+    let high = height - bottom;
+    for (const end of ends.reverse()) { end.y = Math.min(high, end.y); high = end.y - 14; }
+    for (const { s, p, y: at } of ends) {
+      if (at < top - 6) continue;
+      root.append(svg("path", { class: `lead-line ${s.family}`, d: `M${X.at(p.x) + 4} ${Y.at(p.y)}L${width - right + 4} ${at}` }));
+      root.append(svg("text", { class: "label", x: width - right + 8, y: at + 4 }, s.name));
+    }
+  } else {
+    for (const { s, p } of ends) label(X.at(p.x), Y.at(p.y), s.name, !dots);
   }
   place.append(root);
 }

@@ -16,7 +16,7 @@ struct AdviseArguments {
     std::string scene, error = "0.5texel", angles = "0..75";
     std::vector<std::string> overrides, plugins;
     double budget = 0, percent = 99;
-    int side = 128, rows = 12;
+    int side = 96, rows = 12;
 };
 
 ExitCode run_advise(const AdviseArguments& arguments) {

@@ -161,6 +161,17 @@ std::string line_of(const Candidate& c) {
                        c.maps.empty() ? "-" : c.maps);
 }
 
+/// Of each search the one that is nearest, since the rest of its ladder says nothing more.
+std::vector<Candidate> best_rungs(const std::vector<Candidate>& candidates) {
+    std::vector<Candidate> best;
+    for (const Candidate& c : candidates)
+        if (std::none_of(best.begin(), best.end(), [&](const Candidate& other) {
+                return other.algorithm.trace == c.algorithm.trace;
+            }))
+            best.push_back(c);
+    return best;
+}
+
 std::string table_of(const std::vector<Candidate>& candidates, std::size_t most,
                      const Question& question) {
     if (candidates.empty()) return "none\n";
@@ -197,7 +208,7 @@ std::string advice_text(const Question& question, const std::vector<Candidate>& 
     text += kinds[0].empty() ? "No search keeps that.\n"
                              : fmt::format("Cheapest: {}.\n", kinds[0].front().algorithm.name());
     text += "\n" + table_of(kinds[0], most, question) + "\nThe nearest of those that do not:\n\n" +
-            table_of(kinds[1], most, question);
+            table_of(best_rungs(kinds[1]), most, question);
     for (const Candidate& c : kinds[2])
         text += "\nNot judged: " + c.algorithm.name() + ": " + c.failed + "\n";
     return text +

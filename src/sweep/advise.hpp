@@ -18,7 +18,7 @@ struct Question {
     double percent = 99;
     std::vector<double> angles;    ///< degrees between view and normal, ascending
     std::optional<double> budget;  ///< look-ups a fragment, in lockstep, at most
-    int side = 128;                ///< pixels of the frames that are judged
+    int side = 96;                 ///< pixels of the frames that are judged
     std::string number = "float";
     std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress;
 };

@@ -133,7 +133,8 @@ std::vector<float> make_fractal(int size, const MapValues& values) {
 /// A tenth above 1 and a tenth below 0.
 std::vector<float> make_outside(int size, const MapValues&) {
     return heights_of(size, [&](int x, int y) {
-        return 1.6 * fractal_height((x + 0.5) / size, (y + 0.5) / size, 5) - 0.3;
+        const double height = fractal_height((x + 0.5) / size, (y + 0.5) / size, 5);
+        return std::clamp(3 * height - 1, -0.1, 1.1);
     });
 }
 

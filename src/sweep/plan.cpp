@@ -307,6 +307,11 @@ void read_running(Fields& fields, Plan& plan) {
     read_pictures(fields, plan.pictures);
 }
 
+constexpr const char* plan_keys[] = {"sweep",   "title",      "scenes",       "maps",
+                                     "views",   "algorithms", "size",         "samples",
+                                     "repeats", "isa",        "wrong_texels", "published_on",
+                                     "numbers", "threads",    "pictures"};
+
 SceneDocument open_plan(const std::filesystem::path& file) {
     SceneDocument document = parse_scene_text(read_whole_file(file), file);
     const SceneValue root(document, document.root, "");
@@ -316,6 +321,10 @@ SceneDocument open_plan(const std::filesystem::path& file) {
     if (first != "sweep")
         root.member(first).fail("\"" + first + "\" as the first key",
                                 "\"sweep\": 1, the format's version, first");
+    const std::vector<std::string> known(std::begin(plan_keys), std::end(plan_keys));
+    for (const auto& [key, member] : root.json().items())
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            root.member(key).fail("an unknown key", one_of(key, known));
     return document;
 }
 

@@ -111,10 +111,7 @@ std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
 std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
                                             const std::filesystem::path& map_file) {
     std::vector<std::string> overrides = common_overrides(plan, run, map_file);
-    const std::string& trace = plan.algorithms[run.algorithm].trace;
-    const bool blocks = trace.starts_with("qdm") || trace == "pyramid" || trace == "oracle-block";
-    overrides.push_back(std::string("material.relief.trace=") +
-                        (blocks ? "oracle-block" : "oracle-bilinear"));
+    overrides.emplace_back("material.relief.trace=oracle-bilinear");
     return overrides;
 }
 

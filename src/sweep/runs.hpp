@@ -28,7 +28,8 @@ std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
                                       const std::filesystem::path& map_file,
                                       const std::filesystem::path& normal_file);
 
-/// The same scene with the judge of its surface in the place of the search.
+/// The same scene with the judge of the bilinear surface in the place of the search: searches of
+/// blocks are as far off as their surface is.
 std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
                                             const std::filesystem::path& map_file);
 

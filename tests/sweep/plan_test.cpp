@@ -93,7 +93,8 @@ struct WrongPlan {
 constexpr WrongPlan wrong_plans[] = {
     {R"("sweep": 1)", R"("sweep": 2)", "sweep", "an integer in [1, 1]"},
     {R"("sweep": 1, )", R"()", "scenes", "\"sweep\": 1"},
-    {R"("views")", R"("vews")", "views", "no \"views\""},
+    {R"("views")", R"("vews")", "vews", "\"views\""},
+    {R"("views": [0, 60],)", "", "", "no \"views\""},
     {R"("views": [0, 60])", R"("views": [0, 95])", "views[1]", "[0, 89.5]"},
     {R"("views": [0, 60])", R"("views": ["camra"])", "views[0]", "\"camera\""},
     {R"("views": [0, 60])", R"("views": [])", "views", "an empty array"},
@@ -105,7 +106,7 @@ constexpr WrongPlan wrong_plans[] = {
     {R"("steps": [4, 16])", R"("steps": {})", "algorithms[0].parameters.steps", "a number"},
     {R"("kind": "spikes")", R"("kind": "spike")", "maps[0].kind", "\"spikes\""},
     {R"("kind": "spikes")", R"("knd": "spikes")", "maps[0]", "neither \"kind\" nor \"file\""},
-    {R"("kind": "spikes")", R"("kind": "spikes", "pitch": 3)", "maps[0].pitch", "unknown"},
+    {R"("kind": "spikes")", R"("kind": "spikes", "pitch": 3)", "maps[0].pitch", "does not take"},
     {R"("kind": "spikes", "size": 16)", R"("file": "none.exr")", "maps[0].file", "no such file"},
     {R"("size": 16)", R"("size": 100000)", "maps[0].size", "[8, 4096]"},
     {R"("size": [16, 16])", R"("size": 16)", "size", "an array of 2"},
@@ -155,9 +156,9 @@ testing::AssertionResult share_out(const std::vector<Run>& all,
 
 TEST(Plan, TasksShareTheRunsOut) {
     const TemporaryFolder folder;
-    const std::vector<Run> all = runs_of(plan_of(folder, small_plan()));
+    const auto all = runs_of(plan_of(folder, small_plan()));
     for (const int of : {1, 2, 4, 6, 9}) {
-        std::vector<std::vector<Run>> tasks;
+        std::vector<std::vector<sweep::Run>> tasks;
         for (int task = 1; task <= of; ++task) tasks.push_back(runs_of_task(all, task, of));
         EXPECT_TRUE(share_out(all, tasks)) << of;
         if (of == 1) continue;
