@@ -48,9 +48,10 @@ struct Verb {
 };
 
 constexpr Verb verbs[] = {
-    {"render", add_render},   {"compare", add_compare}, {"list", add_list}, {"info", add_info},
-    {"probe", add_probe},     {"sheet", add_sheet},     {"mips", add_mips}, {"bake", add_bake},
-    {"explain", add_explain}, {"errors", add_errors}};
+    {"render", add_render}, {"compare", add_compare}, {"list", add_list},
+    {"info", add_info},     {"probe", add_probe},     {"sheet", add_sheet},
+    {"mips", add_mips},     {"bake", add_bake},       {"explain", add_explain},
+    {"sweep", add_sweep},   {"advise", add_advise},   {"errors", add_errors}};
 
 /// All verbs, since help and a mistake name them; but where the command line begins with one, that
 /// alone: to describe the options of all takes most of the time of starting.

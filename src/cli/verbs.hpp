@@ -22,5 +22,7 @@ void add_mips(CLI::App& app, Action& action);
 void add_bake(CLI::App& app, Action& action);
 void add_errors(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action);
+void add_advise(CLI::App& app, Action& action);
 
 }  // namespace quadrel::cli

@@ -39,6 +39,13 @@ constexpr Example all[] = {
     {"bake", "heights.exr --kind cone-cell -o cones.exr", "into a file and into the cache"},
     {"bake", "heights.png --kind relaxed-cone --packed relaxed.png --packing gg3",
      "in the channels of its source, 8 bits each"},
+    {"sweep", "plan.json -o sweep", "run time against error, as a page, CSV, JSON and SVG"},
+    {"sweep", "plan.json -o part2 --task 2/8", "the second of eight jobs"},
+    {"sweep", "--merge part1 part2 -o sweep", "what the jobs have measured, as one"},
+    {"advise", "scene.json --error 0.5texel --angles 0..75",
+     "what is exact enough, cheapest first"},
+    {"advise", "scene.json --error 1texel --angles 0..60 --budget 24",
+     "with at most 24 look-ups a fragment"},
 };
 
 }  // namespace

@@ -3,14 +3,12 @@
 #include <string>
 
 #include "file/atomic_file.hpp"
+#include "io/image/png_encode.hpp"
 #include "quadrel/check.hpp"
 #include "quadrel/error.hpp"
-#include "quadrel/film/preview.hpp"
 
 namespace quadrel {
-namespace {
 
-/// In memory, because errors must not jump through libpng's C frames.
 std::string encode_png(const std::filesystem::path& file, const Picture& picture) {
     png_image image = {};
     image.version = PNG_IMAGE_VERSION;
@@ -25,8 +23,6 @@ std::string encode_png(const std::filesystem::path& file, const Picture& picture
     bytes.resize(size);
     return bytes;
 }
-
-}  // namespace
 
 void write_png(const std::filesystem::path& path, const Picture& picture) {
     QUADREL_CHECK(picture.width > 0 && picture.height > 0, picture.width);

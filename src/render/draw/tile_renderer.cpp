@@ -81,7 +81,7 @@ std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
 }
 
 void TileRenderer::render(const Tile& tile) {
-    const bool writes = recording_ != Recording::marks, times = recording_ == Recording::counts;
+    const bool writes = recording_ != Recording::marks, times = keeps_time();
     if (times) clock_.begin();
     if (integral_) {
         integrate(tile);
@@ -292,9 +292,10 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
                     scene_.centroid, plan_.shortcuts.edge_runs);
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
-    if (recording_ != Recording::nothing) call.counters = record_.fetches.data();
+    if (recording_ == Recording::counts || recording_ == Recording::marks)
+        call.counters = record_.fetches.data();
     // A marking pass sees each stage's own values.
-    batch_.run(plan, call, geometry_, recording_ == Recording::counts ? &clock_ : nullptr,
+    batch_.run(plan, call, geometry_, keeps_time() ? &clock_ : nullptr,
                recording_ == Recording::marks ? no_shortcuts : plan_.shortcuts);
 }
 

@@ -34,6 +34,7 @@ std::vector<Tile> bin_triangles(const Geometry& geometry, std::span<const std::u
 /// What a renderer writes down beside the film.
 enum class Recording {
     nothing,
+    times,   ///< of the stages, in one batch in seven; counts nothing
     counts,  ///< times, look-ups, lanes
     marks,   ///< texels that are touched, and steps that searches make; writes no film
 };
@@ -82,6 +83,9 @@ class TileRenderer {
     void count_steps(const MaterialPlan& plan);
     void count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
+    bool keeps_time() const {
+        return recording_ == Recording::times || recording_ == Recording::counts;
+    }
 
     const Scene& scene_;
     const RenderPlan& plan_;

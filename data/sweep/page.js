@@ -1,0 +1,460 @@
+"use strict";
+const results = JSON.parse(document.getElementById("results-data").textContent);
+const pictures = JSON.parse(document.getElementById("pictures-data").textContent);
+const byId = (id) => document.getElementById(id);
+
+/* Runs */
+
+const nsPerPixel = (run) => run.fragments ? 1e6 * run.trace_ms / run.fragments : null;
+const times = {
+  "search, ns a pixel": nsPerPixel,
+  "stages, ms a frame": (run) => run.kernel_ms,
+  "drawing, ms a frame": (run) => run.draw_ms,
+  "look-ups a pixel": (run) => run.search_look_ups,
+  "look-ups in lockstep": (run) => run.lockstep_look_ups,
+  "cache lines": (run) => run.lines_touched,
+};
+const errors = {
+  "texels, 99 %": (run) => run.texels_p99,
+  "texels, median": (run) => run.texels_median,
+  "texels, 90 %": (run) => run.texels_p90,
+  "texels, greatest": (run) => run.texels_max,
+  "depth, 99 % (thicknesses)": (run) => run.s_p99,
+  "depth, median (thicknesses)": (run) => run.s_median,
+  "wrong rays, %": (run) => 100 * run.wrong,
+  "late rays, %": (run) => 100 * run.late,
+  "early rays, %": (run) => 100 * run.early,
+};
+/* Exact hits have no error, and a logarithm ends nowhere: this is drawn in place of less. */
+const leastError = 1e-3;
+
+const measured = results.runs.filter((run) => !run.failed);
+/* What may share an axis. */
+const groupOf = (run) =>
+  `${run.machine}; ${run.isa}, ${run.number}, ${run.threads} thread${run.threads === 1 ? "" : "s"}, ` +
+  `build ${String(run.build).slice(0, 18)}`;
+const mapOf = (run) => `${run.map} ${run.map_width}`;
+const distinct = (values) => [...new Set(values)];
+const ascending = (values) => distinct(values).sort((a, b) => a - b);
+
+const state = { chosen: new Set(), flipped: false, flippedOnes: new Set(), sort: "draw_ms", down: false,
+                runs: 200, pictures: 60 };
+const value = (id) => byId(id).value;
+const all = "all";
+
+function matchesWords(run) {
+  const text = `${run.algorithm} ${run.family} ${mapOf(run)} ${run.scene} ${run.view}`.toLowerCase();
+  return value("words").toLowerCase().split(/\s+/).every((word) => text.includes(word));
+}
+function familyShown(family) {
+  const box = document.querySelector(`#families input[value="${CSS.escape(family)}"]`);
+  return !box || box.checked;
+}
+/* The runs that the controls leave, but for those named. */
+function chosenRuns(...without) {
+  const keeps = (id, text) => without.includes(id) || value(id) === all || value(id) === text;
+  return measured.filter((run) => groupOf(run) === value("group") && keeps("scene", run.scene) &&
+    keeps("map", mapOf(run)) && keeps("view", run.view) && familyShown(run.family) && matchesWords(run));
+}
+/* Geometric means over what the controls leave together. */
+function pointsBy(runs, keyOf) {
+  const time = times[value("time")], error = errors[value("error")], sums = new Map();
+  for (const run of runs) {
+    const t = time(run), e = error(run);
+    if (!(t > 0) || e === null || e === undefined || Number.isNaN(e)) continue;
+    const key = keyOf(run);
+    const sum = sums.get(key) || { key, run, t: 0, e: 0, n: 0 };
+    sum.t += Math.log(t);
+    sum.e += Math.log(Math.max(e, leastError));
+    sum.n += 1;
+    sums.set(key, sum);
+  }
+  return [...sums.values()].map((sum) => ({ ...sum, t: Math.exp(sum.t / sum.n), e: Math.exp(sum.e / sum.n) }));
+}
+function frontOf(points) {
+  const front = [];
+  let best = Infinity;
+  for (const p of [...points].sort((a, b) => a.t - b.t || a.e - b.e))
+    if (p.e < best * (1 - 1e-9)) { front.push(p); best = p.e; }
+  return front;
+}
+
+/* Elements */
+
+function html(name, attributes = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, v] of Object.entries(attributes)) key in made && key !== "list" ? (made[key] = v) : made.setAttribute(key, v);
+  made.append(...children);
+  return made;
+}
+function svg(name, attributes = {}, text = null) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, v] of Object.entries(attributes)) made.setAttribute(key, v);
+  if (text !== null) made.textContent = text;
+  return made;
+}
+function short(x) {
+  if (x === null || x === undefined) return "–";
+  if (typeof x !== "number") return String(x);
+  if (x === 0) return "0";
+  const size = Math.abs(x);
+  if (size >= 1e5 || size < 1e-3) return x.toExponential(1).replace("e+", "e");
+  return size >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(3)));
+}
+
+/* Charts */
+
+function scaleOf(values, log, from, to) {
+  let low = Math.min(...values), high = Math.max(...values);
+  const map = log ? Math.log10 : (x) => x;
+  if (!(low < high)) { low = log ? low / 2 : low - 1; high = log ? high * 2 : high + 1; }
+  let a = map(low), b = map(high);
+  const room = 0.05 * (b - a);
+  a = !log && low >= 0 && a - room < 0 ? 0 : a - room;
+  b += room;
+  const at = (x) => from + (map(x) - a) / (b - a) * (to - from);
+  const ticks = [];
+  if (log) {
+    const close = b - a < 2.2;
+    const wide = Math.max(1, Math.ceil((b - a) / 9));
+    for (let e = Math.floor(a); e <= b; e += 1)
+      for (const m of [1, 2, 5])
+        if ((m === 1 ? e % wide === 0 : close) && map(m * 10 ** e) >= a && map(m * 10 ** e) <= b) ticks.push(m * 10 ** e);
+  } else {
+    const rough = (b - a) / 6, power = 10 ** Math.floor(Math.log10(rough));
+    const step = [1, 2, 5, 10].find((m) => m * power >= rough) * power;
+    for (let t = Math.ceil(a / step) * step; t <= b + 1e-9; t += step) ticks.push(Number(t.toPrecision(10)));
+  }
+  return { at, ticks };
+}
+
+/* series: {name, family, points: [{x, y, about}], back}; front: points joined by stairs. */
+function drawChart(place, { series, front, x, y, dots, labelled }) {
+  place.replaceChildren();
+  const every = series.flatMap((s) => s.points);
+  if (every.length === 0) {
+    place.append(html("p", { className: "empty" }, "Nothing to draw with these settings."));
+    return;
+  }
+  const width = Math.max(300, place.clientWidth || 600);
+  const height = place.classList.contains("tall") ? Math.min(640, Math.max(420, width * 0.5)) : Math.min(420, Math.max(320, width * 0.6));
+  /* Where there is room, names of lines stand in a margin of their own. */
+  const some = state.chosen.size > 0;
+  const wants = (s) => state.chosen.has(s.name) || (!some && labelled(s));
+  const longest = Math.max(0, ...series.filter(wants).map((s) => s.name.length));
+  const beside = !dots && width >= 560 && longest > 0 && longest < 48;
+  const left = 58, right = beside ? Math.min(260, 6.6 * longest + 20) : 14, top = 12, bottom = 46;
+  const X = scaleOf(every.map((p) => p.x), x.log, left, width - right);
+  const Y = scaleOf(every.map((p) => p.y), y.log, height - bottom, top);
+  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${y.title} against ${x.title}` });
+  const wanted = x.values && x.values.length <= 12 ? x.values : X.ticks;
+  let last = -Infinity;
+  for (const t of wanted) {
+    const px = X.at(t);
+    root.append(svg("path", { class: "grid", d: `M${px} ${top}V${height - bottom}` }));
+    if (px - last < 30) continue;
+    last = px;
+    root.append(svg("text", { x: px, y: height - bottom + 16, "text-anchor": "middle" }, short(t)));
+  }
+  for (const t of Y.ticks) {
+    root.append(svg("path", { class: "grid", d: `M${left} ${Y.at(t)}H${width - right}` }));
+    root.append(svg("text", { x: left - 6, y: Y.at(t) + 4, "text-anchor": "end" }, y.floor && t <= leastError * 1.001 ? `≤${short(t)}` : short(t)));
+  }
+  root.append(svg("text", { x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" }, x.title));
+  root.append(svg("text", { transform: `translate(12 ${(top + height - bottom) / 2})rotate(-90)`, "text-anchor": "middle" }, y.title));
+  if (front && front.length > 1)
+    root.append(svg("path", { class: "front", d: front.map((p, i) => i === 0 ? `M${X.at(p.x)} ${Y.at(p.y)}` : `H${X.at(p.x)}V${Y.at(p.y)}`).join("") }));
+  const taken = [];
+  const label = (px, py, text, atEnd) => {
+    const wide = 6.4 * text.length, leftwards = atEnd || px + 9 + wide > width - right;
+    const x0 = leftwards ? px - 9 - wide : px + 9;
+    if (x0 < left) return;
+    for (const dy of [-7, 14, -21, 28, -35, 42]) {
+      const box = [x0, py + dy - 11, x0 + wide, py + dy + 3];
+      if (box[1] < top || box[3] > height - bottom) continue;
+      if (taken.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3])) continue;
+      taken.push(box);
+      root.append(svg("text", { class: "label", x: x0, y: py + dy }, text));
+      return;
+    }
+  };
+  const layer = (s) => state.chosen.has(s.name) ? 2 : s.back ? 0 : 1;
+  for (const s of [...series].sort((a, b) => layer(a) - layer(b))) {
+    const isChosen = state.chosen.has(s.name);
+    const kind = `${s.family} ${isChosen ? "chosen" : some ? "dim" : ""}`;
+    const about = (p) => p.about || s.name;
+    if (!dots && s.points.length > 1) {
+      const path = svg("path", { class: `${s.back && !isChosen ? "back" : "path"} ${kind}`, d: s.points.map((p, i) => `${i ? "L" : "M"}${X.at(p.x)} ${Y.at(p.y)}`).join("") });
+      path.append(svg("title", {}, s.name));
+      path.addEventListener("click", () => choose(s.name));
+      root.append(path);
+    }
+    for (const p of s.points) {
+      if (s.back && !isChosen && !dots && s.points.length > 1) continue;
+      const dot = svg("circle", { class: `dot ${kind}`, cx: X.at(p.x), cy: Y.at(p.y), r: dots ? 5.5 : 3.5, tabindex: dots ? 0 : -1 });
+      dot.append(svg("title", {}, about(p)));
+      dot.addEventListener("click", () => choose(s.name));
+      dot.addEventListener("keydown", (event) => { if (event.key === "Enter") choose(s.name); });
+      root.append(dot);
+    }
+  }
+  const ends = series.filter(wants).map((s) => ({ s, p: s.points[s.points.length - 1] }));
+  if (beside) {
+    ends.sort((a, b) => b.p.y - a.p.y);
+    let low = top;
+    for (const end of ends) { end.y = Math.max(low, Y.at(end.p.y)); low = end.y + 14; }
+    let high = height - bottom;
+    for (const end of ends.reverse()) { end.y = Math.min(high, end.y); high = end.y - 14; }
+    for (const { s, p, y: at } of ends) {
+      if (at < top - 6) continue;
+      root.append(svg("path", { class: `lead-line ${s.family}`, d: `M${X.at(p.x) + 4} ${Y.at(p.y)}L${width - right + 4} ${at}` }));
+      root.append(svg("text", { class: "label", x: width - right + 8, y: at + 4 }, s.name));
+    }
+  } else {
+    for (const { s, p } of ends) label(X.at(p.x), Y.at(p.y), s.name, !dots);
+  }
+  place.append(root);
+}
+
+const errorAxis = () => ({ title: value("error"), log: true, floor: true });
+const timeAxis = () => ({ title: value("time"), log: true });
+
+function drawFront() {
+  const points = pointsBy(chosenRuns(), (run) => run.algorithm);
+  const front = frontOf(points), names = new Set(front.map((p) => p.key));
+  drawChart(byId("front"), {
+    dots: true, x: timeAxis(), y: errorAxis(), front: front.map((p) => ({ x: p.t, y: p.e })), labelled: (s) => names.has(s.name),
+    series: points.map((p) => ({ name: p.key, family: p.run.family, points: [{ x: p.t, y: p.e,
+      about: `${p.key}: ${short(p.t)} ${value("time")}; ${short(p.e)} ${value("error")}${p.n > 1 ? ` (mean of ${p.n} runs)` : ""}` }] })),
+  });
+}
+
+/* Lines over something that runs have: those that are on the front somewhere stand out. */
+function drawLines(prefix, runs, xOf, x, nameOf) {
+  const at = new Map(), standing = new Set();
+  for (const run of runs) {
+    const place = xOf(run);
+    if (place === null || place === undefined) continue;
+    if (!at.has(place)) at.set(place, []);
+    at.get(place).push(run);
+  }
+  const lines = new Map();
+  for (const place of [...at.keys()].sort((a, b) => a - b)) {
+    const points = pointsBy(at.get(place), nameOf);
+    for (const p of frontOf(points)) standing.add(p.key);
+    for (const p of points) {
+      if (!lines.has(p.key)) lines.set(p.key, { name: p.key, family: p.run.family, e: [], t: [] });
+      lines.get(p.key).e.push({ x: place, y: p.e, about: `${p.key} at ${short(place)}: ${short(p.e)}` });
+      lines.get(p.key).t.push({ x: place, y: p.t, about: `${p.key} at ${short(place)}: ${short(p.t)}` });
+    }
+  }
+  const several = [...lines.values()].filter((line) => at.size < 2 || line.e.length > 1);
+  for (const [which, axis, key] of [["error", errorAxis(), "e"], ["time", timeAxis(), "t"]])
+    drawChart(byId(`${prefix}-${which}`), {
+      x: { ...x, values: ascending([...at.keys()]) }, y: axis, labelled: (s) => !s.back,
+      series: several.map((line) => ({ name: line.name, family: line.family, back: !standing.has(line.name), points: line[key] })),
+    });
+  return at.size > 1 && several.length > 0;
+}
+
+function drawByAngle() {
+  drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm);
+}
+/* One line a search whose other parameters stay. */
+function ladderOf(run) {
+  const fixed = Object.entries(run.parameters).filter(([name, v]) => v !== run.steps_asked || !/steps|points|samples|iterations|layers/.test(name));
+  return [run.trace, ...fixed.map(([name, v]) => `${name}=${v}`)].join(" ");
+}
+function drawBySteps() {
+  const runs = chosenRuns().filter((run) => run.steps_asked !== null);
+  const shown = byId("steps-section");
+  shown.hidden = false;
+  shown.hidden = !drawLines("steps", runs, (run) => run.steps_asked, { title: "steps", log: true }, ladderOf);
+}
+function drawBySize() {
+  /* Maps of one kind at several sizes. */
+  const sizes = new Map();
+  for (const run of measured) sizes.set(run.map, (sizes.get(run.map) || new Set()).add(run.map_width));
+  const runs = chosenRuns("map").filter((run) => sizes.get(run.map).size > 1 && (value("map") === all || value("map").replace(/ \d+$/, "") === run.map));
+  const shown = byId("size-section");
+  shown.hidden = false;
+  shown.hidden = !drawLines("size", runs, (run) => run.map_width, { title: "texels a side", log: true }, (run) => run.algorithm);
+}
+
+/* By kind of map */
+
+function heat(error) {
+  const t = Math.min(1, Math.max(0, (Math.log10(Math.max(error, 1e-3)) + 3) / 5));
+  return `hsl(${Math.round(165 - 160 * t)} ${Math.round(45 + 25 * t)}% ${Math.round(30 + 12 * t)}%)`;
+}
+function drawKinds() {
+  const table = byId("kinds"), runs = chosenRuns("map");
+  const maps = distinct(runs.map(mapOf));
+  byId("kinds-section").hidden = maps.length < 2;
+  byId("kinds-lead").textContent = `${value("error")}; ${value("view") === all ? "mean over all views" : `view ${value("view")}`}. Searches that are best on the whole come first.`;
+  const rows = new Map();
+  for (const p of pointsBy(runs, (run) => JSON.stringify([run.algorithm, mapOf(run)]))) {
+    const [algorithm, map] = JSON.parse(p.key);
+    if (!rows.has(algorithm)) rows.set(algorithm, { family: p.run.family, cells: new Map() });
+    rows.get(algorithm).cells.set(map, p.e);
+  }
+  const mean = (row) => [...row.cells.values()].reduce((sum, e) => sum + Math.log(e), 0) / row.cells.size;
+  const head = html("tr", {}, html("th", {}, "search"), ...maps.map((map) => html("th", {}, map)));
+  const body = [...rows].sort((a, b) => mean(a[1]) - mean(b[1])).slice(0, 120).map(([name, row]) => {
+    const first = html("td", { title: name }, html("span", { className: `swatch ${row.family}` }), ` ${name}`);
+    const line = html("tr", { className: state.chosen.has(name) ? "chosen" : "" }, first, ...maps.map((map) => {
+      const e = row.cells.get(map);
+      const cell = html("td", { className: "cell" }, e === undefined ? "–" : e <= leastError ? "0" : short(e));
+      if (e === undefined) cell.className = ""; else cell.style.background = heat(e);
+      return cell;
+    }));
+    line.addEventListener("click", () => choose(name));
+    return line;
+  });
+  table.replaceChildren(html("thead", {}, head), html("tbody", {}, ...body));
+}
+
+/* Pictures */
+
+function showScale() {
+  const ramp = (colours) => { const box = html("span", { className: "ramp" }); box.style.background = `linear-gradient(90deg, ${colours})`; return box; };
+  const box = (colour) => { const made = html("span", { className: "box" }); made.style.background = colour; return made; };
+  byId("scale").append(
+    html("span", {}, "early, 100 to 0.01 texels ", ramp("#78f0ff, #1450c8, #000")), html("span", {}, ramp("#000, #be460a, #fff078"), " late, 0.01 to 100 texels"),
+    html("span", {}, box("rgb(230 40 200)"), " hit for miss or miss for hit"), html("span", {}, box("#fff"), " NaN"), html("span", {}, box("#6e6e6e"), " no ray"));
+}
+function drawGallery() {
+  const runs = chosenRuns().filter((run) => pictures[run.key]);
+  byId("gallery-section").hidden = Object.keys(pictures).length === 0;
+  const shown = runs.slice(0, state.pictures);
+  byId("gallery").replaceChildren(...shown.map((run) => {
+    const image = html("img", { loading: "lazy" });
+    const show = () => {
+      const flipped = state.flipped !== state.flippedOnes.has(run.key);
+      image.src = pictures[run.key][flipped ? 1 : 0];
+      image.alt = `${run.algorithm}, ${mapOf(run)}, ${flipped ? "distance from the true hit" : "picture"}`;
+    };
+    show();
+    const button = html("button", { type: "button", title: "flip" }, image);
+    button.addEventListener("click", () => {
+      if (!state.flippedOnes.delete(run.key)) state.flippedOnes.add(run.key);
+      show();
+    });
+    return html("figure", {}, button, html("figcaption", {}, html("b", {}, run.algorithm), ` ${mapOf(run)}, ${run.view === "camera" ? "camera" : `${run.view}°`}, ${short(run.texels_p99)} texels`));
+  }));
+  if (runs.length === 0) byId("gallery").append(html("p", { className: "empty" }, "No pictures of these runs: the plan says which have some."));
+  byId("more-pictures").hidden = runs.length <= shown.length;
+  byId("more-pictures").textContent = `show ${runs.length - shown.length} more`;
+}
+
+/* The table */
+
+const tableColumns = [
+  ["algorithm", "search"], ["family", "family"], ["scene", "scene"], ["map", "map"], ["map_width", "texels"], ["view", "view"],
+  ["draw_ms", "frame ms"], ["kernel_ms", "stages ms"], ["trace_ms", "search ms"], ["fps", "frames/s"], ["published_fps", "published"],
+  ["search_look_ups", "look-ups"], ["lockstep_look_ups", "in lockstep"], ["steps", "steps"], ["texels_touched", "distinct texels"], ["lines_touched", "cache lines"],
+  ["s_p99", "depth 99 %"], ["texels_median", "texels median"], ["texels_p99", "texels 99 %"], ["texels_max", "texels greatest"],
+  ["wrong", "wrong %"], ["late", "late %"], ["early", "early %"],
+];
+const isShare = (key) => ["wrong", "late", "early"].includes(key);
+function drawTable() {
+  const runs = chosenRuns(), key = state.sort, way = state.down ? -1 : 1;
+  runs.sort((a, b) => {
+    const u = a[key], v = b[key];
+    if (u === v) return 0;
+    if (u === null || u === undefined) return 1;
+    if (v === null || v === undefined) return -1;
+    return way * (key === "view" ? (Number(u) || 0) - (Number(v) || 0) : u < v ? -1 : 1);
+  });
+  const used = tableColumns.filter(([name]) => name !== "published_fps" || measured.some((run) => run.published_fps));
+  byId("runs").tHead.replaceChildren(html("tr", {}, ...used.map(([name, title]) => {
+    const button = html("button", { type: "button" }, title);
+    button.addEventListener("click", () => {
+      state.down = state.sort === name && !state.down;
+      state.sort = name;
+      drawTable();
+    });
+    const head = html("th", { scope: "col" }, button);
+    const about = results.columns.find((column) => column.key === name);
+    if (about) head.title = [about.meaning, about.unit].filter(Boolean).join(", ");
+    if (name === key) head.setAttribute("aria-sort", state.down ? "descending" : "ascending");
+    if (measured.length && typeof measured[0][name] === "string") head.className = "word";
+    return head;
+  })));
+  byId("runs").tBodies[0].replaceChildren(...runs.slice(0, state.runs).map((run) => {
+    const row = html("tr", { className: state.chosen.has(run.algorithm) ? "chosen" : "" }, ...used.map(([name], i) => {
+      const v = run[name];
+      const cell = html("td", { className: typeof v === "string" ? "word" : "" });
+      if (i === 0) cell.append(html("span", { className: `swatch ${run.family}` }), " ");
+      cell.append(isShare(name) && typeof v === "number" ? short(100 * v) : short(v));
+      if (i === 0) cell.title = run.algorithm;
+      return cell;
+    }));
+    row.addEventListener("click", () => choose(run.algorithm));
+    return row;
+  }));
+  byId("count").textContent = `${runs.length} of ${results.runs.length} runs. Click a heading to sort, a row to follow its search. results.json and results.csv have the command that draws each.`;
+  byId("more-runs").hidden = runs.length <= state.runs;
+  byId("more-runs").textContent = `show all ${runs.length}`;
+}
+
+/* All of it */
+
+function drawAll() {
+  drawFront();
+  drawByAngle();
+  drawBySteps();
+  drawBySize();
+  drawKinds();
+  drawGallery();
+  drawTable();
+}
+function choose(name) {
+  if (!state.chosen.delete(name)) state.chosen.add(name);
+  drawAll();
+}
+function fillSelect(id, values, first) {
+  const select = byId(id);
+  select.replaceChildren(...values.map((text) => html("option", { value: text }, text)));
+  if (first !== undefined) select.value = first;
+  select.closest("label").hidden = values.length < 2;
+}
+function start() {
+  const processors = distinct(measured.map((run) => run.machine));
+  byId("summary").textContent = `${results.runs.length} runs of ${distinct(results.runs.map((run) => run.algorithm)).length} searches on ` +
+    `${distinct(results.runs.map(mapOf)).length} maps, ${distinct(results.runs.map((run) => run.view)).length} views. ` +
+    `Measured on ${processors.join("; ") || "no machine"}. Figures of different machines, instruction sets and builds never share a chart.`;
+  const groups = distinct(measured.map(groupOf));
+  fillSelect("group", groups);
+  const withAll = (values) => values.length > 1 ? [all, ...values] : values;
+  fillSelect("scene", withAll(distinct(measured.map((run) => run.scene))));
+  fillSelect("map", withAll(distinct(measured.map(mapOf))));
+  const views = distinct(measured.map((run) => run.view)).sort((a, b) => (Number(a) || -1) - (Number(b) || -1));
+  fillSelect("view", withAll(views), views.includes("45") ? "45" : views.at(-1));
+  fillSelect("time", Object.keys(times));
+  fillSelect("error", Object.keys(errors));
+  for (const family of distinct(measured.map((run) => run.family)))
+    byId("families").append(html("label", {}, html("input", { type: "checkbox", value: family, checked: true }), html("span", { className: `swatch ${family}` }), family));
+  const failed = results.runs.filter((run) => run.failed);
+  byId("failed-section").hidden = failed.length === 0;
+  byId("failed").append(...failed.slice(0, 100).map((run) => html("li", {}, `${run.algorithm}, ${mapOf(run)}, ${run.view}: ${run.failed}`)));
+  if (failed.length > 100) byId("failed").append(html("li", {}, `and ${failed.length - 100} more, which results.csv has`));
+  for (const column of results.columns)
+    byId("columns").append(html("dt", {}, column.key), html("dd", {}, [column.meaning, column.unit && `(${column.unit})`].filter(Boolean).join(" ") || "as its name says"));
+  showScale();
+  byId("controls").addEventListener("input", drawAll);
+  byId("controls").addEventListener("submit", (event) => event.preventDefault());
+  byId("flip").addEventListener("click", () => {
+    state.flipped = !state.flipped;
+    state.flippedOnes.clear();
+    byId("flip").textContent = state.flipped ? "show pictures" : "show errors";
+    drawGallery();
+  });
+  byId("more-pictures").addEventListener("click", () => { state.pictures += 120; drawGallery(); });
+  byId("more-runs").addEventListener("click", () => { state.runs = Infinity; drawTable(); });
+  let width = innerWidth;
+  addEventListener("resize", () => { if (innerWidth !== width) { width = innerWidth; drawAll(); } });
+  drawAll();
+  document.documentElement.dataset.drawn = String(document.querySelectorAll(".chart svg").length);
+}
+start();

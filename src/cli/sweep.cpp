@@ -1,0 +1,124 @@
+// quadrel sweep: run time against error, over all runs of a plan.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+
+#include "cli/common/console.hpp"
+#include "cli/common/plugins.hpp"
+#include "cli/common/quiet.hpp"
+#include "cli/verbs.hpp"
+#include "sweep/results.hpp"
+#include "sweep/sweep.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+struct SweepArguments {
+    std::string plan, output, task;
+    std::vector<std::string> merged, plugins;
+    bool table = false;
+};
+
+struct Task {
+    int number = 1, of = 1;
+};
+
+bool read_whole_number(std::string_view text, int& number) {
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && stop == text.data() + text.size() && number >= 1;
+}
+
+Task parse_task(const std::string& text) {
+    Task task;
+    if (text.empty()) return task;
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos ||
+        !read_whole_number(std::string_view(text).substr(0, slash), task.number) ||
+        !read_whole_number(std::string_view(text).substr(slash + 1), task.of) ||
+        task.number > task.of)
+        throw UsageError("--task: found \"" + text + "\", expected I/N with 1 <= I <= N, as 3/8");
+    return task;
+}
+
+void check_arguments(const SweepArguments& arguments) {
+    if (arguments.plan.empty() == arguments.merged.empty())
+        throw UsageError(arguments.plan.empty()
+                             ? "found no plan, expected one or --merge with folders of sweeps"
+                             : "found a plan and --merge, expected one of them");
+    if (!arguments.task.empty() && arguments.plan.empty())
+        throw UsageError("found --task with --merge, expected it with a plan");
+}
+
+void finish(const SweepArguments& arguments, const std::string& title,
+            const std::vector<Json>& records) {
+    sweep::write_results(arguments.output, title, records);
+    if (arguments.table) print(sweep::frames_table(records));
+    say_written(std::filesystem::path(arguments.output) / "page.html");
+}
+
+ExitCode merge(const SweepArguments& arguments) {
+    const std::vector<Json> records =
+        sweep::merge_sweeps({arguments.merged.begin(), arguments.merged.end()}, arguments.output);
+    finish(arguments, records.front().value("plan", "sweep"), records);
+    return ExitCode::ok;
+}
+
+void say_failures(const sweep::SweepOutcome& outcome) {
+    if (outcome.failed == 0) return;
+    say(fmt::format("quadrel: warning: {} of {} runs could not be measured; the first: {}",
+                    outcome.failed, outcome.records.size(), [&] {
+                        for (const Json& record : outcome.records)
+                            if (record.contains("failed"))
+                                return record["algorithm"].get<std::string>() + ": " +
+                                       record["failed"].get<std::string>();
+                        return std::string();
+                    }()));
+}
+
+ExitCode run_sweep(const SweepArguments& arguments) {
+    check_arguments(arguments);
+    load_plugins(arguments.plugins);
+    if (arguments.plan.empty()) return merge(arguments);
+    const Task task = parse_task(arguments.task);
+    const sweep::Plan plan = sweep::read_plan(arguments.plan);
+    ProgressBar bar;
+    sweep::SweepOptions options{arguments.output, task.number, task.of, QUADREL_VERSION, {}};
+    options.progress = [&bar](std::size_t done, std::size_t all, const std::string& name) {
+        bar.show(static_cast<double>(done) / static_cast<double>(all), name);
+    };
+    const sweep::SweepOutcome outcome = sweep::run_sweep(plan, options);
+    bar.clear();
+    tell(fmt::format("quadrel: {} runs measured, {} known from before, {} failed", outcome.measured,
+                     outcome.known, outcome.failed));
+    say_failures(outcome);
+    finish(arguments, plan.title, outcome.records);
+    return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, Action& action) {
+    CLI::App* verb = app.add_subcommand(
+        "sweep", "measure run time against error over a plan of scenes, maps, views and searches");
+    const auto a = std::make_shared<SweepArguments>();
+    verb->add_option("plan", a->plan, "what to measure, as JSON (bench/README.md has the format)")
+        ->type_name("PLAN.json");
+    verb->add_option("-o,--output", a->output,
+                     "folder for results.csv, results.json, page.html and plots; runs that it has "
+                     "are not measured again")
+        ->type_name("DIR")
+        ->required();
+    verb->add_option("--task", a->task, "only every N-th run, from the I-th on, counted from 1")
+        ->type_name("I/N");
+    verb->add_option("--merge", a->merged, "join the runs of these folders instead")
+        ->type_name("DIR...");
+    verb->add_flag("--table", a->table,
+                   "also print frames per second and errors as a Markdown table");
+    add_plugin_option(*verb, a->plugins);
+    add_quiet_option(*verb);
+    verb->callback([a, &action] { action = [a] { return run_sweep(*a); }; });
+}
+
+}  // namespace quadrel::cli

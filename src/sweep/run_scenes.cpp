@@ -1,0 +1,106 @@
+#include "sweep/run_scenes.hpp"
+
+#include <algorithm>
+
+#include "quadrel/error.hpp"
+#include "quadrel/relief/registry.hpp"
+#include "quadrel/scene/load.hpp"
+
+namespace quadrel::sweep {
+namespace {
+
+bool needs_normals(const std::string& trace) {
+    const auto read = find_stage(trace)->textures;
+    return std::find(read.begin(), read.end(), TextureSlot::normal) != read.end();
+}
+
+/// Whether normals can be made of its heights: where a tile is a unit of length the relief's depth
+/// is in tiles.
+bool lacks_normals(const Material& material) {
+    return !material.textures.contains("normal") && material.textures.contains("height");
+}
+
+const TextureReference& height_map(const Scene& scene) {
+    const auto& textures = scene.materials.front().textures;
+    const auto height = textures.find("height");
+    if (height == textures.end())
+        throw UsageError("the first material has no height map to judge by");
+    return height->second;
+}
+
+}  // namespace
+
+RenderOptions RunScenes::render_options(const Run& run) {
+    RenderOptions options;
+    options.number = run.number;
+    options.isa = run.isa;
+    options.threads = run.threads;
+    return options;
+}
+
+RunScene RunScenes::scene_of(const Run& run) {
+    const std::filesystem::path map = map_file(run);
+    RunScene made{{}, overrides_of(plan_, run, map, {})};
+    made.scene = load(run, made.overrides);
+    const Material& material = made.scene.materials.front();
+    if (!needs_normals(plan_.algorithms[run.algorithm].trace) || !lacks_normals(material) ||
+        !plan_.views[run.view].angle)
+        return made;
+    const std::filesystem::path normals =
+        write_normal_map(maps_, material.textures.at("height").file, material.depth);
+    made.overrides = overrides_of(plan_, run, map, std::filesystem::absolute(normals));
+    made.scene = load(run, made.overrides);
+    return made;
+}
+
+JudgedRun RunScenes::judge(const RunScene& run_scene, const Run& run,
+                           const std::vector<std::string>& more) {
+    JudgedRun judged;
+    judged.map = size_of_map(height_map(run_scene.scene).file);
+    RenderOptions options = render_options(run);
+    options.channels = error_channels();
+    options.channels.insert(options.channels.end(), {"hit.fetches", "A"});
+    options.channels.insert(options.channels.end(), more.begin(), more.end());
+    judged.film = render(run_scene.scene, options);
+    judged.error = run_error(judged.film, truth_of(run), judged.map.width, judged.map.height,
+                             plan_.wrong_texels);
+    return judged;
+}
+
+std::filesystem::path RunScenes::map_file(const Run& run) {
+    const PlannedMap& map = plan_.maps[run.map];
+    if (map.source == PlannedMap::Source::scene) return {};
+    if (map.source == PlannedMap::Source::file) return map.file;
+    std::filesystem::path& file = made_[run.map];
+    if (file.empty()) file = std::filesystem::absolute(write_made_map(maps_, map));
+    return file;
+}
+
+/// Scenes over one map share what they load; of one map after the other no more is kept.
+Scene RunScenes::load(const Run& run, const std::vector<std::string>& overrides) {
+    Scene scene = load_scene(plan_.scenes[run.scene].file_or_name, overrides);
+    const std::pair now(run.scene, run.map);
+    if (cache_ == nullptr || cached_ != now) {
+        cache_ = scene.texture_cache;
+        cached_ = now;
+        truths_.clear();
+    }
+    scene.texture_cache = cache_;
+    return scene;
+}
+
+const Film& RunScenes::truth_of(const Run& run) {
+    const Scene scene = load(run, overrides_of_truth(plan_, run, map_file(run)));
+    const std::string key = scene.hash + run.number;
+    const auto found = truths_.find(key);
+    if (found != truths_.end()) return found->second;
+    constexpr std::size_t most_kept = 8;
+    if (truths_.size() >= most_kept) truths_.clear();
+    RenderOptions options = render_options(run);
+    options.threads = 0;
+    options.isa = "auto";
+    options.channels = error_channels();
+    return truths_[key] = render(scene, options);
+}
+
+}  // namespace quadrel::sweep

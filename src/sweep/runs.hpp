@@ -1,0 +1,40 @@
+// The runs of a plan, in its order, and the scene that each of them draws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadrel/scene/scene.hpp"
+#include "sweep/plan.hpp"
+
+namespace quadrel::sweep {
+
+/// Indices into the plan's lists.
+struct Run {
+    std::size_t scene, map, view, algorithm;
+    std::string number, isa;
+    int threads;
+};
+
+/// Scenes, then maps, then views, then algorithms, so that runs that share a truth follow another.
+std::vector<Run> runs_of(const Plan& plan);
+
+/// Every `of`-th run from the `task`-th on, both counted from 1.
+std::vector<Run> runs_of_task(const std::vector<Run>& all, int task, int of);
+
+/// "key=value" that make the run's scene of the planned one. `map_file` is where its map lies
+/// (unless it is the scene's own), `normal_file` a normal map made of it, or empty.
+std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
+                                      const std::filesystem::path& map_file,
+                                      const std::filesystem::path& normal_file);
+
+/// The same scene with the judge of the bilinear surface in the place of the search: searches of
+/// blocks are as far off as their surface is.
+std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
+                                            const std::filesystem::path& map_file);
+
+/// The line that renders the run's picture.
+std::string render_command(const Plan& plan, const Run& run,
+                           const std::vector<std::string>& overrides);
+
+}  // namespace quadrel::sweep

@@ -1,0 +1,171 @@
+// Plans: what they ask for, and what is said of wrong ones.
+#include "sweep/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "quadrel/error.hpp"
+#include "quadrel/relief/registry.hpp"
+#include "sweep/families.hpp"
+#include "sweep/plan_files.hpp"
+#include "sweep/planted.hpp"
+#include "sweep/runs.hpp"
+
+namespace quadrel::sweep_tests {
+namespace {
+
+using namespace quadrel::sweep;
+using testing_films::TemporaryFolder;
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    const std::size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return text.replace(at, what.size(), with);
+}
+
+TEST(Plan, ListsMultiply) {
+    const TemporaryFolder folder;
+    const Plan plan = plan_of(
+        folder,
+        replaced(small_plan(), R"({"kind": "spikes", "size": 16})",
+                 R"({"kind": "walls", "size": [16, 32], "direction": [0, 1, 3]}, "scene")"));
+    EXPECT_EQ(plan.maps.size(), 7u);
+    EXPECT_EQ(plan.maps[0].name, "walls");
+    EXPECT_EQ(plan.maps[5].name, "walls direction=3");
+    EXPECT_EQ(plan.algorithms.size(), 3u);
+    EXPECT_EQ(plan.algorithms[1].name(), "linear steps=16");
+    EXPECT_EQ(runs_of(plan).size(), 7u * 2 * 3);
+}
+
+/// Every trace, each once, and the ladder beside the row of the same id.
+testing::AssertionResult has_every_row(const std::vector<Algorithm>& algorithms) {
+    std::multiset<std::string> named;
+    for (const Algorithm& algorithm : algorithms) named.insert(algorithm.name());
+    for (const StageInfo& stage : all_stages())
+        if (std::string_view(stage.text.room) == "trace" && named.count(stage.text.id) != 1)
+            return testing::AssertionFailure() << stage.text.id;
+    return testing::AssertionSuccess();
+}
+
+TEST(Plan, EverythingIsEverything) {
+    Plan plan = read_plan(QUADREL_SOURCE_DIR "/bench/plans/everything.json");
+    EXPECT_TRUE(has_every_row(plan.algorithms));
+    std::set<double> angles;
+    for (const View& view : plan.views) angles.insert(view.angle.value());
+    EXPECT_EQ(angles.size(), 5u);
+    plan.algorithms.erase(plan.algorithms.begin() + 20);
+    EXPECT_FALSE(has_every_row(plan.algorithms)) << static_cast<int>(Planted::row_left_out);
+}
+
+TEST(Plan, AllThatComeWithQuadrelCanBeRead) {
+    for (const char* name : {"quick", "everything", "front", "table1", "claims", "mcguire"})
+        EXPECT_FALSE(
+            runs_of(read_plan(QUADREL_SOURCE_DIR "/bench/plans/" + std::string(name) + ".json"))
+                .empty())
+            << name;
+}
+
+TEST(Plan, TheThesisTableHasTwelveRowsAndTwoReadingsOfCones) {
+    const Plan plan = read_plan(QUADREL_SOURCE_DIR "/bench/plans/table1.json");
+    std::size_t published = 0;
+    for (const Algorithm& algorithm : plan.algorithms) published += algorithm.published.size();
+    EXPECT_EQ(published, 12u + 2u);
+}
+
+TEST(Plan, CorrectedRowsHaveNoDefects) {
+    for (const std::string& id : trace_rows(Rows::corrected)) {
+        EXPECT_EQ(id.find("@published"), std::string::npos);
+        EXPECT_TRUE(find_stage(id)->not_reproduced.empty()) << id;
+        EXPECT_NE(family_of(id), "engine");
+    }
+    const std::size_t parts = trace_rows(Rows::corrected).size() +
+                              trace_rows(Rows::published).size() +
+                              trace_rows(Rows::engines).size() + trace_rows(Rows::oracles).size();
+    EXPECT_EQ(parts + 1, trace_rows(Rows::all).size());  // and trace-none
+}
+
+struct WrongPlan {
+    const char *what, *with;
+    const char *key, *message;
+};
+
+constexpr WrongPlan wrong_plans[] = {
+    {R"("sweep": 1)", R"("sweep": 2)", "sweep", "an integer in [1, 1]"},
+    {R"("sweep": 1, )", R"()", "scenes", "\"sweep\": 1"},
+    {R"("views")", R"("vews")", "vews", "\"views\""},
+    {R"("views": [0, 60],)", "", "", "no \"views\""},
+    {R"("views": [0, 60])", R"("views": [0, 95])", "views[1]", "[0, 89.5]"},
+    {R"("views": [0, 60])", R"("views": ["camra"])", "views[0]", "\"camera\""},
+    {R"("views": [0, 60])", R"("views": [])", "views", "an empty array"},
+    {R"("max-mip")", R"("max-mp")", "algorithms[1]", "\"max-mip\""},
+    {R"("max-mip")", R"("frame-gram")", "algorithms[1]", "a trace"},
+    {R"("max-mip")", R"({"rows": "al"})", "algorithms[1].rows", "\"all\""},
+    {R"("steps": [4, 16])", R"("stps": 4)", "algorithms[0].parameters.stps", "\"steps\""},
+    {R"("steps": [4, 16])", R"("steps": 0)", "algorithms[0].parameters.steps", "[1, 65536]"},
+    {R"("steps": [4, 16])", R"("steps": {})", "algorithms[0].parameters.steps", "a number"},
+    {R"("kind": "spikes")", R"("kind": "spike")", "maps[0].kind", "\"spikes\""},
+    {R"("kind": "spikes")", R"("knd": "spikes")", "maps[0]", "neither \"kind\" nor \"file\""},
+    {R"("kind": "spikes")", R"("kind": "spikes", "pitch": 3)", "maps[0].pitch", "does not take"},
+    {R"("kind": "spikes", "size": 16)", R"("file": "none.exr")", "maps[0].file", "no such file"},
+    {R"("size": 16)", R"("size": 100000)", "maps[0].size", "[8, 4096]"},
+    {R"("size": [16, 16])", R"("size": 16)", "size", "an array of 2"},
+    {R"("repeats": 1)", R"("repeats": 0)", "repeats", "[1, 1000]"},
+    {R"("repeats": 1)", R"("isa": "avx1024")", "isa", "one of"},
+    {R"("repeats": 1)", R"("numbers": ["float", "half"])", "numbers[1]", "one of"},
+    {R"("side": 16)", R"("side": 1)", "pictures.side", "[16, 256]"},
+    {R"("repeats": 1)", R"("maps": [])", "maps", "second time"},
+};
+
+TEST(Plan, WrongOnesAreRefusedInOneLine) {
+    const TemporaryFolder folder;
+    for (const WrongPlan& wrong : wrong_plans) {
+        try {
+            plan_of(folder, replaced(small_plan(), wrong.what, wrong.with));
+            ADD_FAILURE() << "accepted: " << wrong.with;
+        } catch (const InputError& error) {
+            const std::string text = error.what();
+            EXPECT_EQ(error.key, wrong.key) << text;
+            EXPECT_NE(text.find(wrong.message), std::string::npos) << text;
+            EXPECT_NE(text.find("plan.json"), std::string::npos) << text;
+            EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        }
+    }
+}
+
+TEST(Plan, NamesThatMeanTwoThingsAreRefused) {
+    const TemporaryFolder folder;
+    const std::string twice = R"({"kind": "spikes", "size": 16, "name": "a"},
+        {"kind": "noise", "size": 16, "name": "a"})";
+    EXPECT_THROW(
+        plan_of(folder, replaced(small_plan(), R"({"kind": "spikes", "size": 16})", twice)),
+        InputError);
+}
+
+/// Each run of a plan in one of the tasks, once.
+testing::AssertionResult share_out(const std::vector<Run>& all,
+                                   const std::vector<std::vector<Run>>& tasks) {
+    std::map<std::array<std::size_t, 3>, int> seen;
+    for (const auto& task : tasks)
+        for (const Run& run : task) ++seen[{run.map, run.view, run.algorithm}];
+    if (seen.size() != all.size()) return testing::AssertionFailure() << seen.size();
+    for (const auto& [run, times] : seen)
+        if (times != 1) return testing::AssertionFailure() << times << " times";
+    return testing::AssertionSuccess();
+}
+
+TEST(Plan, TasksShareTheRunsOut) {
+    const TemporaryFolder folder;
+    const auto all = runs_of(plan_of(folder, small_plan()));
+    for (const int of : {1, 2, 4, 6, 9}) {
+        std::vector<std::vector<sweep::Run>> tasks;
+        for (int task = 1; task <= of; ++task) tasks.push_back(runs_of_task(all, task, of));
+        EXPECT_TRUE(share_out(all, tasks)) << of;
+        if (of == 1) continue;
+        tasks[0] = tasks[1];
+        EXPECT_FALSE(share_out(all, tasks)) << static_cast<int>(Planted::task_off_by_one);
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::sweep_tests
