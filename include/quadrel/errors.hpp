@@ -52,7 +52,8 @@ struct ErrorSpread {
 struct ErrorPartSummary {
     std::string name;                                ///< "whole", "search", "frame"
     std::array<std::uint64_t, error_kinds> kinds{};  ///< pixels, by ErrorKind
-    std::uint64_t other_cell = 0;                    ///< pixels whose hit lies in another cell
+    /// Pixels whose hit lies in another cell; none of an image that does not say where it lies.
+    std::optional<std::uint64_t> other_cell;
     std::vector<ErrorSpread> spreads;  ///< |s|, uv, normal, |shadow|, largest |colour|, frame K
 
     /// Of the pixels that are judged; 0 where there are none.
