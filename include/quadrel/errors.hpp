@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "quadrel/film/film.hpp"
-#include "quadrel/film/preview.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel {
@@ -53,7 +52,8 @@ struct ErrorSpread {
 struct ErrorPartSummary {
     std::string name;                                ///< "whole", "search", "frame"
     std::array<std::uint64_t, error_kinds> kinds{};  ///< pixels, by ErrorKind
-    std::uint64_t other_cell = 0;                    ///< pixels whose hit lies in another cell
+    /// Pixels whose hit lies in another cell; none of an image that does not say where it lies.
+    std::optional<std::uint64_t> other_cell;
     std::vector<ErrorSpread> spreads;  ///< |s|, uv, normal, |shadow|, largest |colour|, frame K
 
     /// Of the pixels that are judged; 0 where there are none.
@@ -109,15 +109,6 @@ ErrorSummary summarize_errors(const Film& film, std::size_t worst = 3);
 
 /// The channels that summarize_errors reads: A and err.*.
 std::vector<std::string> error_channels();
-
-/// The magnitude of an err.* channel, `err.color` the largest of its three, as a picture: on a
-/// logarithmic scale that is the channel's own, so that pictures can be compared (uv: 1/256 to 64
-/// texels); black below, gray NaN. A kind has a colour for each. Throws UsageError where the film
-/// has no such channel.
-Picture error_picture(const Film& film, const std::string& channel);
-
-/// Pictures of kind and of each measure, with their scales, side by side.
-Picture error_sheet(const Film& film);
 
 /// A table for people, and one JSON object.
 std::string to_text(const ErrorSummary& summary);

@@ -10,6 +10,7 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/verbs.hpp"
+#include "quadrel/error_pictures.hpp"
 #include "quadrel/scene/load.hpp"
 
 namespace quadrel::cli {

@@ -33,7 +33,7 @@ constexpr std::array rooms = {"text",    "file",   "num",     "texture", "scene"
 const std::map<std::string, std::string> front = {
     {"check", "text"},   {"error", "text"},    {"compare", "film"},  {"plugin", "shade"},
     {"shader", "shade"}, {"testing", "shade"}, {"render", "render"}, {"prepare", "render"},
-    {"probe", "render"}, {"stats", "render"},  {"errors", "render"}};
+    {"probe", "render"}, {"stats", "render"},  {"errors", "render"}, {"error_pictures", "render"}};
 
 /// Position in `rooms`; -1 for other folders.
 int room_index(const std::string& name) {

@@ -67,17 +67,16 @@ class Between {
         const Corners corners = heights_.corners(i, j);
         if (!corners.finite()) return false;
         const bool main = has_main_edge(surface_, corners);
-        double cuts[most_lines + 2] = {from, to};
-        int count = 2;
+        double crossed[most_lines] = {to, to};
         for (int k = 0; k < line_count(surface_); ++k) {
-            const auto side = [&](double s) { return side_of_line(main, k, i, j, s); };
-            const double a = side(from), b = side(to);
-            if ((a < 0) != (b < 0)) cuts[count++] = from + (to - from) * (a / (a - b));
+            const double a = side_of_line(main, k, i, j, from), b = side_of_line(main, k, i, j, to);
+            if ((a < 0) != (b < 0)) crossed[k] = from + (to - from) * (a / (a - b));
         }
-        std::sort(cuts, cuts + count);
-        for (int k = 0; k + 1 < count; ++k)
-            if (part_has_gap(main, corners, i, j, cuts[k], cuts[k + 1])) return true;
-        return false;
+        const double first = std::min(crossed[0], crossed[1]),
+                     second = std::max(crossed[0], crossed[1]);
+        return part_has_gap(main, corners, i, j, from, first) ||
+               part_has_gap(main, corners, i, j, first, second) ||
+               part_has_gap(main, corners, i, j, second, to);
     }
 
     double side_of_line(bool main, int k, Index i, Index j, double s) const {

@@ -41,18 +41,6 @@ void set(ValueSet& values, std::span<const Value> list) {
     for (const Value v : list) values.set(static_cast<std::size_t>(v));
 }
 
-bool measures(const std::vector<ChannelSource>& channels, ErrorPart part, ErrorMeasure measure) {
-    return std::ranges::any_of(channels, [&](const ChannelSource& channel) {
-        return is_error(channel) && channel.part == part && channel.measure == measure;
-    });
-}
-
-bool measures(const std::vector<ChannelSource>& channels, ErrorMeasure measure) {
-    return std::ranges::any_of(channels, [&](const ChannelSource& channel) {
-        return is_error(channel) && channel.measure == measure;
-    });
-}
-
 bool is_part_asked(const std::vector<ChannelSource>& channels, ErrorPart part) {
     return std::ranges::any_of(channels, [&](const ChannelSource& channel) {
         return is_error(channel) && channel.part == part;

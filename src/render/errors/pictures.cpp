@@ -1,5 +1,5 @@
-// Errors to look at: each measure on one scale, whatever the film, so that pictures can be
-// compared.
+#include "quadrel/error_pictures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,9 +20,9 @@ struct ErrorScale {
     const char* text;
 };
 constexpr ErrorScale error_scales[] = {
-    {"s", -16, 0, "depth 2^-16 to 1"},         {"uv", -8, 6, "texels 1/256 to 64"},
+    {"s", -16, 0, "depth 1/65536 to 1"},       {"uv", -8, 6, "texels 1/256 to 64"},
     {"normal", -7, 7, "degrees 1/128 to 128"}, {"shadow", -8, 0, "1/256 to 1"},
-    {"color", -12, 0, "1/4096 to 1"},          {"K", -16, 0, "2^-16 to 1"}};
+    {"color", -12, 0, "1/4096 to 1"},          {"K", -16, 0, "1/65536 to 1"}};
 
 using Colour = std::array<std::uint8_t, 3>;
 /// By ErrorKind. Okabe and Ito's, which those who see fewer colours tell apart, too.

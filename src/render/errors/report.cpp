@@ -22,6 +22,8 @@ std::string percent(double share) {
     return fmt::format("{:.2f} %", 100 * share);
 }
 
+std::string percent_column(double share) { return fmt::format("{:>15}", percent(share)); }
+
 double ratio(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -41,9 +43,9 @@ std::string kinds_text(const ErrorSummary& summary) {
         if (!has_kinds(part)) continue;
         any = true;
         text += fmt::format("{:<8}", part.name);
-        for (const ErrorKind kind : listed_kinds)
-            text += fmt::format("{:>15}", percent(part.share(kind)));
-        text += fmt::format("{:>15}\n", percent(ratio(part.other_cell, summary.judged)));
+        for (const ErrorKind kind : listed_kinds) text += percent_column(part.share(kind));
+        text += part.other_cell ? percent_column(ratio(*part.other_cell, summary.judged)) : "";
+        text += '\n';
     }
     return any ? text : "";
 }
@@ -100,7 +102,7 @@ Json part_json(const ErrorPartSummary& part) {
     for (const ErrorSpread& spread : part.spreads) spreads.push_back(spread_json(spread));
     return {{"name", part.name},
             {"kinds", kinds},
-            {"other_cell", part.other_cell},
+            {"other_cell", part.other_cell ? Json(*part.other_cell) : Json()},
             {"errors", spreads}};
 }
 

@@ -98,7 +98,7 @@ ErrorPartSummary part_of(const Film& film, const std::string& name,
     const Plane *kind = film.find(prefix + "kind"), *cell = film.find(prefix + "cell");
     for (const std::size_t pixel : covered) {
         if (kind != nullptr && kind->bits[pixel] < error_kinds) ++part.kinds[kind->bits[pixel]];
-        if (cell != nullptr) part.other_cell += cell->bits[pixel];
+        if (cell != nullptr) part.other_cell = part.other_cell.value_or(0) + cell->bits[pixel];
     }
     for (const Measured& row : measured) {
         const Magnitude magnitude(film, prefix + row.name);

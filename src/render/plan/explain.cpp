@@ -132,7 +132,7 @@ void describe_texels(const PreparedRender& prepared, std::size_t m, const SlotSe
 
 void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialText& text) {
     const Scene& scene = *prepared.scene;
-    const SlotSet slots = prepared.plan.materials[m].textures | prepared.plan.discard[m].textures;
+    const SlotSet slots = slots_read(prepared.plan, m);
     const auto describe = [&](const std::string& slot, const std::string& file,
                               const std::string& note = "") {
         bool read = false;

@@ -131,6 +131,12 @@ std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::si
     return plans;
 }
 
+SlotSet slots_read(const RenderPlan& plan, std::size_t material) {
+    SlotSet slots;
+    for (const MaterialPlan* reader : plans_that_load(plan, material)) slots |= reader->textures;
+    return slots;
+}
+
 GeometryParts parts_read(const RenderPlan& plan) {
     GeometryParts parts;
     for (std::size_t m = 0; m < plan.materials.size(); ++m) {
@@ -163,8 +169,7 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
                         const BakingListener& baking, std::int64_t pixels) {
     std::vector<SlotSet> slots(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)
-        for (const MaterialPlan* reader : plans_that_load(plan, m))
-            if (used[m]) slots[m] |= reader->textures;
+        if (used[m]) slots[m] = slots_read(plan, m);
     plan.textures = load_textures(scene, slots, plan.texels_read, *scene.texture_cache, baking);
     plan.maxima.resize(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)

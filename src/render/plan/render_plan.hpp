@@ -48,6 +48,9 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
 /// All that runs of a material, but for exact derivatives, which read no more than is drawn.
 std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::size_t material);
 
+/// The textures that these read.
+SlotSet slots_read(const RenderPlan& plan, std::size_t material);
+
 /// What the planned stages read of triangles.
 GeometryParts parts_read(const RenderPlan& plan);
 

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "quadrel/error.hpp"
+#include "quadrel/error_pictures.hpp"
 #include "render/errors/judged_scenes.hpp"
 
 namespace quadrel::render_tests {

@@ -10,21 +10,27 @@ namespace quadrel::render_tests {
 
 inline constexpr int map_size = 32;
 
+/// Without mip levels, so that searches read what the judge reads.
+inline TextureReference finest_level(TextureReference reference) {
+    reference.sampler.mip = MipFilter::none;
+    return reference;
+}
+
 /// One smooth hill a tile.
 inline TextureReference hills() {
-    return texture(write_texture("hills.exr", map_size, [](int x, int y, int) {
+    return finest_level(texture(write_texture("hills.exr", map_size, [](int x, int y, int) {
         const auto bump = [](int i) {
             const double t = (i + 0.5) / map_size;
             return 16 * t * t * (1 - t) * (1 - t);
         };
         return 0.1 + 0.7 * bump(x) * bump(y);
-    }));
+    })));
 }
 
 /// Walls along v, one texel thin, on even ground.
 inline TextureReference fences() {
-    return texture(write_texture("fences.exr", map_size,
-                                 [](int x, int, int) { return x % 16 == 8 ? 0.9 : 0.25; }));
+    return finest_level(texture(write_texture(
+        "fences.exr", map_size, [](int x, int, int) { return x % 16 == 8 ? 0.9 : 0.25; })));
 }
 
 /// A square of relief seen at an angle, all of whose stages have a say in its colour.
