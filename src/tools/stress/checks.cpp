@@ -13,8 +13,8 @@
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
 #include "stress/departure.hpp"
-#include "stress/listings.hpp"
 #include "stress/planted.hpp"
+#include "stress/scenes/listings.hpp"
 
 namespace quadrel::stress {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "stress/scene.hpp"
+#include "stress/scenes/scene.hpp"
 
 namespace quadrel::stress {
 

@@ -10,10 +10,10 @@
 #include <iostream>
 
 #include "quadrel/error.hpp"
-#include "stress/lists.hpp"
 #include "stress/planted.hpp"
-#include "stress/ranges.hpp"
+#include "stress/ranges/ranges.hpp"
 #include "stress/report.hpp"
+#include "stress/scenes/lists.hpp"
 #include "stress/workers.hpp"
 
 namespace quadrel::stress {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "quadrel/film/film.hpp"
-#include "stress/scene.hpp"
+#include "stress/scenes/scene.hpp"
 
 namespace quadrel::stress {
 

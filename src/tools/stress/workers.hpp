@@ -6,7 +6,7 @@
 #include <string>
 
 #include "stress/checks.hpp"
-#include "stress/job.hpp"
+#include "stress/scenes/job.hpp"
 
 namespace quadrel::stress {
 

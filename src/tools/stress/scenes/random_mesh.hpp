@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "stress/random.hpp"
+#include "stress/scenes/random.hpp"
 
 namespace quadrel::stress {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "stress/maps.hpp"
+#include "stress/scenes/maps.hpp"
 
 namespace quadrel::stress {
 

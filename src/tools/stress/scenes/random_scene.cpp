@@ -1,12 +1,12 @@
-#include "stress/random_scene.hpp"
+#include "stress/scenes/random_scene.hpp"
 
 #include <algorithm>
 
 #include "quadrel/num/math.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "stress/listings.hpp"
-#include "stress/random.hpp"
-#include "stress/random_mesh.hpp"
+#include "stress/scenes/listings.hpp"
+#include "stress/scenes/random.hpp"
+#include "stress/scenes/random_mesh.hpp"
 
 namespace quadrel::stress {
 namespace {

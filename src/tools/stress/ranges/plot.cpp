@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "quadrel/num/math.hpp"
-#include "stress/ranges.hpp"
+#include "stress/ranges/ranges.hpp"
 
 namespace quadrel::stress {
 namespace {

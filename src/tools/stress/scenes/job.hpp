@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "stress/random_scene.hpp"
+#include "stress/scenes/random_scene.hpp"
 
 namespace quadrel::stress {
 

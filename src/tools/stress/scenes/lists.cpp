@@ -1,4 +1,4 @@
-#include "stress/lists.hpp"
+#include "stress/scenes/lists.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "quadrel/num/math.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "stress/random_mesh.hpp"
+#include "stress/scenes/random_mesh.hpp"
 
 namespace quadrel::stress {
 namespace {

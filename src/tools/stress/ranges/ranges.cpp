@@ -1,4 +1,4 @@
-#include "stress/ranges.hpp"
+#include "stress/ranges/ranges.hpp"
 
 #include <fmt/format.h>
 

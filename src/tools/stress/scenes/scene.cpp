@@ -1,4 +1,4 @@
-#include "stress/scene.hpp"
+#include "stress/scenes/scene.hpp"
 
 #include <algorithm>
 #include <fstream>

@@ -1,9 +1,9 @@
-#include "stress/job.hpp"
+#include "stress/scenes/job.hpp"
 
 #include <charconv>
 
 #include "quadrel/error.hpp"
-#include "stress/lists.hpp"
+#include "stress/scenes/lists.hpp"
 
 namespace quadrel::stress {
 

@@ -1,4 +1,4 @@
-#include "stress/random_mesh.hpp"
+#include "stress/scenes/random_mesh.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "stress/scene.hpp"
+#include "stress/scenes/scene.hpp"
 
 namespace quadrel::stress {
 

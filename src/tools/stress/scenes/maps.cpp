@@ -1,4 +1,4 @@
-#include "stress/maps.hpp"
+#include "stress/scenes/maps.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "quadrel/film/exr.hpp"
 #include "quadrel/num/math.hpp"
-#include "stress/random.hpp"
+#include "stress/scenes/random.hpp"
 
 namespace quadrel::stress {
 namespace {
