@@ -57,7 +57,8 @@ TEST(Stress, AnySceneCanBeHadAlone) {
 /// The scene is the same on every machine and by every compiler: this one was written down.
 TEST(Stress, NumbersAreTheSameEverywhere) {
     const auto scene = nlohmann::json::parse(run_stress("--seed 1 --only 3").out);
-    EXPECT_EQ(scene["size"].dump() + scene["conventions"].get<std::string>(), EXPECTED_SCENE);
+    EXPECT_EQ(scene["size"].dump() + scene["conventions"].get<std::string>(), "[28,17]vulkan");
+    EXPECT_EQ(scene["materials"]["stress"]["relief"]["trace"], "steep-constant-xy");
 }
 
 TEST(Stress, NonsenseIsRefused) {

@@ -1,0 +1,221 @@
+// quadrel-stress: scenes that are known to be hard, and random ones from tame to absurd. Looks for
+// crashes, hangs, numbers that are none and statuses without a reason, and says how far floats
+// depart from doubles and from certified hits, and over which range they stay with them.
+#include <sys/wait.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+#include "quadrel/error.hpp"
+#include "stress/planted.hpp"
+#include "stress/ranges/ranges.hpp"
+#include "stress/report.hpp"
+#include "stress/scenes/lists.hpp"
+#include "stress/workers.hpp"
+
+namespace quadrel::stress {
+namespace {
+
+struct Arguments {
+    std::uint64_t seed = 1, scenes = 1000;
+    std::size_t lists = 1;
+    std::string only, folder, plot;
+    bool list = false, ranges = false, planted = false;
+    int processes = 1;
+    double seconds = 20;
+};
+
+/// A folder for maps, scenes and the cache of baked maps, gone at the end.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "quadrel-stress-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern, "cannot be made");
+        path_ = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// In a process of its own: what forks later has no threads that a library has started.
+void write_maps_apart(const std::filesystem::path& folder) {
+    const pid_t child = fork();
+    if (child == 0) {
+        try {
+            write_maps(folder);
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "quadrel-stress: %s\n", error.what());
+            _exit(1);
+        }
+        _exit(0);
+    }
+    int status = 1;
+    waitpid(child, &status, 0);
+    if (status != 0) throw OutputError(folder.string(), "the maps could not be written");
+}
+
+/// Runs a job with a count of scenes on a terminal.
+template <class Done>
+void run_shown(const Job& job, const Arguments& arguments, const std::filesystem::path& folder,
+               const Done& done) {
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    std::uint64_t finished = 0;
+    run_scenes(job, {arguments.processes, arguments.seconds, folder},
+               [&](const StressScene& scene, const SceneResult& result) {
+                   done(scene, result);
+                   if (terminal && ++finished % 50 == 0)
+                       std::cerr << '\r' << finished << " of " << job.count() << " scenes "
+                                 << std::flush;
+               });
+    if (terminal) std::cerr << '\r' << std::string(40, ' ') << '\r';
+}
+
+bool run_job(const Arguments& arguments, const std::filesystem::path& folder) {
+    const Job job(arguments.seed, arguments.scenes, arguments.lists);
+    Report report;
+    run_shown(job, arguments, folder, [&](const StressScene& scene, const SceneResult& result) {
+        report.add(scene, result);
+    });
+    std::cout << report.to_text();
+    return !report.has_errors();
+}
+
+bool run_ranges(const Arguments& arguments, const std::filesystem::path& folder) {
+    std::vector<RangeTable> tables;
+    Report report;
+    for (const char* room : {"frame", "trace"}) {
+        std::map<std::string, SceneResult> results;
+        run_shown(Job(range_scenes(room)), arguments, folder,
+                  [&](const StressScene& scene, const SceneResult& result) {
+                      results[scene.name] = result;
+                      report.add(scene, result);
+                  });
+        tables.push_back(range_table(room, results));
+        std::cout << to_text(tables.back()) << '\n';
+    }
+    if (report.has_errors()) std::cout << report.to_text();
+    if (!arguments.plot.empty()) {
+        std::ofstream file(arguments.plot, std::ios::binary);
+        file << range_plot(tables) << std::flush;
+        if (!file) throw OutputError(arguments.plot, "could not be written");
+    }
+    return !report.has_errors();
+}
+
+/// Whether each planted error is found.
+bool run_planted(Arguments arguments, const std::filesystem::path& folder) {
+    const std::vector<StressScene> scenes = planted_scenes();
+    std::size_t found = 0;
+    arguments.seconds = 2;
+    run_shown(Job(scenes), arguments, folder,
+              [&](const StressScene& scene, const SceneResult& result) {
+                  const bool told =
+                      std::any_of(result.findings.begin(), result.findings.end(),
+                                  [&](const Finding& f) { return f.kind == scene.planted; });
+                  found += told;
+                  if (!told) std::cout << "not found: " << scene.name << '\n';
+              });
+    if (found == scenes.size()) std::cout << "planted errors: all " << found << " found\n";
+    return found == scenes.size();
+}
+
+/// Prints a scene, or writes and judges it.
+bool replay(const Arguments& arguments) {
+    const StressScene scene = scene_by_name(arguments.seed, arguments.only);
+    if (arguments.folder.empty()) {
+        std::cout << scene.document.dump(2) << '\n';
+        return true;
+    }
+    std::filesystem::create_directories(arguments.folder);
+    write_scene(arguments.folder, scene);
+    Report report;
+    report.add(scene, check_scene(arguments.folder, scene, 0));
+    std::cout << report.to_text();
+    return !report.has_errors();
+}
+
+bool run(const Arguments& arguments) {
+    if (arguments.list) {
+        for (const StressScene& scene : listed_scenes()) std::cout << scene.name << '\n';
+        return true;
+    }
+    if (!arguments.only.empty()) return replay(arguments);
+    const TemporaryFolder folder;
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    write_maps_apart(folder.path());
+    if (arguments.planted) return run_planted(arguments, folder.path());
+    return arguments.ranges ? run_ranges(arguments, folder.path())
+                            : run_job(arguments, folder.path());
+}
+
+void add_options(CLI::App& app, Arguments& a) {
+    app.add_option("--scenes", a.scenes, "random scenes")->capture_default_str();
+    app.add_option("--seed", a.seed, "of the random scenes")->capture_default_str();
+    app.add_option("--lists", a.lists, "every N-th of the listed scenes; 0: none")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 1000000));
+    app.add_flag("--list", a.list, "print the names of the listed scenes");
+    app.add_option("--only", a.only,
+                   "print one scene as JSON: the number of a random one, or a listed one's name")
+        ->type_name("SCENE");
+    app.add_option("-o", a.folder,
+                   "with --only: write it with its maps and mesh into a folder, and judge it")
+        ->type_name("FOLDER");
+    app.add_flag("--ranges", a.ranges,
+                 "instead: over which range each frame and trace stays within half a texel");
+    app.add_option("--plot", a.plot, "with --ranges: the same as a picture")->type_name("OUT.svg");
+    app.add_flag("--planted", a.planted, "instead: whether errors that are planted are found");
+    app.add_option("-t,--processes", a.processes, "at once")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1024));
+    app.add_option("--seconds", a.seconds, "that a scene may take")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.footer(
+        "Exit codes: 0 nothing found; 1 something was found; 2 bad command line; 5 output "
+        "could not be written.");
+}
+
+int guarded_run(const Arguments& arguments) {
+    try {
+        return run(arguments) ? 0 : static_cast<int>(ExitCode::difference);
+    } catch (const UsageError& error) {
+        std::cerr << "quadrel-stress: " << error.what() << '\n';
+        return static_cast<int>(ExitCode::usage);
+    } catch (const OutputError& error) {
+        std::cerr << "quadrel-stress: " << error.what() << '\n';
+        return static_cast<int>(ExitCode::output);
+    } catch (const std::exception& error) {
+        std::cerr << "quadrel-stress: " << error.what() << '\n';
+        return static_cast<int>(ExitCode::internal);
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::stress
+
+int main(int argc, char** argv) {
+    using namespace quadrel::stress;
+    CLI::App app("Scenes from tame to absurd: what breaks, and how far floats can be trusted",
+                 "quadrel-stress");
+    Arguments arguments;
+    add_options(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
+    }
+    return guarded_run(arguments);
+}
