@@ -33,9 +33,10 @@ struct StageInfo {
     void (*set_defaults)(void* params);
 };
 
-/// Whether the stage leaves out steps by what the height map's heights are.
-inline bool leaves_out_steps(const StageInfo& stage) {
-    return stage.uses_height_bounds || stage.lattice_steps != nullptr;
+/// Whether the stage, at these parameters, leaves out steps by what the height map's heights are.
+inline bool leaves_out_steps(const StageInfo& stage, const void* params) {
+    return stage.lattice_steps != nullptr ? stage.lattice_steps(params) > 0
+                                          : stage.uses_height_bounds;
 }
 
 /// All stages: Quadrel's own in the order of the data flow, then those that were added, as they

@@ -11,20 +11,17 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 
+#include "bake/pyramid/row_loops.hpp"
 #include "quadrel/relief/cells.hpp"
 
 namespace quadrel {
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-/// Filters of greater heights may overflow.
-constexpr float largest_height = 0x1p100f;
-
-/// In this form loops become vector instructions.
-float greater(float a, float b) { return a > b ? a : b; }
+using namespace row_loops;
 
 /// The texels of one axis in the order of its cells: two for each node, and one more. -1: the
 /// border.
@@ -71,16 +68,13 @@ class LevelHeights {
         const float* const from = texels_ + std::ptrdiff_t(texel_row) * width_ * channels_;
         for (std::size_t k = 0; k < first_; ++k) to[k] = height(from, columns_[k]);
         if (channels_ == 1)
-            for (std::size_t k = first_; k < last_; ++k) to[k] = known(from[k - first_]);
+            copy_known(from, last_ - first_, to + first_);
         else
             for (std::size_t k = first_; k < last_; ++k) to[k] = height(from, columns_[k]);
         for (std::size_t k = last_; k < columns_.size(); ++k) to[k] = height(from, columns_[k]);
     }
 
   private:
-    static float known(float height) {
-        return std::fabs(height) < largest_height ? height : infinity;
-    }
     float height(const float* row, int column) const {
         return column < 0 ? border_ : known(row[std::ptrdiff_t(column) * channels_]);
     }
@@ -96,7 +90,8 @@ class LevelHeights {
 class NodeRow {
   public:
     explicit NodeRow(const LevelHeights& heights) : heights_(heights) {
-        for (auto* row : {&a_, &b_, &c_, &highest_, &steepest_x_, &steepest_y_})
+        for (auto* row :
+             {&a_, &b_, &c_, &highest_, &steepest_, &column_highest_, &column_steepest_})
             row->resize(heights.size());
     }
 
@@ -108,37 +103,17 @@ class NodeRow {
         heights_.row(2 * j + 1, b_.data());
         heights_.row(2 * j + 2, c_.data());
         next_ = j + 1;
-        reduce_columns();
-        for (std::size_t i = 0; i + 2 < a_.size(); i += 2) {
-            maxima[i / 2] =
-                greater(greater(highest_[i], highest_[i + 1]), highest_[i + 2]) + margin;
-            const float y =
-                greater(greater(steepest_y_[i], steepest_y_[i + 1]), steepest_y_[i + 2]);
-            slopes[i / 2] = greater(greater(steepest_x_[i], steepest_x_[i + 1]), y);
-        }
+        const std::size_t size = a_.size();
+        reduce_sides(a_.data(), b_.data(), c_.data(), size, highest_.data(), steepest_.data());
+        reduce_columns(a_.data(), b_.data(), c_.data(), highest_.data(), steepest_.data(), size - 1,
+                       column_highest_.data(), column_steepest_.data());
+        greater_of_pairs(column_highest_.data(), size / 2, margin, maxima);
+        greater_of_pairs(column_steepest_.data(), size / 2, 0, slopes);
     }
 
   private:
-    static float difference(float x, float y) {
-        const float size = std::fabs(x - y);
-        return size < infinity ? size : infinity;
-    }
-    void reduce_columns() {
-        const std::size_t size = a_.size();
-        const float *const a = a_.data(), *const b = b_.data(), *const c = c_.data();
-        float *const highest = highest_.data(), *const y = steepest_y_.data();
-        for (std::size_t k = 0; k < size; ++k) {
-            highest[k] = greater(greater(a[k], b[k]), c[k]);
-            y[k] = greater(difference(a[k], b[k]), difference(b[k], c[k]));
-        }
-        float* const x = steepest_x_.data();
-        for (std::size_t k = 0; k + 1 < size; ++k)
-            x[k] = greater(greater(difference(a[k], a[k + 1]), difference(b[k], b[k + 1])),
-                           difference(c[k], c[k + 1]));
-    }
-
     const LevelHeights& heights_;
-    std::vector<float> a_, b_, c_, highest_, steepest_x_, steepest_y_;
+    std::vector<float> a_, b_, c_, highest_, steepest_, column_highest_, column_steepest_;
     int next_ = -1;
 };
 
@@ -148,23 +123,9 @@ float rounding_of_filters(const Texture& map, const SamplerState& sampler) {
     const TextureView& view = map.view();
     const std::int64_t texels = std::int64_t(view.width[0]) * view.height[0];
     const auto largest_of = [&](const tbb::blocked_range<std::int64_t>& range, float largest) {
-        const float* const heights = view.texels + range.begin() * view.channels;
-        const std::int64_t count = range.end() - range.begin();
-        const auto size_of = [](float height) {
-            const float size = std::fabs(height);
-            return size < largest_height ? size : 0;
-        };
-        // Side by side, so that no comparison waits for the one before.
-        constexpr std::int64_t side_by_side = 16;
-        float largest_of_each[side_by_side] = {};
-        std::int64_t i = 0;
-        if (view.channels == 1)
-            for (; i + side_by_side <= count; i += side_by_side)
-                for (std::int64_t k = 0; k < side_by_side; ++k)
-                    largest_of_each[k] = greater(size_of(heights[i + k]), largest_of_each[k]);
-        for (; i < count; ++i) largest = greater(size_of(heights[i * view.channels]), largest);
-        for (const float size : largest_of_each) largest = greater(size, largest);
-        return largest;
+        const auto channels = static_cast<std::size_t>(view.channels);
+        return greater(largest, largest_size(view.texels + range.begin() * view.channels,
+                                             range.size(), channels));
     };
     const float border = std::fabs(sampler.border[0]);
     const float largest =
@@ -196,8 +157,7 @@ void reduce(Texture& nodes, int level) {
         const float* const a = nodes.level_texels(level - 1, 0) + std::ptrdiff_t(2 * j) * width;
         const float* const b = 2 * j < last_row ? a + width : a;
         float* const to = nodes.level_texels(level, 0) + std::ptrdiff_t(j) * view.width[level];
-        for (int i = 0; i < width / 2; ++i)
-            to[i] = greater(greater(a[2 * i], a[2 * i + 1]), greater(b[2 * i], b[2 * i + 1]));
+        greatest_of_blocks(a, b, static_cast<std::size_t>(width / 2), to);
         if (width % 2 != 0) to[width / 2] = greater(a[width - 1], b[width - 1]);
     }
 }
@@ -216,21 +176,39 @@ std::vector<std::vector<int>> nodes_near(const GridAxis& cells) {
     return near;
 }
 
-/// A row of the slopes, from those of 2x2 cells.
-void spread_row(const std::vector<float>& fine, std::size_t fine_width,
-                const std::vector<int>& rows, const std::vector<std::vector<int>>& columns,
-                float* to) {
-    std::vector<float> greatest(fine_width, 0.0f);
-    for (const int row : rows) {
-        const float* const from = fine.data() + static_cast<std::size_t>(row) * fine_width;
-        for (std::size_t i = 0; i < fine_width; ++i) greatest[i] = greater(greatest[i], from[i]);
+/// Rows of the slopes, from those of 2x2 cells.
+class SlopeRows {
+  public:
+    SlopeRows(const float* fine, std::size_t fine_width,
+              const std::vector<std::vector<int>>& columns)
+        : fine_(fine), greatest_(fine_width), columns_(columns) {}
+
+    /// From rows `rows`.
+    void make(const std::vector<int>& rows, float* to) {
+        std::fill(greatest_.begin(), greatest_.end(), 0.0f);
+        for (const int row : rows)
+            raise_to(fine_ + static_cast<std::size_t>(row) * greatest_.size(), greatest_.size(),
+                     greatest_.data());
+        // Of all but the first texels and the last, four nodes side by side.
+        const std::size_t side = 2, count = columns_.size();
+        if (count > 2 * side)
+            greatest_of_fours(greatest_.data() + 2 * side, count - 2 * side, to + side);
+        for (std::size_t i = 0; i < count; ++i)
+            if (count <= 2 * side || i < side || i >= count - side) to[i] = greatest_near(i);
     }
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        to[i] = 0;
-        for (const int column : columns[i])
-            to[i] = greater(to[i], greatest[static_cast<std::size_t>(column)]);
+
+  private:
+    float greatest_near(std::size_t i) const {
+        float greatest = 0;
+        for (const int column : columns_[i])
+            greatest = greater(greatest, greatest_[static_cast<std::size_t>(column)]);
+        return greatest;
     }
-}
+
+    const float* fine_;
+    std::vector<float> greatest_;
+    const std::vector<std::vector<int>>& columns_;
+};
 
 /// Calls `row(j)` or the like for chunks of rows in parallel: `rows(first, end)`.
 template <class Rows>
@@ -240,16 +218,17 @@ void in_chunks(int count, const Rows& rows) {
         [&](const tbb::blocked_range<int>& chunk) { rows(chunk.begin(), chunk.end()); });
 }
 
-std::shared_ptr<const Texture> make_slopes(const std::vector<float>& fine, std::size_t fine_width,
+std::shared_ptr<const Texture> make_slopes(const float* fine, std::size_t fine_width,
                                            const Grid& cells, const std::string& id) {
     const auto columns = nodes_near(cells.u), rows = nodes_near(cells.v);
     TextureView layout = layout_of(static_cast<int>(columns.size()), static_cast<int>(rows.size()));
     layout.levels = 1;
     const auto slopes = std::make_shared<Texture>(layout, TexelFormat::float32, id);
     in_chunks(layout.height[0], [&](int first, int end) {
+        SlopeRows row(fine, fine_width, columns);
         for (int j = first; j < end; ++j)
-            spread_row(fine, fine_width, rows[static_cast<std::size_t>(j)], columns,
-                       slopes->level_texels(0, 0) + std::ptrdiff_t(j) * layout.width[0]);
+            row.make(rows[static_cast<std::size_t>(j)],
+                     slopes->level_texels(0, 0) + std::ptrdiff_t(j) * layout.width[0]);
     });
     return slopes;
 }
@@ -266,15 +245,17 @@ LevelTextures make_level(const Texture& map, int level, const SamplerState& samp
     const auto width = static_cast<std::size_t>(heights.width());
     const auto nodes = std::make_shared<Texture>(layout_of(heights.width(), heights.height()),
                                                  TexelFormat::float32, id);
-    std::vector<float> fine(width * static_cast<std::size_t>(heights.height()));
+    // Left as it is: threads are to touch what they fill.
+    const std::unique_ptr<float[]> fine(
+        new float[width * static_cast<std::size_t>(heights.height())]);
     in_chunks(heights.height(), [&](int first, int end) {
         NodeRow row(heights);
         for (int j = first; j < end; ++j)
             row.make(j, margin, nodes->level_texels(0, 0) + static_cast<std::size_t>(j) * width,
-                     fine.data() + static_cast<std::size_t>(j) * width);
+                     fine.get() + static_cast<std::size_t>(j) * width);
     });
     for (int i = 1; i < nodes->view().levels; ++i) reduce(*nodes, i);
-    return {nodes, make_slopes(fine, width, cells, id + " slopes")};
+    return {nodes, make_slopes(fine.get(), width, cells, id + " slopes")};
 }
 
 LevelMaxima level_view(const TextureView& map, int level, const SamplerState& sampler,

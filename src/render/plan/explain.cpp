@@ -84,7 +84,8 @@ std::string stages_that_leave_out_steps(const MaterialPlan& plan) {
     std::vector<std::string> ids;
     for (const PlannedStage& stage : plan.stages)
         if (const std::string id = stage.info->text.id;
-            leaves_out_steps(*stage.info) && std::find(ids.begin(), ids.end(), id) == ids.end())
+            leaves_out_steps(*stage.info, stage.params.data()) &&
+            std::find(ids.begin(), ids.end(), id) == ids.end())
             ids.push_back(id);
     return fmt::format("{}", fmt::join(ids, ", "));
 }

@@ -1,13 +1,18 @@
 #include "render/plan/height_bounds.hpp"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "quadrel/texture/filter.hpp"
+#include "texture/row_loop.hpp"
 
 namespace quadrel {
 namespace {
@@ -21,15 +26,61 @@ struct Range {
 
     void add(float x) {
         known = known && !std::isnan(x);
-        low = std::min(low, x == 0 && std::signbit(x) ? -std::numeric_limits<float>::min() : x);
+        low = std::min(low, below_zero(x));
         high = std::max(high, x);
+    }
+    void add(const Range& other) {
+        known = known && other.known;
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+    }
+    static float below_zero(float x) {
+        return std::bit_cast<std::uint32_t>(x) == 0x80000000u ? -std::numeric_limits<float>::min()
+                                                              : x;
     }
 };
 
-void add_level(const TextureView& view, int level, Range& range) {
-    const float* texel = view.texels + view.offset[level];
-    const std::ptrdiff_t texels = std::ptrdiff_t(view.width[level]) * view.height[level];
-    for (std::ptrdiff_t i = 0; i < texels; ++i) range.add(texel[i * view.channels]);
+/// Of a channel of `count` texels.
+QUADREL_ROW_LOOP Range range_of(const float* from, std::size_t count, std::size_t channels) {
+    // Side by side, so that no comparison waits for the one before.
+    constexpr std::size_t side_by_side = 32;
+    float low[side_by_side], high[side_by_side];
+    std::uint32_t numbers[side_by_side];
+    const Range nothing;
+    std::fill_n(low, side_by_side, nothing.low);
+    std::fill_n(high, side_by_side, nothing.high);
+    std::fill_n(numbers, side_by_side, 1u);
+    std::size_t i = 0;
+    if (channels == 1)
+        for (; i + side_by_side <= count; i += side_by_side)
+            for (std::size_t k = 0; k < side_by_side; ++k) {
+                const float x = from[i + k], lower = Range::below_zero(x);
+                numbers[k] &= x == x ? 1u : 0u;
+                low[k] = lower < low[k] ? lower : low[k];
+                high[k] = x > high[k] ? x : high[k];
+            }
+    Range range;
+    for (; i < count; ++i) range.add(from[i * channels]);
+    for (std::size_t k = 0; k < side_by_side; ++k)
+        range.add(Range{low[k], high[k], numbers[k] != 0});
+    return range;
+}
+
+Range range_of_level(const TextureView& view, int level) {
+    const float* const texels = view.texels + view.offset[level];
+    const std::size_t count =
+        static_cast<std::size_t>(view.width[level]) * static_cast<std::size_t>(view.height[level]);
+    const auto channels = static_cast<std::size_t>(view.channels);
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, 1 << 16), Range(),
+        [&](const tbb::blocked_range<std::size_t>& part, Range range) {
+            range.add(range_of(texels + part.begin() * channels, part.size(), channels));
+            return range;
+        },
+        [](Range a, const Range& b) {
+            a.add(b);
+            return a;
+        });
 }
 
 }  // namespace
@@ -38,7 +89,7 @@ std::optional<ValueRange> height_range(const SampledTexture& map) {
     if (map.view.faces != 1) return std::nullopt;
     const int levels = map.sampler.mip == MipFilter::none ? 1 : map.view.levels;
     Range range;
-    for (int level = 0; level < levels; ++level) add_level(map.view, level, range);
+    for (int level = 0; level < levels; ++level) range.add(range_of_level(map.view, level));
     if (has_border(map.sampler)) range.add(map.sampler.border[0]);
     const auto finite = [](float low, float high) {
         return std::isfinite(low) && std::isfinite(high);

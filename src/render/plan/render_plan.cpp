@@ -43,13 +43,16 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
 
 constexpr auto height_slot = static_cast<std::size_t>(TextureSlot::height);
 
+/// Whether the stage's search, at its parameters, goes by what the height map can give anywhere.
+bool reads_bounds(const PlannedStage& stage) {
+    return stage.info->uses_height_bounds && leaves_out_steps(*stage.info, stage.params.data());
+}
+
 /// Tells the stages what the height map can give anywhere.
 void bound_heights(RenderPlan& plan, std::size_t material, const SampledTexture& map,
                    TextureCache& cache) {
     const auto& stages = plan.materials[material].stages;
-    if (std::none_of(stages.begin(), stages.end(),
-                     [](const PlannedStage& stage) { return stage.info->uses_height_bounds; }))
-        return;
+    if (std::none_of(stages.begin(), stages.end(), reads_bounds)) return;
     const auto range = height_range(map, plan.textures[material].owned[height_slot]->id(), cache);
     if (!range) return;
     MaterialUniforms& uniforms = plan.uniforms[material];
@@ -153,8 +156,9 @@ GeometryParts parts_read(const RenderPlan& plan) {
 bool may_leave_out_steps(const MaterialPlan& plan) {
     for (const Value v : {Value::hit_steps, Value::hit_fetches, Value::shadow_steps})
         if (plan.values[static_cast<std::size_t>(v)]) return false;
-    return std::any_of(plan.stages.begin(), plan.stages.end(),
-                       [](const PlannedStage& stage) { return leaves_out_steps(*stage.info); });
+    return std::any_of(plan.stages.begin(), plan.stages.end(), [](const PlannedStage& stage) {
+        return leaves_out_steps(*stage.info, stage.params.data());
+    });
 }
 
 std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,

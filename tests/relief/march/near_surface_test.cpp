@@ -26,6 +26,7 @@ const std::vector<BoundedRow>& lattice_rows() {
         {"contact", {{"steps", 128}, {"fine_steps", 8}}},
         {"contact", {{"steps", 128}, {"fine_steps", 8}, {"interpolate", 1}}},
         {"thesis-linear-binary", {{"min_steps", 100}}},
+        {"thesis-linear-binary@published", {{"min_steps", 100}}},
         {"shadow-march-mcguire", {{"steps_grazing", 200}, {"steps_normal", 60}}},
         {"shadow-march-thesis", {{"steps", 128}}},
         {"shadow-soft-riccardi", {{"steps", 128}}},

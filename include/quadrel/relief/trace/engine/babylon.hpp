@@ -29,6 +29,7 @@
 
 #include "quadrel/relief/trace/engine/babylon_march.hpp"
 #include "quadrel/relief/trace/offset/offset.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/trace/search/tangent_viewer.hpp"
 
@@ -59,6 +60,10 @@ struct Babylon : HeightSearch {
         choice<&Params::right_handed>("right_handed", "useRightHandedSystem", off_on, 0),
         choice<&Params::own_tangents>("own_tangents",
                                       "tangents of the mesh, inverted if left-handed", off_on, 0)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.parallax_occlusion != 0 ? BabylonMarch<float>::iMaxSamples : 0;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -95,19 +100,24 @@ struct Babylon : HeightSearch {
                        const Params& params) {
         const F side(static_cast<Scalar<F>>(params.right_handed != 0 ? -1 : 1));
         SearchResult<F> result;
-        for (const auto i : steps<F>(1, march.iMaxSamples)) {
-            const vec2<F> at = ray.uv + march.vCurrOffset;
-            const F height = implicit_height(io, ray.active, at);
+        const ImplicitHeights heights(io);
+        const Course course{[&](const vec3<F>& at) { return ray.uv + vec2<F>(at); },
+                            [](const vec3<F>& at, F height) { return !(height > at.z); },
+                            [&](const vec3<F>& at) { return march.next(at, side); }};
+        for (const auto i : steps_on_course<F, Before::needed>(
+                 course, march.at, heights, march.keepWorking, 1, march.iMaxSamples)) {
+            const vec2<F> at = course.at(march.at);
+            const F height = heights(ray.active, at);
             count_in<F>(result.steps, ray.active);
-            io.march_step(march.keepWorking, F(1) - march.currRayHeight, at, march.currRayHeight,
-                          height);
+            io.march_step(march.keepWorking, F(1) - march.currRayHeight(), at,
+                          march.currRayHeight(), height);
             march.test(height, side);
         }
-        result.s = F(1) - march.currRayHeight;
+        result.s = F(1) - march.currRayHeight();
         result.h = march.compared;
         result.status = search_status<F>(march.hit, march.met_nan | march.lost());
         result.fetches = result.steps;
-        store_search(io, ray, result, ray.uv + march.vCurrOffset);
+        store_search(io, ray, result, course.at(march.at));
     }
 };
 

@@ -20,6 +20,8 @@
 #pragma once
 
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 #include "quadrel/relief/trace/search/tangent_viewer.hpp"
 
@@ -45,27 +47,31 @@ struct Bevy : HeightSearch {
         parameter<&Params::max_layers>(
             "max_layers", "1", "layers along the surface; below 1: no parallax", 0, most_steps, 16),
         parameter<&Params::scale>("scale", "UV", "UV length of the depth range", -16, 16, 0.1)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return static_cast<std::int32_t>(params.max_layers);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto map = march_heights_of_level(io, F(0));
+        const auto map = settled_heights_of_level(io, F(0));
         CountedHeights heights(io, map);
         March<F> march(ray, -tangent_viewer(io), params);
         if (params.max_layers < 1) {
             const F s(ray.s_polygon);
-            return store_search(io, ray, heights.result(s, march.uv, Mask<F>(true)), march.uv);
+            return store_search(io, ray, heights.result(s, march.uv(), Mask<F>(true)), march.uv());
         }
         march.descend(heights);
-        const Mask<F> found = !(march.texture_depth > march.current_layer_depth);
+        const Mask<F> found = !(march.texture_depth > march.current_layer_depth());
         if (params.relief) march.half_steps(heights, params.relief_steps);
         const F h = heights.last();
         if (!params.relief) march.secant(heights);
-        SearchResult<F> result = heights.result(F(0), march.uv, found);
-        result.s = march.current_layer_depth;
+        SearchResult<F> result = heights.result(F(0), march.uv(), found);
+        result.s = march.current_layer_depth();
         result.h = h;
-        store_search(io, ray, result, march.uv);
+        store_search(io, ray, result, march.uv());
     }
 
   private:
@@ -73,36 +79,45 @@ struct Bevy : HeightSearch {
     template <Number F>
     struct March {
         Mask<F> searches;
-        vec2<F> uv, delta_uv;
-        F layer_count, layer_depth, current_layer_depth = F(0), texture_depth = F(0);
+        vec3<F> at;  ///< uv and current_layer_depth
+        vec2<F> delta_uv;
+        F layer_count, layer_depth, texture_depth = F(0);
 
         March(const SearchRay<F>& ray, const vec3<F>& Vt, const Params& params)
-            : searches(ray.active), uv(ray.uv) {
+            : searches(ray.active), at(ray.uv, F(0)) {
             const F view_steepness = abs(Vt.z);
             layer_count = mix(F(params.max_layers), F(1), view_steepness);
             layer_depth = F(1) / layer_count;
             delta_uv = vec2<F>(Vt) * (F(params.scale) * layer_depth) / view_steepness;
         }
 
+        vec2<F> uv() const { return vec2<F>(at); }
+        F current_layer_depth() const { return at.z; }
+
         template <class Heights>
         void sample(Heights& heights, Mask<F> active) {
-            const F height = heights(active, current_layer_depth, uv);
+            const F height = heights(active, current_layer_depth(), uv());
             texture_depth = select(active, F(1) - height, texture_depth);
         }
         void move(Mask<F> active, const vec2<F>& by, F deeper) {
-            uv = select(active, uv + by, uv);
-            current_layer_depth = select(active, current_layer_depth + deeper, current_layer_depth);
+            at = select(active, at + vec3<F>(by, deeper), at);
         }
 
         template <class Heights>
         void descend(Heights& heights) {
             Mask<F> active = searches;
-            for (const auto i : steps<F>(0, most_steps + 1)) {
+            const Course course{
+                [](const vec3<F>& to) { return vec2<F>(to); },
+                [](const vec3<F>& to, F height) { return F(1) - height > to.z; },
+                [&](const vec3<F>& from) { return from + vec3<F>(delta_uv, layer_depth); }};
+            const F layers = trunc(layer_count);
+            for (const auto i : steps_on_course<F>(course, at, heights.heights(), active, 0,
+                                                   most_steps + 1, layers + F(1))) {
                 sample(heights, active);
-                active = active & (texture_depth > current_layer_depth) &
-                         (number<F>(i) <= trunc(layer_count));
+                active =
+                    active & (texture_depth > current_layer_depth()) & (number<F>(i) <= layers);
                 if (none(active)) break;
-                move(active, delta_uv, layer_depth);
+                at = select(active, course.next(at), at);
             }
         }
         template <class Heights>
@@ -114,21 +129,21 @@ struct Bevy : HeightSearch {
                 sample(heights, searches);
                 delta = delta * F(0.5f);
                 delta_depth = delta_depth * F(0.5f);
-                const Mask<F> above = texture_depth > current_layer_depth;
+                const Mask<F> above = texture_depth > current_layer_depth();
                 move(searches, select(above, delta, -delta),
                      select(above, delta_depth, -delta_depth));
             }
         }
         template <class Heights>
         void secant(Heights& heights) {
-            const vec2<F> previous_uv = uv - delta_uv;
-            const F next_depth = texture_depth - current_layer_depth;
-            const F s = current_layer_depth - layer_depth;
+            const vec2<F> previous_uv = uv() - delta_uv;
+            const F next_depth = texture_depth - current_layer_depth();
+            const F s = current_layer_depth() - layer_depth;
             const F height = heights(searches, s, previous_uv);
-            const F previous_depth = (F(1) - height) - current_layer_depth + layer_depth;
+            const F previous_depth = (F(1) - height) - current_layer_depth() + layer_depth;
             const F weight = next_depth / (next_depth - previous_depth);
-            uv = mix(uv, previous_uv, weight);
-            current_layer_depth = current_layer_depth + mix(next_depth, previous_depth, weight);
+            const F moved = mix(next_depth, previous_depth, weight);
+            at = vec3<F>(mix(uv(), previous_uv, weight), current_layer_depth() + moved);
         }
     };
 };

@@ -41,6 +41,10 @@ struct Godot : HeightSearch {
                                        64, 32),
         parameter<&Params::scale>("scale", "0.01 UV", "UV length of the height range, times 100",
                                   -16, 16, 5)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.deep != 0 ? std::max(params.min_layers, params.max_layers) : 0;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

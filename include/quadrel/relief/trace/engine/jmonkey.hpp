@@ -24,6 +24,7 @@
 
 #include "quadrel/relief/trace/offset/offset.hpp"
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 #include "quadrel/relief/trace/search/tangent_viewer.hpp"
 
@@ -52,6 +53,11 @@ struct JMonkey : StageDefaults {
         parameter<&Params::steep>("steep", "0 or 1", "1: steep parallax, a search", 0, 1, 0),
         parameter<&Params::scale>(
             "scale", "UV", "UV length of the height range; 0.3 of it if steep", 0, 16, 0.05)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.steep != 0 ? static_cast<std::int32_t>(std::max(6.0f, 300 * params.scale))
+                                 : 0;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -71,11 +77,12 @@ struct JMonkey : StageDefaults {
     template <Number F>
     struct Steep {
         Mask<F> searches;
-        vec2<F> offset, offset_a_step, uv;
-        F samples, step, bound = F(1), height = F(0), previous = F(1);
+        vec3<F> at;  ///< the coordinate and the ray's height
+        vec2<F> offset, offset_a_step;
+        F samples, step, height = F(0), previous = F(1);
 
         Steep(const SearchRay<F>& ray, const vec3<F>& view, F scale)
-            : searches(ray.active), uv(ray.uv) {
+            : searches(ray.active), at(ray.uv, F(1)) {
             const F range = scale * F(0.3f), distance = length(view);
             const F slope = sqrt(distance * distance - view.z * view.z) / view.z;
             offset = normalize(vec2<F>(view)) * slope * range;
@@ -87,19 +94,27 @@ struct JMonkey : StageDefaults {
         template <class LookUp>
         void descend(LookUp& look_up) {
             Mask<F> active = searches;
-            for (const auto i : steps<F>(0, most_steps - 1)) {
-                active = active & (number<F>(i) < samples) & (height <= bound);
+            const auto next = [&](const vec3<F>& from) {
+                return from - vec3<F>(offset_a_step, step);
+            };
+            const Course course{
+                [&](const vec3<F>& from) { return vec2<F>(select(active, next(from), from)); },
+                [&](const vec3<F>& from, F found) { return found <= next(from).z; }, next};
+            for (const auto i :
+                 steps_on_course<F, Before::needed>(course, at, look_up.heights(), active, 0,
+                                                    most_steps - 1, ceil(samples) - F(1))) {
+                active = active & (number<F>(i) < samples);
                 if (none(active)) break;
-                uv = select(active, uv - offset_a_step, uv);
-                bound = select(active, bound - step, bound);
+                at = select(active, next(at), at);
                 previous = select(active, height, previous);
-                height = select(active, look_up(active, F(1) - bound, uv), height);
+                height = select(active, look_up(active, F(1) - at.z, vec2<F>(at)), height);
+                active = active & (height <= at.z);
             }
         }
 
         /// The height at which the line through the last two meets the ray.
         F meeting() const {
-            const F bound_before = bound + step;
+            const F bound = at.z, bound_before = bound + step;
             const F before = bound_before - previous, after = bound - height;
             return (bound * before - bound_before * after) / (before - after);
         }
@@ -112,7 +127,7 @@ struct JMonkey : StageDefaults {
         march.descend(look_up);
         const F s = F(1) - march.meeting();
         const vec2<F> uv = ray.uv - march.offset * s;
-        store_search(io, ray, look_up.result(s, uv, march.height > march.bound), uv);
+        store_search(io, ray, look_up.result(s, uv, march.height > march.at.z), uv);
     }
 };
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
@@ -29,33 +30,40 @@ F layers_by_angle(int least, int most, F z) {
 template <Number F>
 struct LayerMarch {
     Mask<F> active;  ///< lanes still in the loop
-    vec2<F> uv, uv_step;
-    F layer, s = F(0), depth = F(0);  ///< a layer's depth, the ray's, the map's
+    vec3<F> at;      ///< the coordinate and the ray's depth
+    vec2<F> uv_step;
+    F layer, depth = F(0);  ///< a layer's depth, the map's
 
     /// `shift`: the UV shift from the top plane to the bottom, against the ray.
     LayerMarch(const SearchRay<F>& ray, const vec2<F>& shift, F layers)
-        : active(ray.active), uv(ray.uv), uv_step(shift / layers), layer(F(1) / layers) {}
+        : active(ray.active), at(ray.uv, F(0)), uv_step(shift / layers), layer(F(1) / layers) {}
+
+    vec2<F> uv() const { return vec2<F>(at); }
+    F s() const { return at.z; }
 
     template <class Heights>
     void descend(Heights& heights) {
-        for (const auto i : steps<F>(0, most_steps)) {
-            depth = select(active, F(1) - heights(active, s, uv), depth);
-            active = active & (s < depth);
+        const Course course{[](const vec3<F>& to) { return vec2<F>(to); },
+                            [](const vec3<F>& to, F height) { return to.z < F(1) - height; },
+                            [&](const vec3<F>& from) { return from + vec3<F>(-uv_step, layer); }};
+        for (const auto i :
+             steps_on_course<F>(course, at, heights.heights(), active, 0, most_steps)) {
+            depth = select(active, F(1) - heights(active, s(), uv()), depth);
+            active = active & (s() < depth);
             if (none(active)) break;
             const Mask<F> moves = active & (number<F>(i) < number<F>(most_steps));
-            uv = select(moves, uv - uv_step, uv);
-            s = select(moves, s + layer, s);
+            at = select(moves, course.next(at), at);
         }
     }
 
     /// Between the last sample and the one before it; the last itself in lanes that were cut off.
     template <class Heights>
     vec2<F> secant(Heights& heights, Mask<F> searched) {
-        const vec2<F> previous = select(searched, uv + uv_step, uv);
-        const F height = heights(searched, s - layer, previous);
-        const F after = depth - s;
-        const F before = (F(1) - height) - s + layer;
-        return select(active, uv, mix(uv, previous, after / (after - before)));
+        const vec2<F> previous = select(searched, uv() + uv_step, uv());
+        const F height = heights(searched, s() - layer, previous);
+        const F after = depth - s();
+        const F before = (F(1) - height) - s() + layer;
+        return select(active, uv(), mix(uv(), previous, after / (after - before)));
     }
 };
 
@@ -70,7 +78,7 @@ void store_layer_march(const Io& io, const SearchRay<F>& ray, const vec2<F>& shi
     const vec2<F> uv = march.secant(heights, ray.active);
     const Mask<F> ended = !march.active;
     const Mask<F> no_number = is_nan(h) | !is_finite(uv.x + uv.y);
-    SearchResult<F> result = heights.result(march.s, uv, ended);
+    SearchResult<F> result = heights.result(march.s(), uv, ended);
     result.h = h;
     result.status = search_status<F>(ended, ended & no_number, Status::cap);
     store_search(io, ray, result, uv);

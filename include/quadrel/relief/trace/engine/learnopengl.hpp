@@ -36,6 +36,10 @@ struct LearnOpenGl : HeightSearch {
         parameter<&Params::min_layers>("min_layers", "1", "layers seen from above", 1, 1024, 8),
         parameter<&Params::max_layers>("max_layers", "1", "layers along the surface", 1, 1024, 32),
         parameter<&Params::scale>("scale", "UV", "UV length of the depth range", -16, 16, 0.1)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.min_layers, params.max_layers);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -50,6 +50,10 @@ struct O3de : HeightSearch {
         parameter<&Params::scale>("scale", "UV", "factor: UV length of the height range", 0, 16,
                                   0.05),
         parameter<&Params::offset>("offset", "UV", "by how much the range is raised", -16, 16, 0)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.algorithm != 0 ? 16 << params.quality : 0;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
 namespace quadrel {
@@ -33,10 +35,9 @@ class O3deRange {
 
 /// Heights with ddx_fine and ddy_fine of the undisplaced UV, whatever the frame's derivatives.
 template <class Io, class F = typename Io::Number>
-MarchHeights<Io> o3de_heights(const Io& io, const vec2<F>& uv) {
-    const SampledTexture& map = height_map(io);
-    return {io, map,
-            compute_lod(map, dFdx(uv, DerivativeMode::fine), dFdy(uv, DerivativeMode::fine))};
+SettledHeights<Io> o3de_heights(const Io& io, const vec2<F>& uv) {
+    return {io, compute_lod(height_map(io), dFdx(uv, DerivativeMode::fine),
+                            dFdy(uv, DerivativeMode::fine))};
 }
 
 template <class Io>
@@ -56,7 +57,7 @@ class O3deSearch {
           step_(F(1) / F(static_cast<Scalar<F>>(numSteps_))) {
         const F zInverse = F(1) / dirToCameraTS.z;
         delta_ = -dirToCameraTS * F(params.scale) * zInverse * step_;
-        parallaxOffset_ = -dirToCameraTS * zInverse * F(-params.offset);
+        at_ = vec4<F>(-dirToCameraTS * zInverse * F(-params.offset), F(0));
         sample(ray.active);
     }
 
@@ -64,14 +65,13 @@ class O3deSearch {
 
     /// POM: the chord between the last two samples.
     void interpolate() {
-        const F prevStep = currentStep_ - step_;
-        const F currentDiff = currentStep_ - currentSample_;
+        const F prevStep = currentStep() - step_;
+        const F currentDiff = currentStep() - currentSample_;
         const F prevDiff = prevSample_ - prevStep;
         const F ratio = prevDiff / (prevDiff + currentDiff);
-        const Mask<F> moved = below_top();
-        parallaxOffset_ =
-            select(moved, lerp(parallaxOffset_ - delta_, parallaxOffset_, ratio), parallaxOffset_);
-        currentStep_ = select(moved, lerp(prevStep, currentStep_, ratio), currentStep_);
+        const vec4<F> between(lerp(parallaxOffset() - delta_, parallaxOffset(), ratio),
+                              lerp(prevStep, currentStep(), ratio));
+        at_ = select(below_top(), between, at_);
     }
 
     /// Relief: half steps on or back, smaller and smaller.
@@ -82,7 +82,7 @@ class O3deSearch {
         for (const auto k : steps<F>(1, numSteps_)) {
             reliefDelta = reliefDelta * F(0.5f);
             reliefStep = reliefStep * F(0.5f);
-            const F depthSign = sign(currentSample_ - currentStep_);
+            const F depthSign = sign(currentSample_ - currentStep());
             move(moved, reliefStep * depthSign, reliefDelta * depthSign);
             sample(moved);
         }
@@ -97,49 +97,55 @@ class O3deSearch {
     }
 
     /// The displaced coordinates: undisplaced where the point lies above the polygon.
-    vec2<F> uv() const {
-        return ray_.uv + select(parallaxOffset_.z > F(0), vec2<F>(F(0)), vec2<F>(parallaxOffset_));
-    }
+    vec2<F> uv() const { return ray_.uv + select(at_.z > F(0), vec2<F>(F(0)), vec2<F>(at_)); }
     SearchResult<F> result() const {
-        SearchResult<F> result = height_.result(currentStep_, uv(), !capped_);
+        SearchResult<F> result = height_.result(currentStep(), uv(), !capped_);
         result.status = select(capped_, status_packet<F>(Status::cap), result.status);
         return result;
     }
 
   private:
-    Mask<F> below_top() const { return ray_.active & (currentStep_ > F(0)) & !capped_; }
+    vec3<F> parallaxOffset() const { return vec3<F>(at_); }
+    F currentStep() const { return at_.w; }
+    Mask<F> below_top() const { return ray_.active & (currentStep() > F(0)) & !capped_; }
 
     void move(Mask<F> lanes, F step, const vec3<F>& delta) {
-        currentStep_ = select(lanes, currentStep_ + step, currentStep_);
-        parallaxOffset_ = select(lanes, parallaxOffset_ + delta, parallaxOffset_);
+        at_ = select(lanes, at_ + vec4<F>(delta, step), at_);
     }
 
     void sample(Mask<F> lanes) {
-        const vec2<F> at = ray_.uv + vec2<F>(parallaxOffset_);
-        const F height = height_(lanes, currentStep_, at);
+        const F height = height_(lanes, currentStep(), ray_.uv + vec2<F>(at_));
         currentSample_ = select(lanes, range_.normalized_depth(height), currentSample_);
     }
 
     void march(F step, const vec3<F>& delta) {
-        Mask<F> above = ray_.active & !capped_;
-        for (const auto k : steps<F>(1, most_steps)) {
-            above = above & (currentSample_ > currentStep_);
+        Mask<F> above = ray_.active & !capped_ & (currentSample_ > currentStep());
+        const auto next = [&](const vec4<F>& from) { return from + vec4<F>(delta, step); };
+        const Course course{[&](const vec4<F>& from) { return ray_.uv + vec2<F>(next(from)); },
+                            [&](const vec4<F>& from, F height) {
+                                return range_.normalized_depth(height) > next(from).w;
+                            },
+                            next};
+        for (const auto k :
+             steps_on_course<F, Before::needed>(course, at_, heights_, above, 1, most_steps)) {
             if (none(above)) break;
             move(above, step, delta);
             prevSample_ = select(above, currentSample_, prevSample_);
             sample(above);
+            above = above & (currentSample_ > currentStep());
         }
-        capped_ = capped_ | (above & (currentSample_ > currentStep_));
+        capped_ = capped_ | above;
     }
 
     const SearchRay<F>& ray_;
-    MarchHeights<Io> heights_;
-    CountedHeights<Io, MarchHeights<Io>> height_;
+    SettledHeights<Io> heights_;
+    CountedHeights<Io, SettledHeights<Io>> height_;
     O3deRange<F> range_;
     int numSteps_;
     F step_;  ///< of normalised depth
-    vec3<F> delta_, parallaxOffset_;
-    F currentStep_ = F(0), currentSample_ = F(0), prevSample_ = F(0);
+    vec3<F> delta_;
+    vec4<F> at_;  ///< parallaxOffset and currentStep
+    F currentSample_ = F(0), prevSample_ = F(0);
     Mask<F> capped_ = Mask<F>(false);
 };
 

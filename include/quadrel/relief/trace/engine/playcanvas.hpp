@@ -24,6 +24,8 @@
 
 #include "quadrel/relief/trace/offset/offset.hpp"
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 #include "quadrel/relief/trace/search/tangent_viewer.hpp"
 
@@ -51,6 +53,9 @@ struct PlayCanvas : HeightSearch {
         parameter<&Params::height_map_factor>(
             "height_map_factor", "0.1 UV", "UV length of the height range, times 10", -160, 160, 1),
         parameter<&Params::base>("base", "1", "height that does not move", 0, 1, 0.5)};
+    static constexpr bool uses_height_bounds = true;
+    /// A step covers two texels: bounds of parts of the map, which need many, are of no use.
+    static std::int32_t lattice_steps(const Params& params) { return params.mode != 0 ? 1 : 0; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -101,7 +106,7 @@ struct PlayCanvas : HeightSearch {
     template <class Io, class F = typename Io::Number>
     static void search(const Io& io, const SearchRay<F>& ray, const Volume<F>& volume,
                        const Params& params) {
-        const auto heights = march_heights_of_level(io, volume.level);
+        const auto heights = settled_heights_of_level(io, volume.level);
         CountedHeights look_up(io, heights);
         const Mask<F> searches = ray.active & (volume.fade > F(0));
         const March<F> march = descend(look_up, searches, volume, params.samples);
@@ -118,13 +123,19 @@ struct PlayCanvas : HeightSearch {
         March<F> march;
         const F step = F(1) / volume.steps;
         march.surface = F(1) - look_up(active, F(0), volume.entry);
-        for (const auto i : steps<F>(0, most - 1)) {
-            active = active & (number<F>(i) < volume.steps) & !(march.ray >= march.surface);
+        active = active & !(march.ray >= march.surface);
+        const auto next = [&](F from) { return from + step; };
+        const Course course{[&](F from) { return volume.entry + volume.span * next(from); },
+                            [&](F from, F height) { return !(next(from) >= F(1) - height); }, next};
+        for (const auto i : steps_on_course<F>(course, march.ray, look_up.heights(), active, 0,
+                                               most - 1, ceil(volume.steps) - F(1))) {
+            active = active & (number<F>(i) < volume.steps);
             if (none(active)) break;
             march.previous = select(active, march.ray, march.previous);
-            march.ray = select(active, march.ray + step, march.ray);
+            march.ray = select(active, next(march.ray), march.ray);
             const F height = look_up(active, march.ray, volume.entry + volume.span * march.ray);
             march.surface = select(active, F(1) - height, march.surface);
+            active = active & !(march.ray >= march.surface);
         }
         return march;
     }

@@ -21,6 +21,7 @@
 
 #include "quadrel/relief/trace/offset/offset.hpp"
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
@@ -52,6 +53,10 @@ struct ThreeParallax : HeightSearch {
         parameter<&Params::max_layers>("max_layers", "1", "layers along the surface, unless basic",
                                        1, most_steps, 25),
         parameter<&Params::scale>("scale", "world unit", "depth of the relief", -16, 16, 0.005)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.mode != basic ? 30 : 0;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -71,9 +76,9 @@ struct ThreeParallax : HeightSearch {
         if (params.mode == relief) layers.halve(look_up);
         const F height = look_up.last();
         if (params.mode == occlusion) layers.secant(look_up);
-        SearchResult<F> result = look_up.result(layers.depth, layers.uv, layers.found);
+        SearchResult<F> result = look_up.result(layers.depth(), layers.uv(), layers.found);
         result.h = height;
-        store_search(io, ray, result, layers.uv);
+        store_search(io, ray, result, layers.uv());
     }
 
   private:
@@ -88,37 +93,46 @@ struct ThreeParallax : HeightSearch {
     template <Number F>
     struct Layers {
         Mask<F> searches, found = Mask<F>(false);
-        vec2<F> uv, shift;
-        F layer, depth = F(0), surface = F(0);
+        vec3<F> at;  ///< the coordinate and the ray's depth
+        vec2<F> shift;
+        F layer, surface = F(0);
 
         Layers(const SearchRay<F>& ray, const vec3<F>& V, const Params& params)
-            : searches(ray.active), uv(ray.uv) {
+            : searches(ray.active), at(ray.uv, F(0)) {
             const F layers = mix(F(static_cast<Scalar<F>>(params.max_layers)),
                                  F(static_cast<Scalar<F>>(params.min_layers)), abs(V.z));
             layer = F(1) / layers;
             shift = vec2<F>(V) * F(params.scale) / V.z / layers;
         }
 
+        vec2<F> uv() const { return vec2<F>(at); }
+        F depth() const { return at.z; }
+
         template <class LookUp>
         void sample(LookUp& look_up, Mask<F> active) {
-            surface = select(active, F(1) - look_up(active, depth, uv), surface);
+            surface = select(active, F(1) - look_up(active, depth(), uv()), surface);
         }
         void move(Mask<F> active, const vec2<F>& by, F deeper) {
-            uv = select(active, uv - by, uv);
-            depth = select(active, depth + deeper, depth);
+            at = select(active, at + vec3<F>(-by, deeper), at);
         }
 
         template <class LookUp>
         void march(LookUp& look_up) {
+            constexpr int most_layers = 30;
             Mask<F> active = searches;
-            sample(look_up, active);
-            for (const auto k : steps<F>(1, 30)) {
-                const Mask<F> hit = active & (surface <= depth);
+            const Course course{
+                [](const vec3<F>& to) { return vec2<F>(to); },
+                [](const vec3<F>& to, F height) { return !(F(1) - height <= to.z); },
+                [&](const vec3<F>& from) { return from + vec3<F>(-shift, layer); }};
+            for (const auto k :
+                 steps_on_course<F>(course, at, look_up.heights(), active, 0, most_layers)) {
+                sample(look_up, active);
+                active = active & (number<F>(k) < number<F>(most_layers));
+                const Mask<F> hit = active & (surface <= depth());
                 found = found | hit;
                 active = active & !hit;
                 if (none(active)) break;
-                move(active, shift, layer);
-                sample(look_up, active);
+                at = select(active, course.next(at), at);
             }
         }
         template <class LookUp>
@@ -130,18 +144,20 @@ struct ThreeParallax : HeightSearch {
                 half_shift = half_shift / F(2);
                 half_layer = half_layer / F(2);
                 sample(look_up, searches);
-                const Mask<F> above = surface > depth;
+                const Mask<F> above = surface > depth();
                 move(searches, select(above, half_shift, -half_shift),
                      select(above, half_layer, -half_layer));
             }
         }
         template <class LookUp>
         void secant(LookUp& look_up) {
-            const vec2<F> previous = select(searches, uv + shift, uv);
-            const F next = surface - depth;
-            const F before = (F(1) - look_up(searches, depth - layer, previous)) - depth + layer;
+            const vec2<F> previous = select(searches, uv() + shift, uv());
+            const F next = surface - depth();
+            const F height = look_up(searches, depth() - layer, previous);
+            const F before = (F(1) - height) - depth() + layer;
             const F weight = next / (next - before);
-            uv = select(searches, previous * weight + uv * (F(1) - weight), uv);
+            const vec2<F> meeting = previous * weight + uv() * (F(1) - weight);
+            at = select(searches, vec3<F>(meeting, depth()), at);
         }
     };
 };

@@ -23,6 +23,8 @@
 #pragma once
 
 #include "quadrel/relief/trace/search/counted_heights.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/tangent_viewer.hpp"
 
 namespace quadrel {
@@ -50,6 +52,10 @@ struct UnityPom : HeightSearch {
         parameter<&Params::lod>("lod", "levels", "level of detail of Shader Graph", 0, 17, 0),
         parameter<&Params::lod_threshold>("lod_threshold", "levels",
                                           "level beyond which the offset shrinks", 0, 17, 0)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return params.mode != 0 ? std::max(params.steps, params.max_steps) : params.steps;
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -63,13 +69,13 @@ struct UnityPom : HeightSearch {
             level = own_level(io, ray.uv);
             steps = steps_by_view(view.z, steps, F(static_cast<Scalar<F>>(params.max_steps)));
         }
-        const auto heights = march_heights_of_level(io, level);
+        const auto heights = settled_heights_of_level(io, level);
         CountedHeights look_up(io, heights);
         Interval<F> interval(view, steps);
         interval.march(look_up, ray);
         interval.refine(look_up, ray);
         const F kept = F(1) - saturate(level - F(params.lod_threshold));
-        const vec2<F> uv = ray.uv + interval.offset * kept;
+        const vec2<F> uv = ray.uv + interval.offset() * kept;
         store_search(io, ray, look_up.result(interval.depth, uv, interval.found), uv);
     }
 
@@ -94,46 +100,54 @@ struct UnityPom : HeightSearch {
     template <Number F>
     struct Interval {
         F num_steps, step;
-        vec2<F> offset_a_step, offset = vec2<F>(F(0));
-        F ray_height, height = F(0), previous = F(0), depth = F(0);
+        vec2<F> offset_a_step;
+        vec3<F> at;  ///< the offset and the ray's height
+        F height = F(0), previous = F(0), depth = F(0);
         Mask<F> found = Mask<F>(false);
 
         Interval(const vec3<F>& view, F n) : num_steps(n), step(F(1) / n) {
             offset_a_step = vec2<F>(view) / -view.z * step;
-            ray_height = F(1) - step;
+            at = vec3<F>(F(0), F(0), F(1) - step);
         }
+
+        vec2<F> offset() const { return vec2<F>(at); }
+        F ray_height() const { return at.z; }
 
         template <class LookUp>
         void march(LookUp& look_up, const SearchRay<F>& ray) {
             Mask<F> active = ray.active;
-            previous = look_up(active, F(0), ray.uv + offset);
-            offset = offset + offset_a_step;
-            height = look_up(active, F(1) - ray_height, ray.uv + offset);
-            for (const auto i : steps<F>(0, 255)) {
+            previous = look_up(active, F(0), ray.uv + offset());
+            at = at + vec3<F>(offset_a_step, F(0));
+            const Course course{
+                [&](const vec3<F>& to) { return ray.uv + vec2<F>(to); },
+                [](const vec3<F>& to, F texel) { return !(texel > to.z); },
+                [&](const vec3<F>& from) { return from + vec3<F>(offset_a_step, -step); }};
+            for (const auto i : steps_on_course<F, Before::needed>(course, at, look_up.heights(),
+                                                                   active, 0, 256, num_steps)) {
+                const F texel = look_up(active, F(1) - ray_height(), course.at(at));
+                height = select(active, texel, height);
                 active = active & (number<F>(i) < num_steps);
-                const Mask<F> hit = active & (height > ray_height);
+                const Mask<F> hit = active & (height > ray_height());
                 found = found | hit;
                 active = active & !hit;
                 if (none(active)) break;
                 previous = select(active, height, previous);
-                ray_height = select(active, ray_height - step, ray_height);
-                offset = select(active, offset + offset_a_step, offset);
-                height =
-                    select(active, look_up(active, F(1) - ray_height, ray.uv + offset), height);
+                at = select(active, course.next(at), at);
             }
         }
 
         template <class LookUp>
         void refine(LookUp& look_up, const SearchRay<F>& ray) {
-            F above = ray_height + step, below = ray_height;
+            F above = ray_height() + step, below = ray_height();
             F delta_above = above - previous, delta_below = below - height;
             Mask<F> active = ray.active;
             for (const auto i : steps<F>(1, 3)) {
                 const F crossing =
                     (above * delta_below - below * delta_above) / (delta_below - delta_above);
                 depth = select(active, F(1) - crossing, depth);
-                offset = select(active, offset_a_step * (F(1) - crossing) * num_steps, offset);
-                const F delta = crossing - look_up(active, depth, ray.uv + offset);
+                const vec2<F> moved = offset_a_step * (F(1) - crossing) * num_steps;
+                at = select(active, vec3<F>(moved, ray_height()), at);
+                const F delta = crossing - look_up(active, depth, ray.uv + offset());
                 active = active & !(abs(delta) <= F(0.01f));
                 if (none(active)) break;
                 const Mask<F> under = delta < F(0);

@@ -18,7 +18,8 @@
 // coordinates; depth and seat move hit.depth alone. The height is channel 0.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/implicit_height.hpp"
 #include "quadrel/relief/vertex_frame.hpp"
 
 namespace quadrel {
@@ -43,12 +44,13 @@ struct HeightOutwardPublished : HeightSearch {
         parameter<&Params::hresolution>("hresolution", "UV", "length of the map", 0x1p-20, 0x1p20,
                                         1),
         parameter<&Params::points>("points", "1", "points of the march", 1, 65536, 50)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) { return params.points; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const SampledTexture& map = *io.template texture<TextureSlot::height>();
         const F npoints(static_cast<Scalar<F>>(params.points)), vscale(params.vscale);
         const vec3<F> nRay = normalize(-vertex_eye(io));
         const F sampling_resolution = vscale / npoints * F(0.6f);
@@ -57,16 +59,20 @@ struct HeightOutwardPublished : HeightSearch {
 
         SearchResult<F> result;
         Mask<F> active = ray.active, met_nan(false);
-        for (const auto k : steps<F>(1, params.points)) {
-            const auto context = io.template context<TextureSlot::height>(active);
-            const vec2<F> at = vec2<F>(pos) / F(params.hresolution);
-            const F texel = texture(map, context, at, io.frame().derivatives).x;
+        const ImplicitHeights heights(io);
+        const Course course{
+            [&](const vec3<F>& from) { return vec2<F>(from) / F(params.hresolution); },
+            [&](const vec3<F>& from, F texel) { return !(vscale * texel > from.z); },
+            [&](const vec3<F>& from) { return from - vRay; }};
+        for (const auto k : steps_on_course<F>(course, pos, heights, active, 1, params.points)) {
+            const vec2<F> at = course.at(pos);
+            const F texel = heights(active, at);
             io.march_step(active, F(1) - pos.z / vscale, at, pos.z / vscale, texel);
             result.h = select(active, texel, result.h);
             count_in<F>(result.steps, active);
             met_nan = met_nan | (active & is_nan(texel));
-            active = active & !(vscale * texel > pos.z);
-            pos = select(active, pos - vRay, pos);
+            active = active & course.passes(pos, texel);
+            pos = select(active, course.next(pos), pos);
             if (none(active)) break;
         }
         result.s = F(1) - pos.z / vscale;

@@ -11,7 +11,8 @@
 //     map no offset, blended over the level before it.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
 namespace quadrel {
@@ -32,6 +33,10 @@ struct PomDxsdk : HeightSearch {
                                         8),
         parameter<&Params::lod_threshold>("lod_threshold", "levels",
                                           "level from which on there is no offset", 0, 17, 3)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.max_samples, params.min_samples);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -85,22 +90,25 @@ struct PomDxsdk : HeightSearch {
     template <class Io, class F>
     static Interval<F> interval(const Io& io, const SearchRay<F>& ray, Mask<F> active,
                                 const Params& params) {
-        const auto heights = march_heights(io);
+        const SettledHeights<Io> heights(io, undisplaced_lod(io, height_map(io)));
         const F r = io.template load<Value::r>();
         const F n = trunc(lerp(F(static_cast<Scalar<F>>(params.max_samples)),
                                F(static_cast<Scalar<F>>(params.min_samples)), r));
         const F step = F(1) / n;
-        const vec2<F> step_uv = ray.K * step;
+        const vec3<F> on(ray.K * step, -step);
         Interval<F> march;
-        F bound(1);
-        vec2<F> at = ray.uv;
-        for (const auto i : steps<F>(0, most_steps - 1)) {
+        vec3<F> at(ray.uv, F(1));  // the coordinate and the bound
+        const Course course{
+            [&](const vec3<F>& from) { return vec2<F>(from + on); },
+            [&](const vec3<F>& from, F height) { return !(height > (from + on).z); },
+            [&](const vec3<F>& from) { return from + on; }};
+        for (const auto i : steps_on_course<F, Before::needed>(course, at, heights, active, 0,
+                                                               most_steps - 1, n - F(1))) {
             active = active & (number<F>(i) < n);
             if (none(active)) break;
-            at = at + step_uv;
-            const F height = heights(active, at);
-            bound = bound - step;
-            io.march_step(active, F(1) - bound, at, bound, height);
+            at = course.next(at);
+            const F height = heights(active, vec2<F>(at)), bound = at.z;
+            io.march_step(active, F(1) - bound, vec2<F>(at), bound, height);
             const Mask<F> hit = active & (height > bound);
             march.pt1 = select(hit, vec2<F>(bound, height), march.pt1);
             march.pt2 = select(hit, vec2<F>(bound + step, march.prev_height), march.pt2);

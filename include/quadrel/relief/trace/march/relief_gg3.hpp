@@ -11,7 +11,8 @@
 // Not reproduced: the 8 bits of its map; its depth bias and border clamp, both off by default.
 #pragma once
 
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/course.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
 namespace quadrel {
@@ -31,48 +32,50 @@ struct ReliefGg3 : HeightSearch {
         parameter<&Params::linear_steps>("linear_steps", "1", "steps over the relief's depth", 1,
                                          most_steps, 15),
         parameter<&Params::binary_steps>("binary_steps", "1", "signed half steps", 0, 60, 6)};
+    static constexpr bool uses_height_bounds = true;
+    static std::int32_t lattice_steps(const Params& params) { return params.linear_steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
-        const auto heights = march_heights_of_level(io, F(0));
-        Walk<F> walk{ray.uv, F(0)};
+        const auto heights = settled_heights_of_level(io, F(0));
+        Walk<F> walk{vec3<F>(ray.uv, F(0))};
         const F n = number<F>(params.linear_steps);
-        vec2<F> v = ray.K / n;
-        F v_z = F(1) / n;
-        for (const auto k : steps<F>(1, params.linear_steps)) {
-            const Mask<F> above = walk.above(io, heights, ray.active);
-            walk.p = select(above, walk.p + v, walk.p);
-            walk.p_z = select(above, walk.p_z + v_z, walk.p_z);
+        vec3<F> v(ray.K / n, F(1) / n);
+        const Course course{[](const vec3<F>& p) { return vec2<F>(p); },
+                            [](const vec3<F>& p, F h) { return p.z < F(1) - h; },
+                            [&](const vec3<F>& p) { return p + v; }};
+        Mask<F> moves = ray.active;
+        for (const auto k :
+             steps_on_course<F>(course, walk.p, heights, moves, 1, params.linear_steps)) {
+            moves = moves & walk.above(io, heights, ray.active);
+            walk.p = select(moves, course.next(walk.p), walk.p);
         }
         for (const auto k : steps<F>(1, params.binary_steps)) {
             v = v * F(0.5f);
-            v_z = v_z * F(0.5f);
             const Mask<F> above = walk.above(io, heights, ray.active);
             walk.p = select(above, walk.p + v, walk.p - v);
-            walk.p_z = select(above, walk.p_z + v_z, walk.p_z - v_z);
         }
-        walk.result.s = walk.p_z;
+        walk.result.s = walk.p.z;
         walk.result.status = search_status<F>(walk.found, walk.met_nan);
         walk.result.fetches = walk.result.steps;
-        store_search(io, ray, walk.result, walk.p);
+        store_search(io, ray, walk.result, vec2<F>(walk.p));
     }
 
   private:
     template <Number F>
     struct Walk {
-        vec2<F> p;
-        F p_z;
+        vec3<F> p;
         SearchResult<F> result{};
         Mask<F> found = Mask<F>(false), met_nan = Mask<F>(false);
 
         /// Fetches at p: whether it is above the surface.
         template <class Io, class Heights>
         Mask<F> above(const Io& io, const Heights& heights, Mask<F> active) {
-            const F h = heights(active, p);
-            io.march_step(active, p_z, p, F(1) - p_z, h);
-            const Mask<F> above = p_z < F(1) - h;
+            const F h = heights(active, vec2<F>(p));
+            io.march_step(active, p.z, vec2<F>(p), F(1) - p.z, h);
+            const Mask<F> above = p.z < F(1) - h;
             result.h = h;
             met_nan = met_nan | (active & is_nan(h));
             found = found | (active & !above);

@@ -39,13 +39,13 @@ struct ThesisLinearBinarySearch : HeightSearch {
     static constexpr bool needs_height_map = true;
     using Params = ThesisLinearBinaryParams;
     static constexpr auto parameters = thesis_linear_binary_parameters;
+    static std::int32_t lattice_steps(const Params& params) { return params.max_steps; }
 };
 
 struct ThesisLinearBinary : ThesisLinearBinarySearch {
     static constexpr StageText text{"thesis-linear-binary", "trace",
                                     "linear search by texels, then bisection",
                                     "correction of thesis-linear-binary@published"};
-    static std::int32_t lattice_steps(const Params& params) { return params.max_steps; }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -32,7 +32,8 @@ struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
         const MarchHeights<Io> nearest(io, texels, finest), linear(io, patches, finest);
 
         const F n = steps_by_texel(map, ray.K, params);
-        auto interval = search(tested_heights(io, nearest), ray, n, params.max_steps);
+        const NearestHeights<Io> texel_heights(io, nearest);
+        auto interval = search(texel_heights, ray, n, params.max_steps);
         const Mask<F> crosses =
             halve(tested_heights(io, linear), ray, params.binary_steps, interval);
         SearchResult<F> result = result_of(interval);
@@ -42,6 +43,18 @@ struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
     }
 
   private:
+    /// Every texel is a corner of a cell around the point, and bounded with it. Between two points
+    /// heights jump.
+    template <class Io>
+    struct NearestHeights : TestedHeights<Io, MarchHeights<Io>> {
+        using TestedHeights<Io, MarchHeights<Io>>::TestedHeights;
+        CeilingLevels ceiling(Mask<typename Io::Number> active) const {
+            CeilingLevels levels = TestedHeights<Io, MarchHeights<Io>>::ceiling(active);
+            levels.continuous = false;
+            return levels;
+        }
+    };
+
     static SampledTexture level_0(SampledTexture map, Filter filter) {
         map.sampler.mag = map.sampler.min = filter;
         map.sampler.mip = MipFilter::none;
@@ -52,9 +65,9 @@ struct ThesisLinearBinaryPublished : ThesisLinearBinarySearch {
     static Bracket<F> search(const Height& height, const SearchRay<F>& ray, F n, int last) {
         Bracket<F> interval;
         Mask<F> active = ray.active;
-        for (const auto k : steps<F>(0, last)) {
+        for (const auto k : steps_near_surface<F>(height, ray, active, n, last, Before::needed)) {
             const F index = number<F>(k);
-            active = active & (index < n + F(1));
+            active = active & (index < n + F(1)) & (index <= number<F>(last));
             if (none(active)) break;
             const F s = min(index / n, F(1));
             const F h = height(active, s, ray.at(s), F(1) - s);

@@ -25,6 +25,8 @@ class CountedHeights {
         return height;
     }
 
+    const Heights& heights() const { return heights_; }
+
     /// The last height of each lane.
     F last() const { return last_; }
 

@@ -12,7 +12,9 @@
 //
 // gives first, first + 1, ... last, and leaves out steps at which every lane of `active` is known
 // to pass: `position` then moves on without a look-up, by the same additions. A text may rely on
-// nothing of a step that was left out but that.
+// nothing of a step that was left out but that; where a step reads what the one before has found,
+// steps_on_course<F, Before::needed> gives the last step of each gap as well. Steps may end once
+// `active` has no lane.
 //
 // The bound is the greatest height in the box of the coordinates that the march has now and some
 // steps later, which are moved to beforehand: by whole steps, so that no margin has to stand for
@@ -45,13 +47,13 @@ concept BoundedBetween = requires(const Heights& heights, Mask<F> active, vec2<F
 };
 
 /// Steps `first` to `last` of the lanes of `active` but those at which all of them pass.
-template <Packet F, class Along, class Position, class Heights>
+template <Packet F, Before before, class Along, class Position, class Heights>
 class StepsOnCourse {
   public:
     class Iterator {
       public:
         explicit Iterator(StepsOnCourse& of) : of_(of) {}
-        bool operator!=(int) const { return of_.k_ <= of_.last_; }
+        bool operator!=(int) const { return of_.goes_on(); }
         Step operator*() const { return Step(of_.k_); }
         void operator++() { of_.advance(); }
 
@@ -66,14 +68,18 @@ class StepsOnCourse {
           position_(position),
           heights_(heights),
           active_(active),
+          previous_(position),
           k_(first),
           last_(last),
-          own_last_(own_last),
-          has_own_last_(any(own_last < F(static_cast<Scalar<F>>(last)))) {
+          own_last_(select(own_last == own_last, own_last, number<F>(first))),
+          has_own_last_(any(own_last_ < number<F>(last))) {
         if (none(active)) return;
-        pass_below(heights.highest(), end_of_passing() - k_);
+        const Scalar<F> highest = heights.highest();
+        may_end_ = highest < std::numeric_limits<Scalar<F>>::infinity();
+        pass_below(highest, end_of_passing() - k_);
         looks_ahead_ = heights.bounded() && starts_slowly();
         if (looks_ahead_) look_ahead();
+        give_step_before(first);
     }
 
     Iterator begin() { return Iterator(*this); }
@@ -87,9 +93,23 @@ class StepsOnCourse {
     static constexpr float cells_worth_a_look = 2, most_cells_a_step = 1;
     static constexpr int shortest_pause = 2, longest_pause = 16;
 
+    bool goes_on() const { return k_ <= last_ && (!may_end_ || any(active_)); }
+
     void advance() {
         ++k_;
-        if (looks_ahead_ && --until_look_ <= 0) look_ahead();
+        if (!looks_ahead_ || --until_look_ > 0) return;
+        const int from = k_;
+        look_ahead();
+        give_step_before(from);
+    }
+
+    /// Back to the last step left out since `from`, where it is needed.
+    void give_step_before(int from) {
+        if constexpr (before == Before::needed) {
+            if (k_ == from) return;
+            position_ = previous_;
+            --k_;
+        }
     }
 
     /// Where the packet as a whole is slow enough for bounds of parts of the map.
@@ -127,6 +147,7 @@ class StepsOnCourse {
     int end_of_passing() const {
         if (!has_own_last_) return last_;
         const Scalar<F> own = least(own_last_, active_);
+        if (!(own > static_cast<Scalar<F>>(k_))) return k_;
         return own < static_cast<Scalar<F>>(last_) ? static_cast<int>(own) : last_;
     }
 
@@ -138,6 +159,7 @@ class StepsOnCourse {
         const F h(ceiling);
         int passed = 0;
         for (; passed < most && none(active_ & !course_.passes(position_, h)); ++passed) {
+            if constexpr (before == Before::needed) previous_ = position_;
             position_ = moved(position_);
         }
         k_ += passed;
@@ -189,23 +211,25 @@ class StepsOnCourse {
     Position& position_;
     const Heights& heights_;
     const Mask<F>& active_;
+    Position previous_;  ///< at the step before k_, if that was left out
     int k_, last_;
     F own_last_;
     bool has_own_last_;
     bool looks_ahead_ = false;
+    bool may_end_ = false;         ///< where no lane is active: nobody counts steps
     int shortest_ = worth_a_look;  ///< fewest steps to look ahead
     int length_ = first_length;    ///< how many next
     int pause_ = 1, until_look_ = 1;
 };
 
-/// `own_last`: see StepsOnCourse.
-template <Number F, class Along, class Position, class Heights>
+/// `own_last`: see StepsOnCourse. A lane for which it is no number takes its first step.
+template <Number F, Before before = Before::not_needed, class Along, class Position, class Heights>
 auto steps_on_course(const Along& course, Position& position, const Heights& heights,
                      const Mask<F>& active, int first, int last,
                      F own_last = F(std::numeric_limits<Scalar<F>>::infinity())) {
     if constexpr (BoundedBetween<Heights, F>) {
-        return StepsOnCourse<F, Along, Position, Heights>(course, position, heights, active, first,
-                                                          last, own_last);
+        return StepsOnCourse<F, before, Along, Position, Heights>(course, position, heights, active,
+                                                                  first, last, own_last);
     } else {
         return steps<F>(first, last);
     }

@@ -98,6 +98,7 @@ inline float height_ceiling(const LevelMaxima& level, const UvBox& box, double s
 struct CeilingLevels {
     const HeightMaxima* maxima = nullptr;  ///< null: nothing is known
     int finest = 0, coarsest = 0;
+    bool continuous = true;  ///< as HeightMaxima has it; false where look-ups take nearest texels
 };
 
 inline float height_ceiling(const CeilingLevels& levels, const UvBox& box) {

@@ -1,8 +1,7 @@
 // Heights as texture() gives them, without gradients of one's own.
 #pragma once
 
-#include "quadrel/relief/trace/search/beam.hpp"
-#include "quadrel/relief/trace/search/search.hpp"
+#include "quadrel/relief/trace/search/course_heights.hpp"
 
 namespace quadrel {
 
@@ -16,33 +15,17 @@ F implicit_height(const Io& io, Mask<F> active, const vec2<F>& uv) {
 
 /// implicit_height for a whole march: where the level of detail does not matter, by the short way.
 template <class Io>
-class ImplicitHeights {
+class ImplicitHeights : public CourseHeights<Io> {
   public:
     using F = typename Io::Number;
 
     explicit ImplicitHeights(const Io& io)
-        : io_(io),
+        : CourseHeights<Io>(io),
           settled_(io, height_map(io), finest_lod<F>()),
-          is_settled_(io.call().log == nullptr && !lod_matters(height_map(io))),
-          leaves_out_(io.call().log == nullptr &&
-                      marks_of(io.template context<TextureSlot::height>()) == nullptr) {}
+          is_settled_(io.call().log == nullptr && !lod_matters(height_map(io))) {}
 
     F operator()(Mask<F> active, const vec2<F>& uv) const {
         return is_settled_ ? settled_(active, uv) : by_level(active, uv);
-    }
-
-    /// No look-up gives more.
-    Scalar<F> highest() const {
-        return leaves_out_ ? height_bounds(io_).high : HeightBounds<Scalar<F>>().high;
-    }
-
-    /// Whether levels_between tells anything.
-    bool bounded() const { return leaves_out_ && io_.material().maxima != nullptr; }
-
-    /// Along the map's longer side.
-    int texels() const {
-        const TextureView& view = height_map(io_).view;
-        return std::max(view.width[0], view.height[0]);
     }
 
     /// What look-ups read between two points that lie `steps` steps apart, where every lane goes
@@ -50,7 +33,7 @@ class ImplicitHeights {
     /// sums round off, and the greatest level is at one of the ends.
     CeilingLevels levels_between(Mask<F> active, const vec2<F>& from, const vec2<F>& to,
                                  int steps) const {
-        const HeightMaxima& maxima = *io_.material().maxima;
+        const HeightMaxima& maxima = *this->io_.material().maxima;
         if (is_settled_) return {&maxima, 0, 0};
         const Scalar<F> level = greatest_level(active, from, to, steps);
         return {&maxima, 0, std::clamp(to_int(ceil(level)), 0, maxima.levels - 1)};
@@ -58,14 +41,14 @@ class ImplicitHeights {
 
   private:
     [[gnu::noinline]] F by_level(Mask<F> active, const vec2<F>& uv) const {
-        return implicit_height(io_, active, uv);
+        return implicit_height(this->io_, active, uv);
     }
 
     [[gnu::noinline]] Scalar<F> greatest_level(Mask<F> active, const vec2<F>& from,
                                                const vec2<F>& to, int steps) const {
-        const SampledTexture& map = height_map(io_);
+        const SampledTexture& map = height_map(this->io_);
         const F size = max(max(max(abs(from.x), abs(from.y)), max(abs(to.x), abs(to.y))), F(1));
-        const F off = size * F(static_cast<Scalar<F>>(texels())) *
+        const F off = size * F(static_cast<Scalar<F>>(this->texels())) *
                       F(static_cast<Scalar<F>>(steps + 4) * 0x1p-22f);
         const F length = sqrt(max(greatest_square(map, from), greatest_square(map, to))) + off;
         const Gradients<F> raised{{length, F(0)}, {F(0), length}};
@@ -77,17 +60,15 @@ class ImplicitHeights {
     /// At least the square of rho, infinite where gradients are no numbers.
     F greatest_square(const SampledTexture& map, const vec2<F>& uv) const {
         const auto [x, y] =
-            texel_gradients<F>(map, implicit_gradients(map, uv, io_.frame().derivatives));
+            texel_gradients<F>(map, implicit_gradients(map, uv, this->io_.frame().derivatives));
         const F square =
             map.sampler.lod_form == LodForm::ellipse ? dot(x, x) + dot(y, y) : largest_square(x, y);
         return select(is_finite(x.x + x.y + y.x + y.y), square,
                       F(std::numeric_limits<Scalar<F>>::infinity()));
     }
 
-    const Io& io_;
     MarchHeights<Io> settled_;
     bool is_settled_;
-    bool leaves_out_;  ///< nothing shows or marks every look-up
 };
 
 /// Heights at the one level, a lane's own or its quad's, that a look-up at the undisplaced UV has.

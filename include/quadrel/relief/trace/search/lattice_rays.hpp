@@ -23,6 +23,9 @@ LatticeRays<F> even_steps_down(const SearchRay<F>& ray, F n, int last) {
             min(ceil(n), number<F>(last))};
 }
 
+/// Whether a text reads, at a sample, what it found at the one before.
+enum class Before { not_needed, needed };
+
 /// What the last look-up of a march gave.
 template <Number F>
 struct LastLook {

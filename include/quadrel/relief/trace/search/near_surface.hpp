@@ -11,16 +11,15 @@
 // Two bounds leave out steps. The packet as a beam is led through the pyramid of maxima. Where it
 // is near the surface, each lane goes by the gap that its last look-up has left between the ray and
 // the surface: the two approach each other by no more a step than the ray comes down and the
-// steepest slope around rises.
+// steepest slope around rises. Where neither spares what it takes, packets stop asking
+// (look_memory.hpp).
 #pragma once
 
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/search/beam.hpp"
+#include "quadrel/relief/trace/search/look_memory.hpp"
 
 namespace quadrel {
-
-/// Whether a text reads, at a sample, what it found at the one before.
-enum class Before { not_needed, needed };
 
 /// Marches of fewer steps make them all: there is less to gain than looking ahead takes. Measured.
 inline constexpr int fewest_steps_to_leave_out = 96;
@@ -44,7 +43,7 @@ class GapLeaps {
     GapLeaps(const CeilingLevels& levels, const LatticeRays<F>& rays, Mask<F> active) {
         const HeightMaxima& maxima = *levels.maxima;
         const int count = levels.coarsest - levels.finest + 1;
-        if (maxima.continuous == 0 || count > most_levels) return;
+        if (maxima.continuous == 0 || !levels.continuous || count > most_levels) return;
         coming_down_ = -rays.height_step;
         rounding_ = F(2 * maxima.rounding + 0x1p-21f);
         farthest_ = F(std::numeric_limits<Scalar<F>>::infinity());
@@ -139,9 +138,19 @@ class StepsNearSurface {
         if (last < fewest_steps_to_leave_out) return;
         levels_ = height.ceiling(active);
         if (levels_.maxima == nullptr) return;
+        memory_ = &look_memory<Height>();
+        if (!memory_->looks(levels_.maxima)) {
+            levels_.maxima = nullptr;
+            return;
+        }
         must_take_ = rays.last;
         gap_leaps_ = GapLeaps<F>(levels_, rays, active);
         start_beam();
+        farthest_ = next_;
+    }
+    StepsNearSurface(const StepsNearSurface&) = delete;
+    ~StepsNearSurface() {
+        if (levels_.maxima != nullptr) memory_->learn(gain());
     }
 
     Iterator begin() { return Iterator(*this); }
@@ -156,6 +165,15 @@ class StepsNearSurface {
     /// Looks are paid for by steps left out, and by a part of those made: where the surface is near
     /// all along, they end. Measured, in parts of a sample.
     static constexpr int look_costs = 24, step_spares = 8, first_credit = 72;
+    /// In the same parts: to start, and to ask for a leap by gaps.
+    static constexpr int start_costs = 48, gap_look_costs = 6;
+
+    /// Of the whole packet, beside every step made until its last lane is through.
+    int gain() const {
+        const Scalar<F> last = greatest(farthest_, Mask<F>(true));
+        if (!(last >= 0 && last <= static_cast<Scalar<F>>(last_))) return 0;
+        return step_spares * (static_cast<int>(last) + 1 - samples_) - spent_;
+    }
 
     bool any_left() const { return any(active_ & (next_ <= end_)); }
 
@@ -171,11 +189,14 @@ class StepsNearSurface {
         move_to(next_ + ahead);
         ++credit_;
         if (--looks_ahead_ <= 0) advance_beam();
+        farthest_ = select(active_ & (next_ <= end_), next_, farthest_);
+        ++samples_;
     }
 
     /// Asked for more and more seldom while it gets few lanes on.
     F leap_by_gaps() {
         if (--samples_to_gaps_ > 0) return F(0);
+        spent_ += gap_look_costs;
         const F leap = gap_leaps_(height_.last_look());
         const bool pays = 2 * count_lanes<F>(active_ & (leap >= F(1))) >= count_lanes<F>(active_);
         gap_pause_ = pays ? 1 : std::min(2 * gap_pause_, longest_pause);
@@ -224,6 +245,7 @@ class StepsNearSurface {
         for (;;) {
             if (credit_ < look_costs) break;
             credit_ -= look_costs;
+            spent_ += look_costs;
             const int high = std::min(k + length_ - 1, limit_);
             const int above =
                 high < k ? k - 1
@@ -269,6 +291,9 @@ class StepsNearSurface {
     int length_ = 1;                           ///< how many steps it looks at next
     int looks_ahead_ = 1;                      ///< how many samples until it is asked again
     int credit_ = first_credit;
+    LookMemory* memory_ = nullptr;
+    F farthest_ = F(0);  ///< the last step that a lane makes
+    int samples_ = 1, spent_ = start_costs;
     int pause_ = shortest_pause;  ///< how many after the next time that it finds the surface near
 };
 

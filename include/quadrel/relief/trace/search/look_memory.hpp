@@ -1,0 +1,50 @@
+// What a thread remembers of whether looking ahead has paid. No result depends on it: a look only
+// spares steps that would have found nothing.
+#pragma once
+
+#include <algorithm>
+
+#include "quadrel/texture/height_maxima.hpp"
+
+namespace quadrel {
+
+/// Of one search in one height map, packet after packet. Neighbouring packets meet alike surfaces:
+/// where looks have cost more than they spared, most of the next packets make every step, and one
+/// now and then tries again.
+class LookMemory {
+  public:
+    /// Whether a packet should look ahead.
+    bool looks(const HeightMaxima* maxima) {
+        if (maxima_ != maxima) *this = LookMemory(maxima);
+        return idle_ == 0 || --idle_ == 0;
+    }
+
+    /// What a packet that looked ahead has gained, less than 0 if it lost; in any unit of which a
+    /// packet's plain search takes some hundred.
+    void learn(int gain) {
+        balance_ = std::clamp(balance_ + gain, -most, most);
+        const bool lost = balance_ < 0 && gain < 0;
+        pause_ = lost ? std::min(2 * pause_, longest_pause) : shortest_pause;
+        idle_ = lost ? pause_ : 0;
+    }
+
+    constexpr LookMemory() = default;
+
+  private:
+    explicit LookMemory(const HeightMaxima* maxima) : maxima_(maxima) {}
+
+    static constexpr int most = 1024, shortest_pause = 4, longest_pause = 128;
+
+    const HeightMaxima* maxima_ = nullptr;
+    int balance_ = 0, pause_ = shortest_pause;
+    int idle_ = 0;  ///< packets that make every step, the last of which tries again
+};
+
+/// This thread's, of a search that reads heights of a type that no other has.
+template <class Height>
+LookMemory& look_memory() {
+    static thread_local LookMemory memory;
+    return memory;
+}
+
+}  // namespace quadrel
