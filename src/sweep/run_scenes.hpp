@@ -9,8 +9,8 @@
 
 #include "quadrel/render.hpp"
 #include "sweep/made_maps.hpp"
+#include "sweep/plan/runs.hpp"
 #include "sweep/run_error.hpp"
-#include "sweep/runs.hpp"
 
 namespace quadrel::sweep {
 

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "file/data_path.hpp"
-#include "sweep/page.hpp"
 #include "sweep/plan_files.hpp"
 #include "sweep/planted.hpp"
 #include "sweep/record.hpp"
-#include "sweep/results.hpp"
+#include "sweep/report/page.hpp"
+#include "sweep/report/results.hpp"
 
 namespace quadrel::sweep_tests {
 namespace {

@@ -1,4 +1,4 @@
-#include "sweep/runs.hpp"
+#include "sweep/plan/runs.hpp"
 
 #include <fmt/format.h>
 

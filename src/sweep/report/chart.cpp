@@ -1,4 +1,4 @@
-#include "sweep/chart.hpp"
+#include "sweep/report/chart.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "quadrel/scene/scene.hpp"
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
 

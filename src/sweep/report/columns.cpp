@@ -1,4 +1,4 @@
-#include "sweep/columns.hpp"
+#include "sweep/report/columns.hpp"
 
 namespace quadrel::sweep {
 namespace {
