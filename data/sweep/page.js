@@ -229,8 +229,8 @@ function drawFront() {
   });
 }
 
-/* Lines over something that runs have: those that are on the front somewhere stand out. */
-function drawLines(prefix, runs, xOf, x, nameOf) {
+/* Lines over something that runs have: those that are on the front somewhere, or foremost, stand out. */
+function drawLines(prefix, runs, xOf, x, nameOf, foremost) {
   const at = new Map(), standing = new Set();
   for (const run of runs) {
     const place = xOf(run);
@@ -241,7 +241,7 @@ function drawLines(prefix, runs, xOf, x, nameOf) {
   const lines = new Map();
   for (const place of [...at.keys()].sort((a, b) => a - b)) {
     const points = pointsBy(at.get(place), nameOf);
-    for (const p of frontOf(points)) standing.add(p.key);
+    for (const p of foremost || frontOf(points)) standing.add(p.key);
     for (const p of points) {
       if (!lines.has(p.key)) lines.set(p.key, { name: p.key, family: p.run.family, e: [], t: [] });
       lines.get(p.key).e.push({ x: place, y: p.e, about: `${p.key} at ${short(place)}: ${short(p.e)}` });
@@ -258,7 +258,9 @@ function drawLines(prefix, runs, xOf, x, nameOf) {
 }
 
 function drawByAngle() {
-  drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm);
+  /* Those of the front above. */
+  const front = frontOf(pointsBy(chosenRuns(), (run) => run.algorithm));
+  drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm, front);
 }
 /* One line a search whose other parameters stay. */
 function ladderOf(run) {
@@ -304,7 +306,7 @@ function drawKinds() {
     const first = html("td", { title: name }, html("span", { className: `swatch ${row.family}` }), ` ${name}`);
     const line = html("tr", { className: state.chosen.has(name) ? "chosen" : "" }, first, ...maps.map((map) => {
       const e = row.cells.get(map);
-      const cell = html("td", { className: "cell" }, e === undefined ? "–" : e <= leastError ? "0" : short(e));
+      const cell = html("td", { className: "cell" }, e === undefined ? "–" : e <= leastError * 1.001 ? `≤${short(leastError)}` : short(e));
       if (e === undefined) cell.className = ""; else cell.style.background = heat(e);
       return cell;
     }));
@@ -419,6 +421,11 @@ function fillSelect(id, values, first) {
   if (first !== undefined) select.value = first;
   select.closest("label").hidden = values.length < 2;
 }
+/* One that has pictures, else one that is neither from the front nor grazing. */
+function firstView(views) {
+  const pictured = measured.find((run) => pictures[run.key]);
+  return pictured ? pictured.view : views.includes("45") ? "45" : views.at(-1);
+}
 function start() {
   const processors = distinct(measured.map((run) => run.machine));
   byId("summary").textContent = `${results.runs.length} runs of ${distinct(results.runs.map((run) => run.algorithm)).length} searches on ` +
@@ -430,7 +437,7 @@ function start() {
   fillSelect("scene", withAll(distinct(measured.map((run) => run.scene))));
   fillSelect("map", withAll(distinct(measured.map(mapOf))));
   const views = distinct(measured.map((run) => run.view)).sort((a, b) => (Number(a) || -1) - (Number(b) || -1));
-  fillSelect("view", withAll(views), views.includes("45") ? "45" : views.at(-1));
+  fillSelect("view", withAll(views), firstView(views));
   fillSelect("time", Object.keys(times));
   fillSelect("error", Object.keys(errors));
   for (const family of distinct(measured.map((run) => run.family)))

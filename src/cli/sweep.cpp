@@ -9,7 +9,7 @@
 #include "cli/common/plugins.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/verbs.hpp"
-#include "sweep/results.hpp"
+#include "sweep/report/results.hpp"
 #include "sweep/sweep.hpp"
 
 namespace quadrel::cli {

@@ -9,8 +9,9 @@
 #include "io/document/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "sweep/families.hpp"
+#include "quadrel/scene/load.hpp"
 #include "sweep/measure.hpp"
+#include "sweep/plan/families.hpp"
 #include "sweep/run_scenes.hpp"
 
 namespace quadrel::sweep {
@@ -187,6 +188,7 @@ std::string table_of(const std::vector<Candidate>& candidates, std::size_t most,
 }  // namespace
 
 std::vector<Candidate> advise(const Question& question) {
+    load_scene(question.scene, question.overrides);  // what is wrong with it is no row's fault
     std::vector<Candidate> candidates = Adviser(question).run();
     std::stable_sort(candidates.begin(), candidates.end(), comes_first);
     if (!candidates.empty() && !candidates.front().failed.empty())

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
 

@@ -49,13 +49,14 @@ std::string short_hash(const std::filesystem::path& file) {
     }
 }
 
+/// The program and kernels that run, whatever lies at their names by now.
 std::string build_of(const std::string& version, const std::string& isa) {
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    std::string build = version + " " + short_hash(program);
-    if (const auto module = find_module("quadrel-kernels-" + isa))
-        build += " " + short_hash(*module);
-    return build;
+    static const std::string program = short_hash("/proc/self/exe");
+    static std::map<std::string, std::string> modules;
+    const auto [known, is_new] = modules.try_emplace(isa);
+    if (const auto module = find_module("quadrel-kernels-" + isa); is_new && module)
+        known->second = " " + short_hash(*module);
+    return version + " " + program + known->second;
 }
 
 }  // namespace

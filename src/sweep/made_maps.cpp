@@ -9,7 +9,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/image.hpp"
-#include "sweep/map_kinds.hpp"
+#include "sweep/plan/map_kinds.hpp"
 #include "sweep/sweep.hpp"
 
 namespace quadrel::sweep {

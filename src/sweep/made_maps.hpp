@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
 

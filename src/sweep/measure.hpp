@@ -17,10 +17,12 @@ struct RepeatedTime {
 };
 
 struct RunTime {
-    RepeatedTime draw;    ///< the image, maps and geometry ready, as a render without statistics
-    RepeatedTime kernel;  ///< sum over the stages, each on its own; CPU time of all threads
-    double trace = 0;     ///< of it the search, least
-    double load_ms = 0;   ///< once: reading maps and deriving what the search needs, wall time
+    RepeatedTime draw;  ///< the image, maps and geometry ready, as a render without statistics
+    /// Sum over the stages, each on its own, and over threads, by the processor's counter: waiting
+    /// makes single draws longer and the least of them no shorter.
+    RepeatedTime kernel;
+    double trace = 0;    ///< of it the search, least
+    double load_ms = 0;  ///< once: reading maps and deriving what the search needs, wall time
 };
 
 /// Draws R G B A `repeats` times with nothing that counts, and as often with a clock around each

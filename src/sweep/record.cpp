@@ -6,7 +6,7 @@
 #include "file/atomic_file.hpp"
 #include "file/read_file.hpp"
 #include "io/document/stage_parameters.hpp"
-#include "sweep/families.hpp"
+#include "sweep/plan/families.hpp"
 
 namespace quadrel::sweep {
 namespace {

@@ -9,8 +9,8 @@
 #include "io/document/json.hpp"
 #include "sweep/machine.hpp"
 #include "sweep/measure.hpp"
+#include "sweep/plan/runs.hpp"
 #include "sweep/run_error.hpp"
-#include "sweep/runs.hpp"
 
 namespace quadrel::sweep {
 

@@ -39,8 +39,8 @@ RenderOptions RunScenes::render_options(const Run& run) {
 }
 
 RunScene RunScenes::scene_of(const Run& run) {
-    const std::filesystem::path map = map_file(run);
-    RunScene made{{}, overrides_of(plan_, run, map, {})};
+    const std::string& heights = heights_of(run);
+    RunScene made{{}, overrides_of(plan_, run, heights, {})};
     made.scene = load(run, made.overrides);
     const Material& material = made.scene.materials.front();
     if (!needs_normals(plan_.algorithms[run.algorithm].trace) || !lacks_normals(material) ||
@@ -48,7 +48,7 @@ RunScene RunScenes::scene_of(const Run& run) {
         return made;
     const std::filesystem::path normals =
         write_normal_map(maps_, material.textures.at("height").file, material.depth);
-    made.overrides = overrides_of(plan_, run, map, std::filesystem::absolute(normals));
+    made.overrides = overrides_of(plan_, run, heights, std::filesystem::absolute(normals));
     made.scene = load(run, made.overrides);
     return made;
 }
@@ -67,13 +67,22 @@ JudgedRun RunScenes::judge(const RunScene& run_scene, const Run& run,
     return judged;
 }
 
-std::filesystem::path RunScenes::map_file(const Run& run) {
+/// The run's map as a value of its scene; empty where the scene's own is none.
+const std::string& RunScenes::heights_of(const Run& run) {
+    const auto [known, is_new] = heights_.try_emplace({run.scene, run.map});
+    if (!is_new) return known->second;
     const PlannedMap& map = plan_.maps[run.map];
-    if (map.source == PlannedMap::Source::scene) return {};
-    if (map.source == PlannedMap::Source::file) return map.file;
-    std::filesystem::path& file = made_[run.map];
-    if (file.empty()) file = std::filesystem::absolute(write_made_map(maps_, map));
-    return file;
+    if (map.source == PlannedMap::Source::file)
+        return known->second = height_override(map, map.file);
+    if (map.source == PlannedMap::Source::made)
+        return known->second =
+                   height_override(map, std::filesystem::absolute(write_made_map(maps_, map)));
+    const PlannedScene& planned = plan_.scenes[run.scene];
+    const Scene own = load_scene(planned.file_or_name, planned.overrides);
+    const auto& textures = own.materials.front().textures;
+    if (const auto found = textures.find("height"); found != textures.end())
+        known->second = height_override(found->second);
+    return known->second;
 }
 
 /// Scenes over one map share what they load; of one map after the other no more is kept.
@@ -90,7 +99,7 @@ Scene RunScenes::load(const Run& run, const std::vector<std::string>& overrides)
 }
 
 const Film& RunScenes::truth_of(const Run& run) {
-    const Scene scene = load(run, overrides_of_truth(plan_, run, map_file(run)));
+    const Scene scene = load(run, overrides_of_truth(plan_, run, heights_of(run)));
     const std::string key = scene.hash + run.number;
     const auto found = truths_.find(key);
     if (found != truths_.end()) return found->second;

@@ -9,8 +9,8 @@
 
 #include "quadrel/render.hpp"
 #include "sweep/made_maps.hpp"
+#include "sweep/plan/runs.hpp"
 #include "sweep/run_error.hpp"
-#include "sweep/runs.hpp"
 
 namespace quadrel::sweep {
 
@@ -43,13 +43,13 @@ class RunScenes {
     static RenderOptions render_options(const Run& run);
 
   private:
-    std::filesystem::path map_file(const Run& run);
+    const std::string& heights_of(const Run& run);
     Scene load(const Run& run, const std::vector<std::string>& overrides);
     const Film& truth_of(const Run& run);
 
     const Plan& plan_;
     std::filesystem::path maps_;
-    std::map<std::size_t, std::filesystem::path> made_;
+    std::map<std::pair<std::size_t, std::size_t>, std::string> heights_;  ///< by scene and map
     std::shared_ptr<TextureCache> cache_;
     std::pair<std::size_t, std::size_t> cached_;  ///< scene and map
     std::map<std::string, Film> truths_;          ///< by the scene's hash and the number type

@@ -6,8 +6,8 @@
 
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
-#include "sweep/pictures.hpp"
 #include "sweep/record.hpp"
+#include "sweep/report/pictures.hpp"
 #include "sweep/run_scenes.hpp"
 #include "text/hash.hpp"
 #include "text/threads.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/document/json.hpp"
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
 

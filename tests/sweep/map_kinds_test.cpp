@@ -1,5 +1,5 @@
 // The maps that sweeps make: what each promises.
-#include "sweep/map_kinds.hpp"
+#include "sweep/plan/map_kinds.hpp"
 
 #include <gtest/gtest.h>
 

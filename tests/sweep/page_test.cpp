@@ -1,5 +1,5 @@
 // The page in a browser: it draws its charts, at two widths, light and dark, without an error.
-#include "sweep/page.hpp"
+#include "sweep/report/page.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "quadrel/texture/image.hpp"
 #include "sweep/plan_files.hpp"
-#include "sweep/results.hpp"
+#include "sweep/report/results.hpp"
 #include "sweep/sweep.hpp"
 
 namespace quadrel::sweep_tests {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "film/films.hpp"
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep_tests {
 

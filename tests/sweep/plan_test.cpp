@@ -1,5 +1,5 @@
 // Plans: what they ask for, and what is said of wrong ones.
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,11 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "sweep/families.hpp"
+#include "sweep/plan/families.hpp"
+#include "sweep/plan/runs.hpp"
 #include "sweep/plan_files.hpp"
 #include "sweep/planted.hpp"
-#include "sweep/runs.hpp"
+#include "sweep/run_scenes.hpp"
 
 namespace quadrel::sweep_tests {
 namespace {

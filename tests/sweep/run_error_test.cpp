@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "quadrel/quad/value.hpp"
-#include "sweep/pictures.hpp"
 #include "sweep/planted.hpp"
+#include "sweep/report/pictures.hpp"
 
 namespace quadrel::sweep_tests {
 namespace {

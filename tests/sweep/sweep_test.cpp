@@ -6,11 +6,11 @@
 #include <set>
 
 #include "file/data_path.hpp"
-#include "sweep/page.hpp"
 #include "sweep/plan_files.hpp"
 #include "sweep/planted.hpp"
 #include "sweep/record.hpp"
-#include "sweep/results.hpp"
+#include "sweep/report/page.hpp"
+#include "sweep/report/results.hpp"
 
 namespace quadrel::sweep_tests {
 namespace {
@@ -121,6 +121,22 @@ TEST_F(Sweep, ARunThatCannotBeDrawnSaysWhy) {
     EXPECT_NE(outcome.records[0]["failed"].get<std::string>().find("neon"), std::string::npos);
     write_results(out, plan.title, outcome.records);
     EXPECT_TRUE(std::filesystem::exists(out / "page.html"));
+}
+
+/// A scene's own map is read at level 0, as the judge reads it: an exact search stays exact however
+/// small its texels are in the frame.
+TEST_F(Sweep, MipLevelsAreNoErrorsOfTheSearch) {
+    Plan own = plan;
+    own.scenes = {{"bricks", "bricks-45", {"material.relief.shadow=none"}}};
+    own.maps = {scene_map()};
+    own.views = {{60.0}, {}};
+    own.algorithms = {{"linear", {{"steps", 512}}, {}}, {"max-mip", {}, {}}};
+    for (const Json& record : run_into(out, own).records) {
+        EXPECT_EQ(record["map_width"].get<int>(), 512);
+        EXPECT_LT(record["texels_median"].get<double>(), 0.5) << record["algorithm"];
+        EXPECT_NE(record["command"].get<std::string>().find("quadrel render bricks-45 -D "),
+                  std::string::npos);
+    }
 }
 
 TEST_F(Sweep, ADeadFolderIsAnOutputError) {

@@ -1,4 +1,4 @@
-#include "sweep/pictures.hpp"
+#include "sweep/report/pictures.hpp"
 
 #include <algorithm>
 #include <cmath>

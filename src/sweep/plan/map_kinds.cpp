@@ -1,4 +1,4 @@
-#include "sweep/map_kinds.hpp"
+#include "sweep/plan/map_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sweep/runs.hpp"
+#include "sweep/plan/runs.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include "quadrel/num/math.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "text/shell_word.hpp"
+#include "texture/texel_format.hpp"
 
 namespace quadrel::sweep {
 namespace {
@@ -40,24 +41,27 @@ void append_quad(const View& view, double aspect, std::vector<std::string>& over
     overrides.push_back("material.texture_matrix=" + Json{{"scale", {side, side}}}.dump());
 }
 
-/// Level 0 alone, as the judge reads it.
-void append_map(const PlannedMap& map, const std::filesystem::path& file,
-                std::vector<std::string>& overrides) {
-    Json texture{{"file", file.string()},
-                 {"swizzle", "r"},
-                 {"mip", "none"},
-                 {"min", "linear"},
-                 {"wrap", map.wrap}};
-    if (!map.format.empty()) texture["format"] = map.format;
-    if (map.kind == "nan") texture["allow_nan"] = true;
-    overrides.push_back("material.height=" + texture.dump());
+/// The names of enum class Wrap, in its order.
+constexpr const char* wrap_names[] = {"repeat", "mirrored-repeat", "clamp-to-edge",
+                                      "clamp-to-border", "mirror-once"};
+
+const char* name_of(Wrap wrap) { return wrap_names[static_cast<std::size_t>(wrap)]; }
+
+const char* name_of(TexelFormat format) {
+    for (const auto& [name, value] : named_formats)
+        if (value == format) return name.data();
+    return "float";
+}
+
+/// A texture of level 0 alone.
+Json finest_texture(const std::filesystem::path& file) {
+    return {{"file", file.string()}, {"mip", "none"}, {"min", "linear"}};
 }
 
 std::vector<std::string> common_overrides(const Plan& plan, const Run& run,
-                                          const std::filesystem::path& map_file) {
+                                          const std::string& heights) {
     std::vector<std::string> overrides = plan.scenes[run.scene].overrides;
-    const PlannedMap& map = plan.maps[run.map];
-    if (map.source != PlannedMap::Source::scene) append_map(map, map_file, overrides);
+    if (!heights.empty()) overrides.push_back(heights);
     const View& view = plan.views[run.view];
     if (view.angle) append_quad(view, double(plan.width) / plan.height, overrides);
     overrides.push_back(fmt::format("size=[{},{}]", plan.width, plan.height));
@@ -88,10 +92,33 @@ std::vector<Run> runs_of_task(const std::vector<Run>& all, int task, int of) {
     return runs;
 }
 
-std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
-                                      const std::filesystem::path& map_file,
+std::string height_override(const PlannedMap& map, const std::filesystem::path& file) {
+    Json texture = finest_texture(file);
+    texture["swizzle"] = "r";
+    texture["wrap"] = map.wrap;
+    if (!map.format.empty()) texture["format"] = map.format;
+    if (map.kind == "nan") texture["allow_nan"] = true;
+    return "material.height=" + texture.dump();
+}
+
+std::string height_override(const TextureReference& own) {
+    Json texture = finest_texture(std::filesystem::absolute(own.file));
+    if (!own.selection.layer.empty()) texture["layer"] = own.selection.layer;
+    if (!own.selection.part.empty()) texture["part"] = own.selection.part;
+    if (!own.swizzle.empty()) texture["swizzle"] = own.swizzle;
+    if (own.srgb) texture["colour_space"] = "srgb";
+    if (own.format) texture["format"] = name_of(*own.format);
+    texture["flip_v"] = own.flip_v;
+    texture["allow_nan"] = own.allow_nan;
+    texture["wrap"] = {name_of(own.sampler.wrap_u), name_of(own.sampler.wrap_v)};
+    if (own.sampler.mag == Filter::nearest) texture["mag"] = "nearest";
+    texture["border"] = own.sampler.border;
+    return "material.height=" + texture.dump();
+}
+
+std::vector<std::string> overrides_of(const Plan& plan, const Run& run, const std::string& heights,
                                       const std::filesystem::path& normal_file) {
-    std::vector<std::string> overrides = common_overrides(plan, run, map_file);
+    std::vector<std::string> overrides = common_overrides(plan, run, heights);
     if (!normal_file.empty())
         overrides.push_back("material.normal=" +
                             Json{{"file", normal_file.string()}, {"format", "float"}}.dump());
@@ -109,8 +136,8 @@ std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
 }
 
 std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
-                                            const std::filesystem::path& map_file) {
-    std::vector<std::string> overrides = common_overrides(plan, run, map_file);
+                                            const std::string& heights) {
+    std::vector<std::string> overrides = common_overrides(plan, run, heights);
     overrides.emplace_back("material.relief.trace=oracle-bilinear");
     return overrides;
 }

@@ -1,4 +1,4 @@
-#include "sweep/chart.hpp"
+#include "sweep/report/chart.hpp"
 
 #include <fmt/format.h>
 
@@ -17,13 +17,13 @@ constexpr double chart_width = 860, chart_height = 520, chart_left = 74, chart_r
 
 constexpr const char* chart_style = R"(<style>
 text{font:13px system-ui,sans-serif;fill:#333}.title{font-size:17px;font-weight:600;fill:#111}
-.note,.tick{font-size:12px;fill:#666}.label{font-size:12px;fill:#222}.grid{stroke:#e3e3e6}
+.note,.tick{font-size:12px;fill:#666}.label{font-size:12px;fill:#222;stroke:#fff;stroke-width:3;paint-order:stroke}.grid{stroke:#e3e3e6}
 .axis{stroke:#999}.ground{fill:#fff}.front{stroke:#222;fill:none;stroke-width:1.5;stroke-dasharray:5 4}
 .offset{--c:#b86200}.march{--c:#1f63d6}.cone{--c:#0a7f57}.exact{--c:#7a2be8}.engine{--c:#70757d}
 .oracle{--c:#c02556}.other{--c:#444}.dot{fill:var(--c);stroke:#fff;stroke-width:1}
 .line{fill:none;stroke:var(--c);stroke-width:2}
 @media (prefers-color-scheme:dark){text{fill:#ccc}.title{fill:#fff}.note,.tick{fill:#9a9aa2}
-.label{fill:#eee}.grid{stroke:#33343a}.axis{stroke:#777}.ground{fill:#17181c}.front{stroke:#eee}
+.label{fill:#eee;stroke:#17181c}.grid{stroke:#33343a}.axis{stroke:#777}.ground{fill:#17181c}.front{stroke:#eee}
 .dot{stroke:#17181c}.offset{--c:#f0a040}.march{--c:#6ea8ff}.cone{--c:#45cf9c}.exact{--c:#bd93ff}
 .engine{--c:#a5abb5}.oracle{--c:#ff7a9f}.other{--c:#bbb}}
 </style>
@@ -108,9 +108,10 @@ struct Extent {
     }
 };
 
-/// Puts labels where none is yet.
+/// Puts labels where neither another one nor a dot is.
 class Labels {
   public:
+    void keep_off(double x, double y) { taken_.push_back({x - 5, y - 5, x + 5, y + 5}); }
     void add(std::string& svg, double x, double y, const std::string& text) {
         const double wide = 6.6 * static_cast<double>(text.size());
         const bool leftwards = x + 8 + wide > chart_width - chart_right;
@@ -154,6 +155,7 @@ class Drawing {
         add_axes();
         for (const ChartSeries& series : chart_.series) add_line(series);
         for (const ChartSeries& series : chart_.series) add_dots(series);
+        for (const ChartSeries& series : chart_.series) add_labels(series);
         add_legend();
         return text_ + "</svg>\n";
     }
@@ -213,8 +215,14 @@ class Drawing {
                     "<circle class=\"dot {}\" r=\"5\" cx=\"{:.1f}\" cy=\"{:.1f}\"><title>{}</title>"
                     "</circle>\n",
                     series.family, x_.at(p.x), y_.at(p.y), xml_text(p.about));
-            if (!p.label.empty()) labels_.add(text_, x_.at(p.x), y_.at(p.y), p.label);
+            labels_.keep_off(x_.at(p.x), y_.at(p.y));
         }
+    }
+
+    void add_labels(const ChartSeries& series) {
+        for (const ChartPoint& p : series.points)
+            if (fits(chart_, p) && !p.label.empty())
+                labels_.add(text_, x_.at(p.x), y_.at(p.y), p.label);
     }
 
     void add_legend() {

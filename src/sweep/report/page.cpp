@@ -1,4 +1,4 @@
-#include "sweep/page.hpp"
+#include "sweep/report/page.hpp"
 
 #include "file/data_path.hpp"
 #include "file/read_file.hpp"

@@ -1,4 +1,4 @@
-#include "sweep/families.hpp"
+#include "sweep/plan/families.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sweep/columns.hpp"
+#include "sweep/report/columns.hpp"
 
 namespace quadrel::sweep {
 namespace {
@@ -23,9 +23,9 @@ constexpr Column all_columns[] = {
     {"samples", "a pixel", ""},
     {"draw_ms", "ms", "drawing R G B A, the least of the repeats"},
     {"draw_ms_median", "ms", "their median"},
-    {"kernel_ms", "ms of CPU", "sum over the stages, least"},
-    {"kernel_ms_median", "ms of CPU", "its median"},
-    {"trace_ms", "ms of CPU", "the search alone, least"},
+    {"kernel_ms", "ms", "in stages alone, each on its own, all threads together, least"},
+    {"kernel_ms_median", "ms", "its median"},
+    {"trace_ms", "ms", "of it the search, least"},
     {"fps", "1/s", "1000 / draw_ms"},
     {"published_fps", "1/s", "what the plan says was published"},
     {"load_ms", "ms", "reading maps and deriving what the search needs, once"},

@@ -1,4 +1,4 @@
-#include "sweep/plots.hpp"
+#include "sweep/report/plots.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "quadrel/num/math.hpp"
-#include "sweep/chart.hpp"
+#include "sweep/report/chart.hpp"
 
 namespace quadrel::sweep {
 namespace {

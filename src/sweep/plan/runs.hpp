@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "quadrel/scene/scene.hpp"
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
 
@@ -22,16 +22,20 @@ std::vector<Run> runs_of(const Plan& plan);
 /// Every `of`-th run from the `task`-th on, both counted from 1.
 std::vector<Run> runs_of_task(const std::vector<Run>& all, int task, int of);
 
-/// "key=value" that make the run's scene of the planned one. `map_file` is where its map lies
-/// (unless it is the scene's own), `normal_file` a normal map made of it, or empty.
-std::vector<std::string> overrides_of(const Plan& plan, const Run& run,
-                                      const std::filesystem::path& map_file,
+/// "material.height=..." for a map that lies in `file`, or for a scene's own: read at level 0
+/// alone, as the judge reads it, so that only searches differ.
+std::string height_override(const PlannedMap& map, const std::filesystem::path& file);
+std::string height_override(const TextureReference& own);
+
+/// "key=value" that make the run's scene of the planned one. `heights`: a height_override, or empty
+/// where the scene has no map; `normal_file`: a normal map made of it, or empty.
+std::vector<std::string> overrides_of(const Plan& plan, const Run& run, const std::string& heights,
                                       const std::filesystem::path& normal_file);
 
 /// The same scene with the judge of the bilinear surface in the place of the search: searches of
 /// blocks are as far off as their surface is.
 std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
-                                            const std::filesystem::path& map_file);
+                                            const std::string& heights);
 
 /// The line that renders the run's picture.
 std::string render_command(const Plan& plan, const Run& run,

@@ -1,4 +1,4 @@
-#include "sweep/results.hpp"
+#include "sweep/report/results.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 
 #include "file/atomic_file.hpp"
 #include "file/output_group.hpp"
-#include "sweep/columns.hpp"
-#include "sweep/page.hpp"
-#include "sweep/plots.hpp"
+#include "sweep/report/columns.hpp"
+#include "sweep/report/page.hpp"
+#include "sweep/report/plots.hpp"
 #include "sweep/sweep.hpp"
 
 namespace quadrel::sweep {

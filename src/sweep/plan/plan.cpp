@@ -1,4 +1,4 @@
-#include "sweep/plan.hpp"
+#include "sweep/plan/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include "io/document/stage_parameters.hpp"
 #include "io/document/value.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "sweep/families.hpp"
-#include "sweep/map_kinds.hpp"
+#include "sweep/plan/families.hpp"
+#include "sweep/plan/map_kinds.hpp"
 
 namespace quadrel::sweep {
 namespace {
