@@ -192,6 +192,19 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     run_stages(plan, 0, plan.stages.size(), call, clock);
 }
 
+void Batch::run_beside(StageFunction function, StageCall call, Value output, void* to) const {
+    std::vector<void*> arrays = values_;
+    for (int i = 0; i < arrays_of(output); ++i)
+        arrays[static_cast<std::size_t>(slot_of(output) + i)] =
+            static_cast<std::byte*>(to) + std::ptrdiff_t(i) * batch_lanes * scalar_bytes_;
+    const NoParams none;
+    call.values = arrays.data();
+    call.active = active_;
+    call.lanes = lanes_;
+    call.parameters = &none;
+    function(&call);
+}
+
 void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
                        const StageCall& call, StageClock* clock) const {
     StageCall own = call;

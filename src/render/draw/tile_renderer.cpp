@@ -250,6 +250,7 @@ const ExactBatch* TileRenderer::run_exact(std::uint32_t material, const QuadCove
     const QuadContext context(command_, {quads, static_cast<std::size_t>(count)});
     exact_->run(plan_.exact[material], stage_call(plan_, material), quads, count, geometry_,
                 scene_.samples, scene_.centroid);
+    exact_->observe(*target_.channels, batch_);
     return &*exact_;
 }
 

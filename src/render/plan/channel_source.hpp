@@ -8,6 +8,13 @@
 
 namespace quadrel {
 
+/// What stages differentiate beside values that they store (render/exact/observed.hpp).
+enum class Observed {
+    none,
+    height,    ///< of the map at the hit
+    mirrored,  ///< the viewer's direction, mirrored by the shading normal: unit, eye space
+};
+
 struct ChannelSource {
     enum class Kind {
         value,      ///< component of a stage value
@@ -28,7 +35,8 @@ struct ChannelSource {
     Kind kind = Kind::value;
     Value value = Value::P;
     int component = 0, light = 0;
-    int axis = 0;  ///< of a derivative: 0 window x, 1 window y
+    int axis = 0;                        ///< of a derivative: 0 window x, 1 window y
+    Observed observed = Observed::none;  ///< of a derivative: of this instead of `value`
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

@@ -9,6 +9,7 @@
 #include "quadrel/relief/trace/search/near_surface.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/exact/exact_plan.hpp"
+#include "render/exact/observed.hpp"
 #include "render/plan/height_bounds.hpp"
 
 namespace quadrel {
@@ -93,6 +94,13 @@ void bound_material(RenderPlan& plan, std::size_t material, TextureCache& cache,
     bound_parts(plan, material, *map, cache, pixels);
 }
 
+/// Whether exact derivatives of heights are asked for: that reads them, whatever stages do.
+bool observes_heights(const std::vector<ChannelSource>& channels) {
+    return std::any_of(channels.begin(), channels.end(), [](const ChannelSource& channel) {
+        return reads_heights(channel.observed);
+    });
+}
+
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
@@ -114,6 +122,10 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         plan.texels_read.push_back(
             skip ? texels_read(material, plan.materials.back(), plan.discard.back())
                  : TexelsRead());
+        if (observes_heights(channels) && material.textures.count("height") != 0) {
+            plan.materials.back().textures.set(height_slot);
+            plan.texels_read.back().finest_level.reset(height_slot);
+        }
     }
     plan.exact = plan_exact(scene, channels);
     plan.textures.resize(scene.materials.size());

@@ -21,22 +21,20 @@ RenderOptions plain_options() {
 using Draw = std::function<Film(const Scene&, const RenderOptions&)>;
 
 testing::AssertionResult has_equal_bits(const Draw& draw, const IntegralOptions& integral) {
-    const Scene scene = varied_scene();
+    const Scene scene = varied_scene(1, Conventions::gl, 21, 17);
     RenderOptions plain = plain_options();
     plain.integral = integral;
     const Film expected = draw(scene, plain);
-    for (const int tile : {2, 8, 34, 1024})
-        for (const bool skip : {true, false}) {
-            RenderOptions other;
-            other.integral = integral;
-            other.threads = 3;
-            other.tile = tile;
-            other.skip = skip;
-            const auto same = same_bits(expected, draw(scene, other));
-            if (!same) return same;
-        }
-    for (const Window window :
-         {Window{0, 0, 9, 7}, Window{11, 6, 30, 27}, Window{36, 26, 37, 27}}) {
+    for (const int tile : {2, 14, 1024}) {
+        RenderOptions other;
+        other.integral = integral;
+        other.threads = 3;
+        other.tile = tile;
+        other.skip = tile != 14;
+        const auto same = same_bits(expected, draw(scene, other));
+        if (!same) return same;
+    }
+    for (const Window window : {Window{0, 0, 9, 7}, Window{7, 6, 18, 17}, Window{20, 16, 21, 17}}) {
         RenderOptions other = plain;
         other.window = window;
         const Film part = draw(scene, other);
@@ -167,8 +165,8 @@ TEST(Integral, RefusesWhatItCannot) {
     Scene noisy = scene;
     noisy.materials[0].noise = NoiseHeights();
     EXPECT_THROW(integrate(noisy, {16, 0}), InputError);
-    noisy.materials[0].trace = stage("none", "trace");
-    noisy.materials[0].shadow = stage("none", "shadow");
+    noisy.materials[0] = plain_material("noisy");
+    noisy.materials[0].noise = NoiseHeights();
     EXPECT_NO_THROW(integrate(noisy, {16, 0}));
 }
 
