@@ -114,6 +114,37 @@ TEST(Integral, SamplesAreTestedForDepthAndHoles) {
     EXPECT_LT(mean_of(-3, -5, true), 0.5);
 }
 
+/// Against pictures that are 12 times as large, of what an integral takes samples of: everything
+/// that there is, by another way.
+testing::AssertionResult is_the_mean_of_a_finer_picture(const Integrator& integrator) {
+    constexpr int finer = 12, width = 22, height = 18;
+    const Scene scene = varied_scene(1, Conventions::gl, width, height);
+    const Film film = integrator(scene, {128, 0});
+    Scene large = integral_scene(scene);
+    large.width *= finer;
+    large.height *= finer;
+    const Film picture = render(large, {});
+    double squares = 0, sum = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            double mean = 0;
+            for (int i = 0; i < finer * finer; ++i)
+                mean += value(picture, "G", finer * x + i % finer, finer * y + i / finer) /
+                        (finer * finer);
+            const double off = value(film, "G", x, y) - mean;
+            squares += off * off / (width * height);
+            sum += off / (width * height);
+        }
+    if (std::sqrt(squares) < 0.012 && std::abs(sum) < 0.001) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << std::sqrt(squares) << " off, on average " << sum;
+}
+
+TEST(Integral, IsTheMeanOfAFinerPicture) {
+    EXPECT_TRUE(is_the_mean_of_a_finer_picture(honest));
+    EXPECT_FALSE(is_the_mean_of_a_finer_picture(centres_alone));
+    EXPECT_FALSE(is_the_mean_of_a_finer_picture(wide_filter));
+}
+
 TEST(Integral, ReplacesWhatAFootprintDecides) {
     Scene scene = varied_scene(4);
     scene.hardware = Hardware::swiftshader;
