@@ -3,7 +3,7 @@
 //
 //     quadrel-lod-table [SIZE [SCENE...]]
 //
-// Every scene is drawn in SIZE x SIZE pixels (160), with the judge's hits in both images, so that
+// Every scene is drawn in SIZE x SIZE pixels (96), with the judge's hits in both images, so that
 // what differs is how maps are filtered. Figures are root mean squares of R, G and B over the
 // pixels that are covered as a whole, colours cut at 1, less what the integral's own standard
 // errors account for. The rule of one is told from that of another on minified maps alone.
@@ -66,7 +66,7 @@ Scene filtered(Scene scene, const Rule& rule, float bias, const char* gradients)
 
 Film integral_of(const Scene& scene) {
     RenderOptions options;
-    options.integral = IntegralOptions{1024, 0.004};
+    options.integral = IntegralOptions{1024, 0.008};
     return render(scene, options);
 }
 
@@ -154,7 +154,7 @@ void print_table(int size, const std::vector<std::string>& scenes) {
 }  // namespace quadrel::bench
 
 int main(int argc, char** argv) try {
-    const int size = argc > 1 ? std::stoi(argv[1]) : 160;
+    const int size = argc > 1 ? std::stoi(argv[1]) : 96;
     std::vector<std::string> scenes(argv + std::min(argc, 2), argv + argc);
     if (scenes.empty())
         scenes = {"bricks-45", "stones-45",  "dunes-70",     "city-day",

@@ -60,6 +60,18 @@ void add_exact(Table& table) {
                        what + " of P" + in);
             add_vector(table, prefix + ".dhitUVd" + axis, "UV", "texture coordinates a pixel",
                        what + " of hit.U and hit.V" + in);
+            add_vector(table, prefix + ".dNd" + axis, "XYZ", "1 / pixel",
+                       what + " of the shading normal" + in);
+            add_vector(table, prefix + ".dcolord" + axis, "RGB", "linear radiance a pixel",
+                       what + " of R, G and B" + in);
+            add_vector(table, prefix + ".dmirroredd" + axis, "XYZ", "1 / pixel",
+                       what +
+                           " of the direction in which the environment is looked up, in eye "
+                           "space: the viewer's, mirrored by the shading normal" +
+                           in);
+            table.push_back(
+                {prefix + ".dhd" + axis, real, "height a pixel",
+                 what + " of the map's height at the hit, filtered as marches do" + in});
         }
     }
     table.push_back(

@@ -4,6 +4,7 @@
 #include "kernels/table.hpp"
 #include "quadrel/quad/stage_list.hpp"
 #include "quadrel/relief/stages.hpp"
+#include "quadrel/shade/stages.hpp"
 
 namespace quadrel {
 namespace {
@@ -19,7 +20,6 @@ void append_list(StageList<S...>, std::vector<KernelRow>& rows) {
     (append<S>(rows), ...);
 }
 
-/// Of the rooms that lead to derivatives of P and UV; surface and shading follow them.
 template <class... Lists>
 std::vector<KernelRow> rows_of_lists() {
     std::vector<KernelRow> rows;
@@ -32,7 +32,8 @@ std::vector<KernelRow> rows_of_lists() {
 const KernelTable& dual_kernels() {
     static const std::vector<KernelRow> rows =
         rows_of_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
-                      EngineStages, HitStages>();
+                      EngineStages, HitStages, SurfaceStages, ShadowStages, OcclusionStages,
+                      ShadeStages>();
     static const KernelGroup group{rows.data(), static_cast<std::int32_t>(rows.size())};
     static const ChainGroup no_chains{nullptr, 0};
     static const KernelTable table{kernel_magic, kernel_abi_version, "scalar", 4, sizeof(Dual), 1,

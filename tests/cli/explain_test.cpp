@@ -128,7 +128,8 @@ TEST(List, NumberTypesOfStages) {
     for (const auto& stage : nlohmann::json::parse(run({"list", "algorithms", "--json"}).out))
         types[stage["id"]] = stage["number_types"];
     EXPECT_EQ(types["frame-gram"], nlohmann::json({"float", "double", "dual"}));
-    EXPECT_EQ(types["shade-thesis"], nlohmann::json({"float", "double"}));
+    EXPECT_EQ(types["shade-thesis"], nlohmann::json({"float", "double", "dual"}));
+    EXPECT_EQ(types["shadow-oracle"], nlohmann::json({"float", "double"}));
 }
 
 TEST(List, ScenesSayWhatTheyShow) {

@@ -53,9 +53,10 @@ class DualBatch {
         for (int v = 0; v < static_cast<int>(Value::count); ++v) {
             const auto value = static_cast<Value>(v);
             if (info(value).kind == ValueKind::integer) continue;
+            const int n = info(value).components;
             for (int lane = 0; lane < to.lanes; ++lane)
-                for (int c = 0; c < info(value).components; ++c)
-                    to.real(value, lane, c) += t * along(real(value, lane, c), axis);
+                for (int i = 0; i < arrays_of(value); ++i)
+                    to.real(value, lane, i % n, i / n) += t * along(real(value, lane, i), axis);
         }
         for (std::size_t i = 0; i < 3; ++i)
             for (int lane = 0; lane < to.lanes; ++lane) {

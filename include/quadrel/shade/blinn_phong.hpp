@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct ShadeBlinnPhong : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "shade-blinn-phong", "shade", "Blinn's highlight over a matte base",
         "Blinn, Models of Light Reflection for Computer Synthesized Pictures (1977)"};

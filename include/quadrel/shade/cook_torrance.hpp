@@ -44,6 +44,7 @@ F fresnel_dielectric(F F0, F c) {
 }
 
 struct ShadeCookTorrance : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-cook-torrance", "shade", "microfacets over a matte base",
                                     "Cook and Torrance, A Reflectance Model for Computer Graphics "
                                     "(1982)"};

@@ -19,6 +19,7 @@
 namespace quadrel {
 
 struct ShadeDebug : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-debug", "shade", "values of the search as colours",
                                     "Derivative-Based Relief Mapping (2012), Parallax.frag"};
     static constexpr auto inputs =

@@ -21,6 +21,7 @@
 namespace quadrel {
 
 struct ShadeGg3 : TangentShade {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-gg3", "shade",
                                     "Blinn-Phong, faded by the light's elevation",
                                     "GPU Gems 3, chapter 18, relief_mapping.fx"};

@@ -8,6 +8,7 @@
 namespace quadrel {
 
 struct ShadeLambert : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-lambert", "shade", "matte reflection by the cosine",
                                     "Lambert, Photometria (1760)"};
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::emissive);

@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct ShadeMcGuire : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-mcguire", "shade", "matte with a broad highlight",
                                     "generalisation of shade-mcguire@published"};
     static constexpr auto textures = slots(TextureSlot::color, TextureSlot::emissive);

@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct ShadeMcGuirePublished : TangentShade {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-mcguire@published", "shade",
                                     "matte light over strong ambient light",
                                     "McGuire and McGuire, Steep Parallax Mapping (2005)"};

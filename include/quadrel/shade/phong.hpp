@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ShadePhong : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-phong", "shade", "Phong's highlight over a matte base",
                                     "Phong, Illumination for Computer Generated Pictures (1975)"};
     static constexpr bool reads_first_gloss_only = true;  // the exponent

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct ShadeRabbid : LitDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-rabbid", "shade",
                                     "Blinn-Phong with a normalised highlight",
                                     "correction of shade-rabbid@published"};

@@ -15,6 +15,7 @@
 namespace quadrel {
 
 struct ShadeRabbidPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-rabbid@published", "shade",
                                     "Blinn-Phong, the highlight times (k + 2) / (2 pi)",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};

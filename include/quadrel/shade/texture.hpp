@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct ShadeTexture : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-texture", "shade", "the colour map, unlit", "-"};
     static constexpr auto inputs = values(Value::dUVdx, Value::dUVdy, Value::hit_uv);
     static constexpr auto outputs = values(Value::color, Value::opacity);

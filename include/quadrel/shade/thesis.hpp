@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct ShadeThesis : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-thesis", "shade",
                                     "Phong lighting with reflection and refraction",
                                     "correction of shade-thesis@published"};

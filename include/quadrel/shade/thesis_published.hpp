@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct ShadeThesisPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "shade-thesis@published", "shade", "the thesis' lighting with environment maps",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 2-4"};

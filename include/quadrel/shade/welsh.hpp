@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct ShadeWelsh : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-welsh", "shade", "saturating matte lighting",
                                     "generalisation of shade-welsh@published"};
     static constexpr auto inputs = lit_inputs;

@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct ShadeWelshPublished : TangentShade {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-welsh@published", "shade", "two saturating matte lights",
                                     "Welsh, Parallax Mapping with Offset Limiting (2004)"};
     static constexpr const char* not_reproduced = "the colour's fourth component: A is coverage";

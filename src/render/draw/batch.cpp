@@ -199,6 +199,19 @@ void Batch::point_to_quads(StageCall& call, const Geometry& geometry, int first_
     call.edge_slopes = slopes_.empty() ? nullptr : slopes_.data() + first_quad;
 }
 
+void Batch::run_beside(StageFunction function, StageCall call, Value output, void* to) const {
+    std::vector<void*> arrays = values_;
+    for (int i = 0; i < arrays_of(output); ++i)
+        arrays[static_cast<std::size_t>(slot_of(output) + i)] =
+            static_cast<std::byte*>(to) + std::ptrdiff_t(i) * batch_lanes * scalar_bytes_;
+    const NoParams none;
+    call.values = arrays.data();
+    call.active = active_;
+    call.lanes = lanes_;
+    call.parameters = &none;
+    function(&call);
+}
+
 void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
                        const StageCall& call, StageClock* clock) const {
     StageCall own = call;

@@ -47,6 +47,11 @@ class Batch {
     /// What a call needs beside values, parameters and lanes, from a quad of the batch on.
     void point_to_quads(StageCall& call, const Geometry& geometry, int first_quad = 0) const;
 
+    /// Runs a stage function on what the batch holds, storing `output` not there but in `to`, an
+    /// array of batch_lanes elements of the batch's type for each of its components.
+    void run_beside(StageFunction function, StageCall call, Value output, void* to) const;
+
+    int scalar_bytes() const { return scalar_bytes_; }
     int quads() const { return quads_; }
     /// Sum over all lanes of the quads; 0 where the array is not there.
     std::uint64_t sum(int slot) const;

@@ -260,7 +260,10 @@ Judges TileRenderer::run_judges(std::uint32_t material, const QuadCoverage* quad
         batch.run(material, call, batch_, quads, geometry_);
         return &batch;
     };
-    if (exact_) judges.exact = run(exact_, plan_.exact);
+    if (exact_) {
+        judges.exact = run(exact_, plan_.exact);
+        exact_->observe(*target_.channels, batch_);
+    }
     if (errors_) judges.errors = run(errors_, plan_.errors);
     if (bounds_) judges.bounds = run_ranges(*bounds_);
     if (limits_) judges.limits = run_ranges(*limits_);

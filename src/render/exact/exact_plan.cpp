@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "quadrel/error.hpp"
+#include "render/exact/observed.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel {
@@ -15,13 +16,16 @@ StageFunction function_on_duals(const char* id) {
     return find_added_kernel(dual_kernels(), id);
 }
 
-/// What a channel's exact derivative is made of. A level of detail follows from that of uv.
-Value differentiated(const ChannelSource& channel) {
-    const bool level = channel.value == Value::lod_rho || channel.value == Value::lod_lambda;
-    return level ? Value::uv : channel.value;
-}
-
 }  // namespace
+
+std::vector<Value> differentiated(const ChannelSource& channel) {
+    if (channel.observed != Observed::none) {
+        const std::span<const Value> inputs = inputs_of(channel.observed);
+        return {inputs.begin(), inputs.end()};
+    }
+    const bool level = channel.value == Value::lod_rho || channel.value == Value::lod_lambda;
+    return {level ? Value::uv : channel.value};
+}
 
 bool is_exact(const ChannelSource& channel) {
     return channel.kind == ChannelSource::Kind::exact ||
@@ -51,9 +55,11 @@ std::vector<MaterialPlan> plan_exact(const Scene& scene,
     std::vector<MaterialPlan> plans;
     std::vector<Value> wanted;
     for (const ChannelSource& channel : channels) {
-        const Value value = differentiated(channel);
-        if (!is_exact(channel) || std::ranges::count(wanted, value) > 0) continue;
-        wanted.push_back(value);
+        if (!is_exact(channel)) continue;
+        const std::size_t before = wanted.size();
+        for (const Value value : differentiated(channel))
+            if (std::ranges::count(wanted, value) == 0) wanted.push_back(value);
+        if (wanted.size() == before) continue;
         plans.clear();
         for (const Material& material : scene.materials)
             plans.push_back(plan_on_duals(scene, material, wanted,

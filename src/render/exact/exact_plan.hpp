@@ -10,6 +10,9 @@ namespace quadrel {
 /// Whether the channel is an exact derivative, or a difference from one.
 bool is_exact(const ChannelSource& channel);
 
+/// The values that an exact channel's derivative is made of. A level of detail follows from uv.
+std::vector<Value> differentiated(const ChannelSource& channel);
+
 /// The stages of a material that store `wanted`, on dual numbers. Throws UsageError that names
 /// `asked`, what asks for them, and the first of them that does not run on dual numbers.
 MaterialPlan plan_on_duals(const Scene& scene, const Material& material,

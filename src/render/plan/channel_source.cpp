@@ -15,6 +15,7 @@ struct Component {
     Value value;
     int component;
     int axis = 0;
+    Observed observed = Observed::none;
 };
 
 using Table = std::map<std::string, Component>;
@@ -94,15 +95,21 @@ void add_shading(Table& table) {
 const Table& exact_channels() {
     static const Table table = [] {
         Table made;
-        const auto add_axes = [&](const std::string& name, const std::string& suffixes, Value v) {
+        const auto add_axes = [&](const std::string& name, const std::string& suffixes, Value v,
+                                  Observed observed = Observed::none) {
             for (int axis = 0; axis < 2; ++axis)
                 for (std::size_t i = 0; i < suffixes.size(); ++i)
                     made["d" + name + "d" + "xy"[axis] + "." + suffixes[i]] = {
-                        v, static_cast<int>(i), axis};
+                        v, static_cast<int>(i), axis, observed};
         };
         add_axes("P", "XYZ", Value::P);
         add_axes("UV", "UV", Value::uv);
         add_axes("hitUV", "UV", Value::hit_uv);
+        add_axes("N", "XYZ", Value::N);
+        add_axes("color", "RGB", Value::color);
+        add_axes("mirrored", "XYZ", Value::N, Observed::mirrored);
+        made["dhdx"] = {Value::hit_uv, 0, 0, Observed::height};
+        made["dhdy"] = {Value::hit_uv, 0, 1, Observed::height};
         made["lod.rho"] = {Value::lod_rho, 0};
         made["lod.lambda"] = {Value::lod_lambda, 0};
         return made;
@@ -121,6 +128,7 @@ bool find_exact(const std::string& name, ChannelSource& source) {
     source.value = found->second.value;
     source.component = found->second.component;
     source.axis = found->second.axis;
+    source.observed = found->second.observed;
     return true;
 }
 

@@ -32,6 +32,13 @@ enum class RangeSet {
     gpu,    ///< gpu.*: what a specification permits
 };
 
+/// What stages differentiate beside values that they store (render/exact/observed.hpp).
+enum class Observed {
+    none,
+    height,    ///< of the map at the hit
+    mirrored,  ///< the viewer's direction, mirrored by the shading normal: unit, eye space
+};
+
 struct ChannelSource {
     enum class Kind {
         value,      ///< component of a stage value
@@ -61,7 +68,8 @@ struct ChannelSource {
     ErrorMeasure measure = ErrorMeasure::s;
     ErrorPart part = ErrorPart::whole;
     RangeSet range_set = RangeSet::none;
-    bool negated = false;  ///< of a range: Z is the opposite of its value
+    bool negated = false;                ///< of a range: Z is the opposite of its value
+    Observed observed = Observed::none;  ///< of a derivative: of this instead of `value`
 
     /// Index of the value's array (quad/value.hpp).
     int slot() const { return slot_of(value) + light * info(value).components + component; }

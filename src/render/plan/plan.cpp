@@ -13,6 +13,7 @@
 #include "quadrel/scene/default_stage.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/errors/error_plan.hpp"
+#include "render/exact/observed.hpp"
 #include "render/plan/chains.hpp"
 #include "render/registry/added_stages.hpp"
 #include "text/suggest.hpp"
@@ -200,8 +201,10 @@ Wanted wanted_values(const std::vector<ChannelSource>& channels) {
     Wanted wanted;
     for (const ChannelSource& channel : channels) {
         if (channel.kind == ChannelSource::Kind::exact ||
-            channel.kind == ChannelSource::Kind::exact_error)
-            wanted.values.set(index_of(channel.value));  // drawn, too: what it is compared with
+            channel.kind == ChannelSource::Kind::exact_error) {  // drawn, too: to compare with
+            wanted.values.set(index_of(channel.value));
+            for (const Value v : inputs_of(channel.observed)) wanted.values.set(index_of(v));
+        }
         if (channel.kind == ChannelSource::Kind::integral_error)
             wanted.values.set(index_of(channel.value));
         if (channel.kind == ChannelSource::Kind::value || channel.range_set != RangeSet::none) {

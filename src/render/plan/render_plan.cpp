@@ -9,6 +9,7 @@
 #include "quadrel/relief/trace/search/near_surface.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/exact/exact_plan.hpp"
+#include "render/exact/observed.hpp"
 #include "render/plan/height_bounds.hpp"
 
 namespace quadrel {
@@ -96,6 +97,13 @@ void bound_material(RenderPlan& plan, std::size_t material, TextureCache& cache,
     bound_parts(plan, material, *map, cache, pixels);
 }
 
+/// Whether exact derivatives of heights are asked for: that reads them, whatever stages do.
+bool observes_heights(const std::vector<ChannelSource>& channels) {
+    return std::any_of(channels.begin(), channels.end(), [](const ChannelSource& channel) {
+        return reads_heights(channel.observed);
+    });
+}
+
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
@@ -114,12 +122,16 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         check_height(scene, material, plan.materials.back());
         check_height(scene, material, plan.discard.back());
         plan.uniforms.push_back(material_uniforms(material));
+        if (observes_heights(channels) && material.textures.count("height") != 0)
+            plan.materials.back().textures.set(height_slot);
     }
     plan.exact = plan_exact(scene, channels);
     plan.errors = plan_errors(scene, channels, kernels);
-    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         plan.texels_read.push_back(skip ? texels_read(scene.materials[m], plans_that_load(plan, m))
                                         : TexelsRead());
+        if (observes_heights(channels)) plan.texels_read.back().finest_level.reset(height_slot);
+    }
     plan.bounds = plan_ranges(scene, channels, RangeSet::exact, limits);
     plan.limits = plan_ranges(scene, channels, RangeSet::gpu, limits);
     plan.textures.resize(scene.materials.size());

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct AoHorizon : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"ao-horizon", "occlusion",
                                     "mean openness of the horizons around a point",
                                     "Max 1988; Bavoil, Sainz, Dimitrov 2008"};

@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct OcclusionNone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"occlusion-none", "occlusion", "ambient light everywhere", "-"};
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs = occlusion_outputs;

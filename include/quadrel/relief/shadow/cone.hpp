@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct ShadowCone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-cone", "shadow", "steps along the cones of a cone map",
                                     "after Dummer 2006, Cone Step Mapping"};
     static constexpr auto inputs = light_ray_inputs;

@@ -18,6 +18,7 @@ namespace quadrel {
 /// `Rising` is how it goes on behind the first cell where no one counts; tests plant errors in it.
 template <class Rising>
 struct ShadowExactBy : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-exact", "shadow",
                                     "every cell towards the light, its patch exactly",
                                     "after Amanatides and Woo 1987; Ramsey et al. 2004"};

@@ -28,6 +28,7 @@ F horizon_tangent(const Io& io, Mask<F> active, const vec2<F>& uv, const vec2<F>
 }
 
 struct Horizon : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"horizon", "shadow", "the light against a horizon map",
                                     "Max 1988; Sloan and Cohen 2000"};
     static constexpr auto inputs = light_ray_inputs;

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ShadowMarchMcguire : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-march-mcguire", "shadow",
                                     "linear march, more steps for a lower light",
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};

@@ -19,6 +19,7 @@
 namespace quadrel {
 
 struct ShadowMarchMcguirePublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-march-mcguire@published", "shadow",
                                     "linear march, 60 to 5 steps, as listed",
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ShadowMarchThesis : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-march-thesis", "shadow",
                                     "linear march from the hit up to the top plane",
                                     "correction of shadow-march-thesis@published"};

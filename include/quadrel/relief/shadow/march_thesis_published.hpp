@@ -14,6 +14,7 @@
 namespace quadrel {
 
 struct ShadowMarchThesisPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "shadow-march-thesis@published", "shadow", "the thesis' march from the hit to the light",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 3"};

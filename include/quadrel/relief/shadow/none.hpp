@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct ShadowNone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-none", "shadow", "no self-shadowing", "-"};
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs = shadow_outputs;

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct ShadowRelief : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-relief", "shadow",
                                     "linear search and bisection from the light's side",
                                     "Policarpo, Oliveira, Comba 2005"};

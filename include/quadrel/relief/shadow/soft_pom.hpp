@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct ShadowSoftPom : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-soft-pom", "shadow",
                                     "seven samples on the light ray, softened",
                                     "correction of shadow-soft-pom@published"};

@@ -43,6 +43,7 @@ F soft_pom_excess(const Io& io, const Heights& height, Mask<F> active, const vec
 }
 
 struct ShadowSoftPomPublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-soft-pom@published", "shadow",
                                     "seven samples towards the light, softened, as listed",
                                     "Tatarchuk 2006; DirectX SDK, ParallaxOcclusionMapping.fx"};

@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct ShadowSoftRiccardi : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shadow-soft-riccardi", "shadow",
                                     "greatest depth below the surface on the way to the light",
                                     "Riccardi 2018, contact refinement, soft shadow"};

@@ -17,6 +17,7 @@
 namespace quadrel {
 
 struct BumpBlinn : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "bump-blinn", "surface", "normal from window-space height differences",
         "Blinn 1978; Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU (2010)"};

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct BumpNoise : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"bump-noise", "surface", "bumps of gradient noise",
                                     "correction of bump-noise@published"};
     static constexpr auto inputs =

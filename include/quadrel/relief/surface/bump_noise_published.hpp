@@ -19,6 +19,7 @@
 namespace quadrel {
 
 struct BumpNoisePublished : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"bump-noise@published", "surface",
                                     "noise towards the first light, added to N.L",
                                     "Renk, Relief maps (FlightGear wiki, 2016), bumpiness effect"};

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct H2n4Tap : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-4tap", "surface", "normal from central differences",
                                     "correction of h2n-4tap@published"};
     static constexpr auto inputs = relief_normal_inputs;

@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct H2n4TapPublished : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-4tap@published", "surface", "normal from four taps",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
     static constexpr auto inputs = rabbid_inputs;

@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct H2nGather : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-gather", "surface", "normal from the 2x2 texels around",
                                     "correction of h2n-gather@published"};
     static constexpr auto inputs = relief_normal_inputs;

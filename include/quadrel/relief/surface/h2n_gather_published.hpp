@@ -11,6 +11,7 @@
 namespace quadrel {
 
 struct H2nGatherPublished : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-gather@published", "surface", "normal from one gather",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
     static constexpr auto inputs = rabbid_inputs;

@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct H2nPatch : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-patch", "surface", "exact normal of the height field",
                                     "gradient of the bilinear interpolant"};
     static constexpr auto inputs = relief_normal_inputs;

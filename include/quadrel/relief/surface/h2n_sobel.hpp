@@ -10,6 +10,7 @@
 namespace quadrel {
 
 struct H2nSobel : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-sobel", "surface", "normal from Sobel's 3x3 operator",
                                     "correction of h2n-sobel@published"};
     static constexpr auto inputs = relief_normal_inputs;

@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct H2nThesis : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"h2n-thesis", "surface",
                                     "normal from central differences of the height, smooth shaded",
                                     "correction of h2n-thesis@published"};

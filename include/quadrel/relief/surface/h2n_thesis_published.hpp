@@ -12,6 +12,7 @@
 namespace quadrel {
 
 struct H2nThesisPublished : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
         "h2n-thesis@published", "surface", "normal from four heights 1/128 world units apart",
         "Derivative-Based Relief Mapping (2012), appendix, Parallax.frag 1"};

@@ -6,6 +6,7 @@
 namespace quadrel {
 
 struct SurfaceNone : StageDefaults {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"surface-none", "surface", "the frame's normal", "-"};
     static constexpr auto inputs = values(Value::frame_normal);
     static constexpr auto outputs = surface_outputs;

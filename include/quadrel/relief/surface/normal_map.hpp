@@ -19,6 +19,7 @@
 namespace quadrel {
 
 struct NormalMap : NormalFromMap {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"normal-map", "surface", "normal from a texture",
                                     "Cook 1984; Cohen et al. 1998; GPU Gems 3, chapter 18"};
     static constexpr auto inputs =

@@ -21,6 +21,7 @@
 namespace quadrel {
 
 struct NormalMapFlightGear : NormalFromMap {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"normal-map-flightgear@published", "surface",
                                     "normal map over interpolated unit axes of the vertices",
                                     "Renk, FlightGear wiki, normal mapping, 2016"};

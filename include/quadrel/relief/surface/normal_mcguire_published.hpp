@@ -18,6 +18,7 @@
 namespace quadrel {
 
 struct NormalMcGuirePublished : NormalFromMap {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"normal-mcguire@published", "surface",
                                     "normal of the map as the march met it, not normalised; green "
                                     "is against v",

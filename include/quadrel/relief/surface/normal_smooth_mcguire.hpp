@@ -13,6 +13,7 @@
 namespace quadrel {
 
 struct NormalSmoothMcGuire : NormalFromMap {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"normal-smooth-mcguire", "surface",
                                     "normal map, smoothed along the gradient",
                                     "McGuire and McGuire, Steep Parallax Mapping (2005)"};

@@ -24,6 +24,7 @@ void store_along_frame(const Io& io, const vec3<F>& n) {
 }
 
 struct NormalWelshPublished : NormalFromMap {
+    static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"normal-welsh@published", "surface",
                                     "normal of the map in tangent space, normalised",
                                     "Welsh, Parallax Mapping with Offset Limiting (2004)"};
