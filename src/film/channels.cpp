@@ -113,7 +113,7 @@ bool has_range(const std::string& channel) {
 }
 
 bool needs_ranges(const std::string& name) {
-    return name == "undecided" || range_channel(name).has_value();
+    return name == "undecided" || is_below(name, "gpu") || is_below(name, "bound");
 }
 
 std::vector<std::string> expand_channels(std::span<const std::string> requests) {
