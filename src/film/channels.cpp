@@ -116,7 +116,7 @@ bool has_range(const std::string& channel) {
 }
 
 bool needs_ranges(const std::string& name) {
-    return name == "undecided" || range_channel(name).has_value();
+    return name == "undecided" || is_below(name, "gpu") || is_below(name, "bound");
 }
 
 bool is_integral_channel(const std::string& name) { return is_below(name, "integral"); }

@@ -47,7 +47,8 @@ std::optional<RangeChannel> range_channel(const std::string& name);
 /// Whether there is a range of that channel.
 bool has_range(const std::string& channel);
 
-/// Whether a full name is a range's, or `undecided`: stages run once more for it, on ranges.
+/// Whether a name is a range's (gpu.*, bound.*), or `undecided`: stages run once more for it, on
+/// ranges, where they do at all.
 bool needs_ranges(const std::string& name);
 
 /// Whether a full name is one of integral.*, which integrals over pixels alone have.

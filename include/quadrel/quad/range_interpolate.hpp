@@ -109,7 +109,7 @@ class Interpolator<Ranges> {
         const auto change = [&](int a, int b) {
             return known_[a] && known_[b] ? (middle(of, a) - middle(of, b)).magnitude() : 0;
         };
-        return 2 * (std::max(change(1, 0), change(3, 2)) + std::max(change(2, 0), change(3, 1)));
+        return 1.25 * (std::max(change(1, 0), change(3, 2)) + std::max(change(2, 0), change(3, 1)));
     }
 
     Ranges varying(const Vertices& of) const {

@@ -36,7 +36,7 @@ ErrorBudget shared_limits() {
     budget.filtered = 0x1p-16;
     budget.plane = 0x1p-20;
     budget.snapping = 0x1p-9;
-    budget.evaluation = 0x1p-22;
+    budget.evaluation = 0x1p-23;
     return budget;
 }
 

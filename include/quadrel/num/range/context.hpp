@@ -40,12 +40,13 @@ struct RangeContext {
     std::int32_t given = 0;         ///< how many of them are what the way says
     std::int8_t way[most_answers];
     std::int32_t shared_errors = 0;  ///< groups of named errors so far
+    std::int32_t unit_vectors = 0;   ///< likewise
 
     /// Before the stages run.
     void begin_run() {
         open = answers = 0;
         joined = 0;
-        shared_errors = 0;
+        shared_errors = unit_vectors = 0;
     }
     /// Before the first run of a lane (none if negative).
     void begin_lane(std::int32_t lane) {

@@ -7,6 +7,67 @@
 
 namespace quadrel {
 
+// A unit vector's components carry its number, so that dot products and reflections of unit vectors
+// are known to be no longer than 1, whatever the ranges of the components would allow. Numbers from
+// normalize are even and good to 2^-19; those of reflections are odd, and good to 2^-16.
+namespace range_detail {
+
+inline constexpr double longest_unit = 1 + 0x1p-16;
+
+inline std::int32_t next_unit(bool reflected) {
+    const std::int32_t n = ++range_context().unit_vectors;
+    return 8 * n + (reflected ? 4 : 0);
+}
+/// The number of the unit vector that a lane of v is; 0 if it is none.
+inline std::int32_t unit_of(const vec3<Ranges>& v, int lane) {
+    const std::int32_t first = v[0].lane[lane].unit & ~3;
+    std::int32_t seen = 0;
+    for (int c = 0; c < 3; ++c) {
+        const std::int32_t unit = v[c].lane[lane].unit;
+        if (unit == 0 || (unit & ~3) != first) return 0;
+        seen |= 1 << (unit & 3);
+    }
+    return seen == 7 ? first : 0;
+}
+inline bool is_normalized(std::int32_t unit) { return unit != 0 && (unit & 4) == 0; }
+
+/// a range of something that is within +-most.
+inline Ranged bounded_by(const Ranged& a, double most) {
+    if (!a.is_bounded()) return {-most, most};
+    const RealInterval x = a.range();
+    return {std::clamp(x.lo, -most, most), std::clamp(x.hi, -most, most)};
+}
+
+}  // namespace range_detail
+
+/// Of unit vectors, a cosine.
+inline Ranges dot(const vec3<Ranges>& a, const vec3<Ranges>& b) {
+    using namespace range_detail;
+    Ranges sum = a.x * b.x + a.y * b.y + a.z * b.z;
+    for (int i = 0; i < 4; ++i)
+        if (unit_of(a, i) != 0 && unit_of(b, i) != 0) {
+            const RealInterval x = sum.lane[i].range();
+            if (std::max(-x.lo, x.hi) > longest_unit * longest_unit)
+                sum.lane[i] = bounded_by(sum.lane[i], longest_unit * longest_unit);
+        }
+    return sum;
+}
+/// Of unit vectors, one.
+inline vec3<Ranges> reflect(const vec3<Ranges>& i, const vec3<Ranges>& n) {
+    using namespace range_detail;
+    vec3<Ranges> result = i - n * (dot(n, i) * Ranges(2));
+    for (int lane = 0; lane < 4; ++lane) {
+        const std::int32_t unit = next_unit(true);
+        if (!is_normalized(unit_of(i, lane)) || !is_normalized(unit_of(n, lane))) continue;
+        for (int c = 0; c < 3; ++c) {
+            Ranged& component = result[c].lane[lane];
+            component = bounded_by(component, longest_unit);
+            component.unit = unit + c;
+        }
+    }
+    return result;
+}
+
 /// v over its length, or times the inverse root of its square: no component is above 1 by more than
 /// errors. Of what may be a null vector, anything.
 template <int size>
@@ -14,6 +75,7 @@ vec<size, Ranges> normalize(const vec<size, Ranges>& v) {
     const ErrorBudget& errors = range_context().budget;
     vec<size, Ranges> result;
     for (int i = 0; i < 4; ++i) {
+        const std::int32_t number = range_detail::next_unit(false);
         Ranged square(0);
         for (int c = 0; c < size; ++c) {
             const Ranged size_of = abs(v[c].lane[i]);
@@ -30,6 +92,7 @@ vec<size, Ranges> normalize(const vec<size, Ranges>& v) {
                 range_detail::rounded(v[c].lane[i].range() / root, errors.normalize);
             const double most = 1 + (errors.normalize + 8) * 0x1p-23;
             component = Ranged(std::max(unit.lo, -most), std::min(unit.hi, most));
+            if (size == 3) component.unit = number + c;
         }
     }
     return result;

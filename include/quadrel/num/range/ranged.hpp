@@ -25,13 +25,20 @@ struct Ranged {
     double terms;        ///< 1: no sum
     double part[3];      ///< of the named errors
     std::int32_t named;  ///< their group; 0: none
+    std::int32_t unit;   ///< which component of which unit vector (geometry.hpp); 0: of none
 
     Ranged() = default;
     /// A constant or an input: where arithmetic is float32's, rounded to it.
     Ranged(double x);
     /// Anything from `low` to `high`; not finite: anything.
     Ranged(double low, double high)
-        : lo(low), hi(high), mass(RealInterval(low, high).magnitude()), terms(1), part{}, named(0) {
+        : lo(low),
+          hi(high),
+          mass(RealInterval(low, high).magnitude()),
+          terms(1),
+          part{},
+          named(0),
+          unit(0) {
         if (!(low <= high) || !(mass < std::numeric_limits<double>::infinity())) *this = anything();
     }
     Ranged(const RealInterval& range) : Ranged(range.lo, range.hi) {}
@@ -43,7 +50,7 @@ struct Ranged {
         result.mass = result.hi;
         result.terms = 1;
         result.part[0] = result.part[1] = result.part[2] = 0;
-        result.named = 0;
+        result.named = result.unit = 0;
         return result;
     }
     bool is_bounded() const {
@@ -142,6 +149,7 @@ inline Ranged negated(const Ranged& a) {
 /// By a power of two: nothing is rounded, unless it leaves float32's normal numbers.
 inline Ranged scaled(const Ranged& a, double factor) {
     Ranged result = factor < 0 ? negated(a) : a;
+    if (std::fabs(factor) != 1) result.unit = 0;
     const double by = std::fabs(factor);
     result.lo *= by;
     result.hi *= by;
@@ -175,11 +183,11 @@ inline RealInterval Ranged::range() const {
     using namespace range_detail;
     if (!is_bounded()) return {lo, hi};
     RealInterval all(lo, hi);
-    const double unit = budget().unit;
-    if (terms > 2 && unit > 0)
-        all = flushed(widened(all, (terms - 1) * (unit * (1 + 0x1p-40) * mass + least_normal)));
+    const double step = budget().unit;
+    if (terms > 2 && step > 0)
+        all = flushed(widened(all, (terms - 1) * (step * (1 + 0x1p-40) * mass + least_normal)));
     if (named != 0) all = widened(all, named_errors(*this));
-    if (terms == 2 && unit > 0) all = flushed({float_below(all.lo), float_above(all.hi)});
+    if (terms == 2 && step > 0) all = flushed({float_below(all.lo), float_above(all.hi)});
     return all;
 }
 

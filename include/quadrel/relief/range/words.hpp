@@ -7,7 +7,7 @@
 #include "quadrel/relief/frame/store.hpp"
 #include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/near_surface.hpp"
-#include "quadrel/texture/range/sampler.hpp"
+#include "quadrel/texture/range/cube.hpp"
 
 namespace quadrel {
 

@@ -90,8 +90,9 @@ class LevelTexels {
 };
 
 /// The patch with its lower corner at texel (i, j), over weights in x and y.
-inline void include_patch(TexelRange& range, const LevelTexels& level, double i, double j,
-                          const RealInterval& x, const RealInterval& y) {
+template <class Texels>
+void include_patch(TexelRange& range, const Texels& level, double i, double j,
+                   const RealInterval& x, const RealInterval& y) {
     const TexelValue taps[4] = {level.at(i, j), level.at(i + 1, j), level.at(i, j + 1),
                                 level.at(i + 1, j + 1)};
     for (const double t : {x.lo, x.hi})
@@ -109,8 +110,9 @@ inline void include_patch(TexelRange& range, const LevelTexels& level, double i,
 }
 
 /// Every texel with indices in these ranges.
-inline void include_texels(TexelRange& range, const LevelTexels& level, const RealInterval& x,
-                           const RealInterval& y) {
+template <class Texels>
+void include_texels(TexelRange& range, const Texels& level, const RealInterval& x,
+                    const RealInterval& y) {
     for (double j = y.lo; j <= y.hi; ++j)
         for (double i = x.lo; i <= x.hi; ++i) range.include(level.at(i, j).channel);
 }
@@ -121,8 +123,9 @@ inline RealInterval weights_in(const RealInterval& x, double i) {
 }
 
 /// All that linear filtering of a level may give; false if that is too much to look through.
-inline bool include_linear(TexelRange& range, const LevelTexels& level, const RealInterval& x,
-                           const RealInterval& y) {
+template <class Texels>
+bool include_linear(TexelRange& range, const Texels& level, const RealInterval& x,
+                    const RealInterval& y) {
     const RealInterval column(std::floor(x.lo - 0.5), std::floor(x.hi - 0.5));
     const RealInterval row(std::floor(y.lo - 0.5), std::floor(y.hi - 0.5));
     const double patches = (column.width() + 1) * (row.width() + 1);
@@ -137,8 +140,9 @@ inline bool include_linear(TexelRange& range, const LevelTexels& level, const Re
             include_patch(range, level, i, j, weights_in(centred_x, i), weights_in(centred_y, j));
     return true;
 }
-inline bool include_nearest(TexelRange& range, const LevelTexels& level, const RealInterval& x,
-                            const RealInterval& y) {
+template <class Texels>
+bool include_nearest(TexelRange& range, const Texels& level, const RealInterval& x,
+                     const RealInterval& y) {
     const RealInterval column(std::floor(x.lo), std::floor(x.hi)),
         row(std::floor(y.lo), std::floor(y.hi));
     if (!((column.width() + 1) * (row.width() + 1) <= most_texels)) return false;

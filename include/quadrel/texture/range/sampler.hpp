@@ -4,7 +4,6 @@
 // range. What is too much to look through is all that the map holds.
 #pragma once
 
-#include "quadrel/texture/cube.hpp"
 #include "quadrel/texture/height_sampler.hpp"
 #include "quadrel/texture/range/footprint.hpp"
 
@@ -114,12 +113,23 @@ inline RealInterval level_of(const SampledTexture& texture, const RealInterval& 
     return {std::clamp(lambda.lo, 0.0, last), std::clamp(lambda.hi, 0.0, last)};
 }
 
-/// The look-up of one lane; `level_range(level, filter)`.
+/// Whether the level, or which filter, depends on rounding.
+inline bool is_level_undecided(const SamplerState& s, bool mips, const RealInterval& lambda,
+                               const RealInterval& d) {
+    if (s.mag != s.min && lambda.lo <= 0 && lambda.hi > 0) return true;
+    return mips && s.mip == MipFilter::nearest &&
+           std::ceil(d.lo + 0.5) - 1 != std::floor(d.hi + 0.5);
+}
+
+/// The look-up of a lane; `of(level, filter)` is the range of a level.
 template <class LevelRange>
-TexelRange look_up(const SampledTexture& texture, const Ranged& lambda, const LevelRange& of) {
+TexelRange look_up(const SampledTexture& texture, int lane, const Ranged& lambda,
+                   const LevelRange& of) {
     const SamplerState& s = texture.sampler;
     const RealInterval clamped = clamped_lambda(s, lambda), d = level_of(texture, clamped);
     const bool mips = s.mip != MipFilter::none && texture.view.levels > 1;
+    if (is_level_undecided(s, mips, clamped, d))
+        range_context().undecided[lane] |= Undecided::mip_level;
     TexelRange range = TexelRange::nothing();
     for (const bool magnified : {true, false}) {
         if (magnified ? clamped.lo > 0 : clamped.hi <= 0) continue;
@@ -262,7 +272,7 @@ inline vec4<Ranges> sample_expanded(const SampledTexture& texture,
     using namespace range_detail;
     TexelRange lanes[4];
     for (int i = 0; i < 4; ++i)
-        lanes[i] = asks(context, i) ? look_up(texture, lod.lambda.lane[i],
+        lanes[i] = asks(context, i) ? look_up(texture, i, lod.lambda.lane[i],
                                               [&](int level, Filter filter) {
                                                   return level_range(texture, level, filter,
                                                                      uv.x.lane[i], uv.y.lane[i]);
@@ -307,18 +317,6 @@ inline vec4<Ranges> texture_gather(const SampledTexture& texture, const SampleCo
                                    const vec2<Ranges>&, int component = 0) {
     return vec4<Ranges>(Ranges(
         Ranged(range_detail::filtered(range_detail::whole_map(texture)).channel[component])));
-}
-inline vec4<Ranges> texture_cube_grad(const SampledTexture& texture, const SampleContext<Ranges>&,
-                                      const vec3<Ranges>&, const vec3<Ranges>&, const vec3<Ranges>&,
-                                      LodRecord<Ranges>* = nullptr) {
-    const range_detail::TexelRange all = range_detail::filtered(range_detail::whole_map(texture));
-    const range_detail::TexelRange lanes[4] = {all, all, all, all};
-    return range_detail::packet_of(lanes);
-}
-inline vec4<Ranges> texture_cube_lod(const SampledTexture& texture,
-                                     const SampleContext<Ranges>& context,
-                                     const vec3<Ranges>& direction, const Ranges&) {
-    return texture_cube_grad(texture, context, direction, direction, direction);
 }
 
 }  // namespace quadrel

@@ -1,0 +1,200 @@
+// What a GPU may give: renders of other implementations lie within the ranges, mistakes do not, and
+// the ranges are narrow enough to say so.
+#include "quadrel/error.hpp"
+#include "quadrel/scene/load.hpp"
+#include "render/films.hpp"
+
+namespace quadrel::render_tests {
+namespace {
+
+const std::vector<std::string> judged = {"P",     "uv", "K", "r", "N",    "hit.U",
+                                         "hit.V", "R",  "G", "B", "hit.s"};
+
+struct Judged {
+    std::string scene;
+    Window window;
+    std::vector<std::string> overrides = {};
+};
+
+Film render_scene(const Judged& what, const std::string& limits,
+                  std::vector<std::string> more = {}) {
+    more.insert(more.end(), what.overrides.begin(), what.overrides.end());
+    RenderOptions options;
+    options.channels = judged;
+    options.channels.push_back("A");
+    options.window = what.window;
+    options.limits = limits;
+    return render(load_scene(what.scene, more), options);
+}
+
+/// What a film's float channels are beside the ranges of another.
+struct Verdict {
+    std::size_t values = 0, outside = 0;
+    /// Of values that differ from the reference's by more than their range is wide.
+    std::size_t changed = 0, found = 0;
+    std::string first;
+};
+
+Verdict judge(const Film& ranges, const Film& film) {
+    Verdict verdict;
+    const Plane& covered = *ranges.find("A");
+    for (const Plane& plane : film.planes) {
+        const Plane* const low = ranges.find("gpu.lo." + plane.name);
+        const Plane* const high = ranges.find("gpu.hi." + plane.name);
+        if (low == nullptr) continue;
+        const Plane& reference = *ranges.find(plane.name);
+        for (std::size_t i = 0; i < plane.bits.size(); ++i) {
+            if (!(covered.as_float(i) > 0)) continue;
+            ++verdict.values;
+            const float x = plane.as_float(i), lo = low->as_float(i), hi = high->as_float(i);
+            const bool outside = !(x >= lo && x <= hi) && lo > -INFINITY;
+            const bool changed = std::abs(x - reference.as_float(i)) > hi - lo;
+            verdict.outside += outside;
+            verdict.changed += changed;
+            verdict.found += changed && outside;
+            if (outside && verdict.first.empty())
+                verdict.first =
+                    fmt::format("{} of pixel {}: {} is not in {} to {}", plane.name, i, x, lo, hi);
+        }
+    }
+    return verdict;
+}
+
+/// Pixels of a channel by what can be said of them, as shares of those that are covered.
+struct Shares {
+    double ambiguous = 0, unbounded = 0;
+};
+Shares shares_of(const Film& ranges, const std::string& channel) {
+    Shares shares;
+    double covered = 0;
+    for (std::size_t i = 0; i < ranges.planes[0].bits.size(); ++i) {
+        if (!(ranges.find("A")->as_float(i) > 0)) continue;
+        ++covered;
+        shares.ambiguous += ranges.find("gpu.paths." + channel)->bits[i] > 1;
+        shares.unbounded += !std::isfinite(ranges.find("gpu.hi." + channel)->as_float(i));
+    }
+    return {shares.ambiguous / covered, shares.unbounded / covered};
+}
+
+const Judged plain{"sampler-mag-linear", {40, 40, 56, 48}};
+const Judged thesis_quad{"thesis-quad", {200, 200, 208, 208}};
+const Judged bricks{"bricks-45", {300, 300, 308, 304}};
+const Judged offset{"rows/offset-limit", {40, 40, 56, 48}};
+const Judged binary{"rows/relief-binary", {40, 40, 52, 44}};
+
+TEST(Limits, HoldWhatOtherImplementationsGive) {
+    for (const Judged& what : {plain, thesis_quad, bricks, offset, binary})
+        for (const std::string limits : {"gl", "vulkan", "d3d"}) {
+            const Film ranges = render_scene(what, limits);
+            for (const std::string hardware : {"exact", "d3d", "llvmpipe", "swiftshader"}) {
+                if ((limits == "d3d") != (hardware == "d3d") && hardware != "exact") continue;
+                const Verdict verdict =
+                    judge(ranges, render_scene(what, "", {"hardware=\"" + hardware + "\""}));
+                EXPECT_GT(verdict.values, 100u);
+                EXPECT_EQ(verdict.outside, 0u) << what.scene << ", limits " << limits << ", "
+                                               << hardware << ": " << verdict.first;
+            }
+        }
+}
+
+TEST(Limits, HoldTheLeastThatVulkanAllows) {
+    const std::string same_snapping = "hardware=\"vulkan-min\"";
+    for (const Judged& what : {plain, thesis_quad, offset}) {
+        const Verdict verdict = judge(render_scene(what, "vulkan", {same_snapping}),
+                                      render_scene(what, "", {same_snapping}));
+        EXPECT_EQ(verdict.outside, 0u) << what.scene << ": " << verdict.first;
+    }
+}
+
+/// Mistakes that shaders are made with, as scenes.
+TEST(Limits, FindMistakes) {
+    struct Mistake {
+        const char* what;
+        std::vector<std::string> overrides;
+    };
+    const Mistake mistakes[] = {
+        {"a texture upside down", {"textures.bricks-color.flip_v=true"}},
+        {"a colour that is not decoded", {"textures.bricks-color.format=\"unorm8\""}},
+        {"light from the wrong point", {"lights.0.position=[-10,10,10]"}},
+        {"a level that is two off", {"textures.bricks-color.lod_bias=2"}},
+        {"half of the steps", {"material.relief.steps=64"}},
+        {"a relief without its depth", {"material.relief.depth=0.05"}},
+    };
+    const Film ranges = render_scene(thesis_quad, "gl");
+    for (const Mistake& mistake : mistakes) {
+        const Verdict verdict = judge(ranges, render_scene(thesis_quad, "", mistake.overrides));
+        EXPECT_GT(verdict.outside, 0u) << mistake.what;
+        EXPECT_GE(2 * verdict.found, verdict.changed) << mistake.what;
+    }
+}
+
+TEST(Limits, AreMostlyDecided) {
+    const Shares shares = shares_of(render_scene(bricks, "gl"), "R");
+    EXPECT_LE(shares.ambiguous, 0.25);  // of few pixels; over whole scenes, less
+    EXPECT_LE(shares.unbounded, 0.01);
+}
+
+TEST(Limits, OfExactArithmeticAreNarrowAndWithinThose) {
+    RenderOptions options;
+    options.channels = {"bound.lo.uv.U", "bound.hi.uv.U", "bound.lo.K.U", "bound.hi.K.U",
+                        "gpu.lo.K.U",    "gpu.hi.K.U",    "K.U"};
+    options.window = bricks.window;
+    options.limits = "gl";
+    const Film film = render(load_scene(bricks.scene), options);
+    for (std::size_t i = 0; i < film.planes[0].bits.size(); ++i) {
+        const auto value = [&](const char* name) { return film.find(name)->as_float(i); };
+        EXPECT_LE(value("bound.hi.uv.U") - value("bound.lo.uv.U"), 1e-6);
+        EXPECT_LE(value("gpu.lo.K.U"), value("bound.lo.K.U"));
+        EXPECT_GE(value("gpu.hi.K.U"), value("bound.hi.K.U"));
+        EXPECT_NEAR(value("K.U"), value("bound.lo.K.U"), 1e-4);
+    }
+}
+
+TEST(Limits, AreTheSameOnAnyThreads) {
+    RenderOptions options;
+    options.channels = {"R", "undecided"};
+    options.window = bricks.window;
+    options.limits = "gl";
+    options.threads = 1;
+    const Scene scene = load_scene(bricks.scene);
+    const Film one = render(scene, options);
+    options.threads = 3;
+    options.tile = 4;
+    EXPECT_EQ(one, render(scene, options));
+}
+
+TEST(Limits, AreRefusedWhereThereAreNone) {
+    const Scene scene = load_scene("rows/max-mip");
+    RenderOptions options;
+    options.window = Window{0, 0, 8, 8};
+    options.channels = {"R"};
+    const auto refuses = [&](const Scene& of) {
+        try {
+            render(of, options);
+        } catch (const UsageError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    options.limits = "gl";
+    EXPECT_NE(refuses(scene).find("\"max-mip\""), std::string::npos);
+    options.limits = "metal";
+    EXPECT_NE(refuses(scene).find("vulkan, d3d, gl or webgpu"), std::string::npos);
+    options.limits = "gl,planes=1";
+    EXPECT_NE(refuses(scene).find("plane="), std::string::npos);
+    options.limits = "gl,plane=much";
+    EXPECT_NE(refuses(scene).find("number"), std::string::npos);
+    options.limits = "";
+    options.channels = {"gpu.lo.R"};
+    EXPECT_NE(refuses(scene).find("--limits"), std::string::npos);
+    options.channels = {"gpu.lo.A"};
+    EXPECT_NE(refuses(scene).find("unknown channel"), std::string::npos);
+    options.channels = {"bound.lo.uv"};
+    EXPECT_NE(refuses(scene).find("unknown channel"), std::string::npos);
+    options.channels = {"R"};
+    options.limits = "gl";
+    EXPECT_NE(refuses(load_scene("msaa-4")).find("one sample"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrel::render_tests
