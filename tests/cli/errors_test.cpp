@@ -41,8 +41,9 @@ TEST(Errors, AreToldForPeopleAndPrograms) {
 
 TEST(Errors, CommandsOfTheWorstPixelsRun) {
     const auto json = nlohmann::json::parse(errors({"--json", "--worst", "1"}).out);
-    const std::string command = json["worst"][0]["command"];
+    std::string command = json["worst"][0]["command"];
     EXPECT_TRUE(command.starts_with("quadrel probe ")) << command;
+    std::erase(command, '\'');  // a shell's
     Words words;
     std::istringstream stream(command);
     for (std::string word; stream >> word;) words.push_back(word);
@@ -90,17 +91,36 @@ TEST_F(Against, AnImageIsJudgedAsItsScene) {
     EXPECT_EQ(port["image"], "port.exr");
     const auto shifted = judged({"shifted.exr"});
     EXPECT_EQ(kinds_of(shifted, "same"), 0u);
-    EXPECT_NE(shifted["parts"][0]["kinds"], scene["parts"][0]["kinds"]);
+    EXPECT_NE(shifted["parts"][0]["errors"][1]["p50"], port["parts"][0]["errors"][1]["p50"]);
     const auto renamed = judged({"renamed.exr", "--map", "hit.U=port_hit.U", "--map",
                                  "hit.V=port_hit.V", "--map", "hit.s=port_hit.s"});
     EXPECT_EQ(kinds_of(renamed, "same"), 0u);
     EXPECT_EQ(judged({"port.exr", "--channels", "N"})["parts"][0]["errors"].size(), 1u);
 }
 
+/// The exit code is that of tolerances, where some are given.
+TEST_F(Against, TolerancesAreOfErrors) {
+    const auto code = [&](const Words& options) {
+        Words words{"port.exr"};
+        words.insert(words.end(), options.begin(), options.end());
+        return against(words).code;
+    };
+    const double most = judged({"port.exr"})["parts"][0]["errors"][1]["max"];
+    EXPECT_EQ(code({"--abs", "err.uv=" + std::to_string(1.01 * most)}), 0);
+    EXPECT_EQ(code({"--abs", "err.uv=" + std::to_string(0.9 * most)}), 1);
+    EXPECT_EQ(code({"--abs", "err.uv=" + std::to_string(0.9 * most), "--fraction", "err.uv=0.5"}),
+              0);
+    EXPECT_EQ(code({"--abs", "err.color=10", "--abs", "err.normal=180"}), 0);
+    const auto json = judged({"port.exr", "--abs", "err.uv=0"});
+    EXPECT_EQ(json["tolerances"]["equal"], false);
+    EXPECT_EQ(json["tolerances"]["channels"].size(), 1u);
+}
+
 TEST_F(Against, OptionsWithoutAMeaningAreRefused) {
     for (const Words& options :
-         {Words{"--abs", "1"}, Words{"--encode", "half"}, Words{"--blame", "bricks-45"},
-          Words{"--heatmap", "a.png"}, Words{"--overlap"}, Words{"--window", "0,0,90,90"}}) {
+         {Words{"--abs", "1"}, Words{"--rel", "err.uv=1"}, Words{"--abs", "err.normal.X=1"},
+          Words{"--encode", "half"}, Words{"--blame", "bricks-45"}, Words{"--heatmap", "a.png"},
+          Words{"--overlap"}, Words{"--window", "0,0,90,90"}}) {
         Words words{"port.exr"};
         words.insert(words.end(), options.begin(), options.end());
         EXPECT_EQ(against(words).code, 2) << options[0];

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
 #include "cli/common/arguments.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/plugins.hpp"
-#include "cli/compare/arguments.hpp"
 #include "quadrel/errors.hpp"
 #include "quadrel/film/comparable.hpp"
 #include "quadrel/scene/load.hpp"
@@ -35,10 +39,45 @@ ComparableImage judged_image(const AgainstArguments& arguments) {
     return image;
 }
 
+/// Errors with a tolerance, against none at all.
+CompareReport judge_tolerances(const std::vector<ToleranceRule>& rules, Film errors) {
+    std::set<std::string> named;
+    for (const ToleranceRule& rule : rules) {
+        if (rule.channel.empty())
+            throw UsageError(rule.option +
+                             ": expected CHANNEL=VALUE with --against, as err.uv=0.5");
+        named.merge(matching_channels(rule.option, rule.channel, errors, errors));
+    }
+    std::vector<bool> unjudged;
+    for (const std::uint32_t kind : errors.find("err.kind")->bits)
+        unjudged.push_back(kind == static_cast<std::uint32_t>(ErrorKind::not_judged));
+    // An image without hits has no kinds; what it has is judged.
+    if (std::ranges::count(unjudged, false) == 0) unjudged.clear();
+    std::erase_if(errors.planes, [&](const Plane& plane) { return !named.contains(plane.name); });
+    Film none = errors;
+    for (Plane& plane : none.planes) std::ranges::fill(plane.bits, 0u);
+    CompareRules matched = match_tolerances(rules, none, errors);
+    matched.left_out = std::move(unjudged);
+    return compare(none, errors, matched);
+}
+
+void print_summary(const ErrorSummary& summary, const std::optional<CompareReport>& report,
+                   bool json) {
+    if (!json) {
+        print(to_text(summary));
+        if (report) print("\n" + to_text(*report));
+        return;
+    }
+    auto all = nlohmann::ordered_json::parse(to_json(summary));
+    if (report) all["tolerances"] = nlohmann::ordered_json::parse(to_json(*report));
+    print_json(all.dump(2) + "\n");
+}
+
 }  // namespace
 
 ExitCode run_against(const AgainstArguments& arguments) {
     load_plugins(arguments.plugins);
+    const std::vector<ToleranceRule> rules = parse_tolerances(arguments.tolerances);
     const ComparableImage image = judged_image(arguments);
     const Window& frame = image.film.frame;
     const Scene scene = load_scene(
@@ -47,6 +86,8 @@ ExitCode run_against(const AgainstArguments& arguments) {
     say_notes(scene.notes);
     ErrorOptions options;
     if (!arguments.window.empty()) options.window = parse_window("--window", arguments.window);
+    Film film;
+    options.film = &film;
     ErrorSummary summary;
     {
         ProgressBar bar;
@@ -54,8 +95,10 @@ ExitCode run_against(const AgainstArguments& arguments) {
         summary = measure_errors(image.film, scene, options);
     }
     summary.image = arguments.image;
-    arguments.json ? print_json(to_json(summary)) : print(to_text(summary));
-    return ExitCode::ok;
+    std::optional<CompareReport> report;
+    if (!rules.empty()) report = judge_tolerances(rules, std::move(film));
+    print_summary(summary, report, arguments.json);
+    return report && !report->equal() ? ExitCode::difference : ExitCode::ok;
 }
 
 }  // namespace quadrel::cli

@@ -113,10 +113,8 @@ Images read_images(const CompareArguments& arguments) {
 void refuse_beside_against(const CompareArguments& a) {
     const ToleranceArguments& t = a.tolerances;
     const std::pair<const char*, bool> given[] = {
-        {"--abs", !t.abs.empty()},
         {"--rel", !t.rel.empty()},
         {"--ulp", !t.ulp.empty()},
-        {"--fraction", !t.fraction.empty()},
         {"--encode", !a.encode.empty()},
         {"--blame", !a.blame.empty()},
         {"--heatmap", !a.heatmap.empty()},
@@ -132,7 +130,7 @@ void refuse_beside_against(const CompareArguments& a) {
 ExitCode run_compare_against(const CompareArguments& a) {
     refuse_beside_against(a);
     return run_against({a.reference, a.test, a.channels, a.region.window, a.mappings, a.overrides,
-                        a.plugins, a.selection, a.flip_y, a.json});
+                        a.plugins, a.tolerances, a.selection, a.flip_y, a.json});
 }
 
 Images prepare(const CompareArguments& arguments) {
@@ -280,7 +278,8 @@ void add_compare(CLI::App& app, Action& action) {
         ->required();
     verb->add_option("--against", a->against,
                      "oracle: judge the test image by the proven first hits of the scene: its "
-                     "hit.U, hit.V, hit.s, N, R, G, B, whichever it has")
+                     "hit.U, hit.V, hit.s, N, R, G, B, whichever it has; --abs and --fraction "
+                     "are of err.uv and the like then")
         ->check(CLI::IsMember({"oracle"}))
         ->type_name("JUDGE");
     verb->add_option("test", a->test, "the image to be judged, of any format")->required();
