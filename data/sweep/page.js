@@ -302,21 +302,23 @@ function drawKinds() {
   const table = byId("kinds"), runs = chosenRuns("map");
   const maps = distinct(runs.map(mapOf));
   byId("kinds-section").hidden = maps.length < 2;
-  byId("kinds-lead").textContent = `${value("error")}; ${value("view") === all ? "mean over all views" : `view ${value("view")}`}. Searches that are best on the whole come first.`;
+  byId("kinds-lead").textContent = `${value("error")}, and small beside it ${value("time")}; ${value("view") === all ? "mean over all views" : `view ${value("view")}`}. Searches that are best on the whole come first.`;
   const rows = new Map();
   for (const p of pointsBy(runs, (run) => JSON.stringify([run.algorithm, mapOf(run)]))) {
     const [algorithm, map] = JSON.parse(p.key);
     if (!rows.has(algorithm)) rows.set(algorithm, { family: p.run.family, cells: new Map() });
-    rows.get(algorithm).cells.set(map, p.e);
+    rows.get(algorithm).cells.set(map, p);
   }
-  const mean = (row) => [...row.cells.values()].reduce((sum, e) => sum + Math.log(e), 0) / row.cells.size;
+  const mean = (row) => [...row.cells.values()].reduce((sum, p) => sum + Math.log(p.e), 0) / row.cells.size;
   const head = html("tr", {}, html("th", {}, "search"), ...maps.map((map) => html("th", {}, map)));
   const body = [...rows].sort((a, b) => mean(a[1]) - mean(b[1])).slice(0, 120).map(([name, row]) => {
     const first = html("td", { title: name }, html("span", { className: `swatch ${row.family}` }), ` ${name}`);
     const line = html("tr", { className: state.chosen.has(name) ? "chosen" : "" }, first, ...maps.map((map) => {
-      const e = row.cells.get(map);
-      const cell = html("td", { className: "cell" }, e === undefined ? "–" : e <= leastError * 1.001 ? `≤${short(leastError)}` : short(e));
-      if (e === undefined) cell.className = ""; else cell.style.background = heat(e);
+      const p = row.cells.get(map);
+      if (p === undefined) return html("td", {}, "–");
+      const error = p.e <= leastError * 1.001 ? `≤${short(leastError)}` : short(p.e);
+      const cell = html("td", { className: "cell", title: `${value("time")}: ${short(p.t)}` }, error, html("small", {}, short(p.t)));
+      cell.style.background = heat(p.e);
       return cell;
     }));
     line.addEventListener("click", () => choose(name));
