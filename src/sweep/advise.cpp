@@ -192,8 +192,9 @@ std::vector<Candidate> advise(const Question& question) {
     std::vector<Candidate> candidates = Adviser(question).run();
     std::stable_sort(candidates.begin(), candidates.end(), comes_first);
     if (!candidates.empty() && !candidates.front().failed.empty())
-        throw UsageError(question.scene.string() +
-                         ": no search can be judged: " + candidates.front().failed);
+        throw InputError(question.scene.string(), "",
+                         "a scene on which no search can be judged: " + candidates.front().failed,
+                         "a first material with a height map");
     return candidates;
 }
 
