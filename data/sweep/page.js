@@ -269,7 +269,9 @@ function drawLines(prefix, runs, xOf, x, nameOf, foremost) {
 function drawByAngle() {
   /* Those of the front above. */
   const front = frontOf(pointsBy(chosenRuns(), (run) => run.algorithm));
-  drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm, front);
+  const shown = byId("angle-section");
+  shown.hidden = false;
+  shown.hidden = !drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm, front);
 }
 /* One line a search whose other parameters stay. */
 function ladderOf(run) {
