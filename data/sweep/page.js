@@ -128,6 +128,80 @@ function scaleOf(values, log, from, to) {
   return { at, ticks };
 }
 
+const isWanted = (labelled) => (s) => state.chosen.has(s.name) || (state.chosen.size === 0 && labelled(s));
+
+/* The place's size and what is left for the axes; names of lines stand in a margin where there is room. */
+function frameOf(place, names, dots) {
+  const width = Math.max(300, place.clientWidth || 600), tall = place.classList.contains("tall");
+  const height = tall ? Math.min(640, Math.max(420, width * 0.5)) : Math.min(420, Math.max(320, width * 0.6));
+  const longest = Math.max(0, ...names.map((name) => name.length));
+  const beside = !dots && width >= 560 && longest > 0 && longest < 48;
+  return { width, height, left: 58, right: width - (beside ? Math.min(260, 6.6 * longest + 20) : 14), top: 12, bottom: height - 46, beside };
+}
+function drawAxes(root, frame, X, Y, x, y) {
+  const { height, left, right, top, bottom } = frame;
+  let last = -Infinity;
+  for (const t of x.values && x.values.length <= 12 ? x.values : X.ticks) {
+    const px = X.at(t);
+    root.append(svg("path", { class: "grid", d: `M${px} ${top}V${bottom}` }));
+    if (px - last < 30) continue;
+    last = px;
+    root.append(svg("text", { x: px, y: bottom + 16, "text-anchor": "middle" }, short(t)));
+  }
+  for (const t of Y.ticks) {
+    const text = y.floor && t <= leastError * 1.001 ? `≤${short(t)}` : short(t);
+    root.append(svg("path", { class: "grid", d: `M${left} ${Y.at(t)}H${right}` }));
+    root.append(svg("text", { x: left - 6, y: Y.at(t) + 4, "text-anchor": "end" }, text));
+  }
+  root.append(svg("text", { x: (left + right) / 2, y: height - 8, "text-anchor": "middle" }, x.title));
+  root.append(svg("text", { transform: `translate(12 ${(top + bottom) / 2})rotate(-90)`, "text-anchor": "middle" }, y.title));
+}
+function drawOne(root, s, X, Y, dots) {
+  const isChosen = state.chosen.has(s.name), faint = s.back && !isChosen;
+  const kind = `${s.family} ${isChosen ? "chosen" : state.chosen.size > 0 ? "dim" : ""}`;
+  const add = (element, about) => {
+    element.append(svg("title", {}, about));
+    element.addEventListener("click", () => choose(s.name));
+    element.addEventListener("keydown", (event) => { if (event.key === "Enter") choose(s.name); });
+    root.append(element);
+  };
+  const joined = !dots && s.points.length > 1;
+  if (joined)
+    add(svg("path", { class: `${faint ? "back" : "path"} ${kind}`, d: s.points.map((p, i) => `${i ? "L" : "M"}${X.at(p.x)} ${Y.at(p.y)}`).join("") }), s.name);
+  if (joined && faint) return;
+  for (const p of s.points)
+    add(svg("circle", { class: `dot ${kind}`, cx: X.at(p.x), cy: Y.at(p.y), r: dots ? 5.5 : 3.5, tabindex: dots ? 0 : -1 }), p.about || s.name);
+}
+/* Beside a point, where no other name is. */
+function drawNames(root, frame, ends, X, Y, before) {
+  const taken = [];
+  for (const { s, p } of ends) {
+    const px = X.at(p.x), py = Y.at(p.y), wide = 6.4 * s.name.length;
+    const x0 = before || px + 9 + wide > frame.right ? px - 9 - wide : px + 9;
+    if (x0 < frame.left) continue;
+    for (const dy of [-7, 14, -21, 28, -35, 42]) {
+      const box = [x0, py + dy - 11, x0 + wide, py + dy + 3];
+      if (box[1] < frame.top || box[3] > frame.bottom) continue;
+      if (taken.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3])) continue;
+      taken.push(box);
+      root.append(svg("text", { class: "label", x: x0, y: py + dy }, s.name));
+      break;
+    }
+  }
+}
+/* In the margin, in the order of the lines' ends, none on another. */
+function drawNamesBeside(root, frame, ends, X, Y) {
+  ends.sort((a, b) => b.p.y - a.p.y);
+  let low = frame.top;
+  for (const end of ends) { end.y = Math.max(low, Y.at(end.p.y)); low = end.y + 14; }
+  let high = frame.bottom;
+  for (const end of ends.reverse()) { end.y = Math.min(high, end.y); high = end.y - 14; }
+  for (const { s, p, y } of ends) {
+    if (y < frame.top - 6) continue;
+    root.append(svg("path", { class: `lead-line ${s.family}`, d: `M${X.at(p.x) + 4} ${Y.at(p.y)}L${frame.right + 4} ${y}` }));
+    root.append(svg("text", { class: "label", x: frame.right + 8, y: y + 4 }, s.name));
+  }
+}
 /* series: {name, family, points: [{x, y, about}], back}; front: points joined by stairs. */
 function drawChart(place, { series, front, x, y, dots, labelled }) {
   place.replaceChildren();
@@ -136,83 +210,18 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
     place.append(html("p", { className: "empty" }, "Nothing to draw with these settings."));
     return;
   }
-  const width = Math.max(300, place.clientWidth || 600);
-  const height = place.classList.contains("tall") ? Math.min(640, Math.max(420, width * 0.5)) : Math.min(420, Math.max(320, width * 0.6));
-  /* Where there is room, names of lines stand in a margin of their own. */
-  const some = state.chosen.size > 0;
-  const wants = (s) => state.chosen.has(s.name) || (!some && labelled(s));
-  const longest = Math.max(0, ...series.filter(wants).map((s) => s.name.length));
-  const beside = !dots && width >= 560 && longest > 0 && longest < 48;
-  const left = 58, right = beside ? Math.min(260, 6.6 * longest + 20) : 14, top = 12, bottom = 46;
-  const X = scaleOf(every.map((p) => p.x), x.log, left, width - right);
-  const Y = scaleOf(every.map((p) => p.y), y.log, height - bottom, top);
-  const root = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${y.title} against ${x.title}` });
-  const wanted = x.values && x.values.length <= 12 ? x.values : X.ticks;
-  let last = -Infinity;
-  for (const t of wanted) {
-    const px = X.at(t);
-    root.append(svg("path", { class: "grid", d: `M${px} ${top}V${height - bottom}` }));
-    if (px - last < 30) continue;
-    last = px;
-    root.append(svg("text", { x: px, y: height - bottom + 16, "text-anchor": "middle" }, short(t)));
-  }
-  for (const t of Y.ticks) {
-    root.append(svg("path", { class: "grid", d: `M${left} ${Y.at(t)}H${width - right}` }));
-    root.append(svg("text", { x: left - 6, y: Y.at(t) + 4, "text-anchor": "end" }, y.floor && t <= leastError * 1.001 ? `≤${short(t)}` : short(t)));
-  }
-  root.append(svg("text", { x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" }, x.title));
-  root.append(svg("text", { transform: `translate(12 ${(top + height - bottom) / 2})rotate(-90)`, "text-anchor": "middle" }, y.title));
+  const ends = series.filter(isWanted(labelled)).map((s) => ({ s, p: s.points[s.points.length - 1] }));
+  const frame = frameOf(place, ends.map(({ s }) => s.name), dots);
+  const X = scaleOf(every.map((p) => p.x), x.log, frame.left, frame.right);
+  const Y = scaleOf(every.map((p) => p.y), y.log, frame.bottom, frame.top);
+  const root = svg("svg", { viewBox: `0 0 ${frame.width} ${frame.height}`, role: "img", "aria-label": `${y.title} against ${x.title}` });
+  drawAxes(root, frame, X, Y, x, y);
   if (front && front.length > 1)
     root.append(svg("path", { class: "front", d: front.map((p, i) => i === 0 ? `M${X.at(p.x)} ${Y.at(p.y)}` : `H${X.at(p.x)}V${Y.at(p.y)}`).join("") }));
-  const taken = [];
-  const label = (px, py, text, atEnd) => {
-    const wide = 6.4 * text.length, leftwards = atEnd || px + 9 + wide > width - right;
-    const x0 = leftwards ? px - 9 - wide : px + 9;
-    if (x0 < left) return;
-    for (const dy of [-7, 14, -21, 28, -35, 42]) {
-      const box = [x0, py + dy - 11, x0 + wide, py + dy + 3];
-      if (box[1] < top || box[3] > height - bottom) continue;
-      if (taken.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3])) continue;
-      taken.push(box);
-      root.append(svg("text", { class: "label", x: x0, y: py + dy }, text));
-      return;
-    }
-  };
   const layer = (s) => state.chosen.has(s.name) ? 2 : s.back ? 0 : 1;
-  for (const s of [...series].sort((a, b) => layer(a) - layer(b))) {
-    const isChosen = state.chosen.has(s.name);
-    const kind = `${s.family} ${isChosen ? "chosen" : some ? "dim" : ""}`;
-    const about = (p) => p.about || s.name;
-    if (!dots && s.points.length > 1) {
-      const path = svg("path", { class: `${s.back && !isChosen ? "back" : "path"} ${kind}`, d: s.points.map((p, i) => `${i ? "L" : "M"}${X.at(p.x)} ${Y.at(p.y)}`).join("") });
-      path.append(svg("title", {}, s.name));
-      path.addEventListener("click", () => choose(s.name));
-      root.append(path);
-    }
-    for (const p of s.points) {
-      if (s.back && !isChosen && !dots && s.points.length > 1) continue;
-      const dot = svg("circle", { class: `dot ${kind}`, cx: X.at(p.x), cy: Y.at(p.y), r: dots ? 5.5 : 3.5, tabindex: dots ? 0 : -1 });
-      dot.append(svg("title", {}, about(p)));
-      dot.addEventListener("click", () => choose(s.name));
-      dot.addEventListener("keydown", (event) => { if (event.key === "Enter") choose(s.name); });
-      root.append(dot);
-    }
-  }
-  const ends = series.filter(wants).map((s) => ({ s, p: s.points[s.points.length - 1] }));
-  if (beside) {
-    ends.sort((a, b) => b.p.y - a.p.y);
-    let low = top;
-    for (const end of ends) { end.y = Math.max(low, Y.at(end.p.y)); low = end.y + 14; }
-    let high = height - bottom;
-    for (const end of ends.reverse()) { end.y = Math.min(high, end.y); high = end.y - 14; }
-    for (const { s, p, y: at } of ends) {
-      if (at < top - 6) continue;
-      root.append(svg("path", { class: `lead-line ${s.family}`, d: `M${X.at(p.x) + 4} ${Y.at(p.y)}L${width - right + 4} ${at}` }));
-      root.append(svg("text", { class: "label", x: width - right + 8, y: at + 4 }, s.name));
-    }
-  } else {
-    for (const { s, p } of ends) label(X.at(p.x), Y.at(p.y), s.name, !dots);
-  }
+  for (const s of [...series].sort((a, b) => layer(a) - layer(b))) drawOne(root, s, X, Y, dots);
+  if (frame.beside) drawNamesBeside(root, frame, ends, X, Y);
+  else drawNames(root, frame, ends, X, Y, !dots);
   place.append(root);
 }
 
@@ -260,7 +269,9 @@ function drawLines(prefix, runs, xOf, x, nameOf, foremost) {
 function drawByAngle() {
   /* Those of the front above. */
   const front = frontOf(pointsBy(chosenRuns(), (run) => run.algorithm));
-  drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm, front);
+  const shown = byId("angle-section");
+  shown.hidden = false;
+  shown.hidden = !drawLines("angle", chosenRuns("view"), (run) => run.angle, { title: "degrees between view and normal", log: false }, (run) => run.algorithm, front);
 }
 /* One line a search whose other parameters stay. */
 function ladderOf(run) {
@@ -293,21 +304,23 @@ function drawKinds() {
   const table = byId("kinds"), runs = chosenRuns("map");
   const maps = distinct(runs.map(mapOf));
   byId("kinds-section").hidden = maps.length < 2;
-  byId("kinds-lead").textContent = `${value("error")}; ${value("view") === all ? "mean over all views" : `view ${value("view")}`}. Searches that are best on the whole come first.`;
+  byId("kinds-lead").textContent = `${value("error")}, and small beside it ${value("time")}; ${value("view") === all ? "mean over all views" : `view ${value("view")}`}. Searches that are best on the whole come first.`;
   const rows = new Map();
   for (const p of pointsBy(runs, (run) => JSON.stringify([run.algorithm, mapOf(run)]))) {
     const [algorithm, map] = JSON.parse(p.key);
     if (!rows.has(algorithm)) rows.set(algorithm, { family: p.run.family, cells: new Map() });
-    rows.get(algorithm).cells.set(map, p.e);
+    rows.get(algorithm).cells.set(map, p);
   }
-  const mean = (row) => [...row.cells.values()].reduce((sum, e) => sum + Math.log(e), 0) / row.cells.size;
+  const mean = (row) => [...row.cells.values()].reduce((sum, p) => sum + Math.log(p.e), 0) / row.cells.size;
   const head = html("tr", {}, html("th", {}, "search"), ...maps.map((map) => html("th", {}, map)));
   const body = [...rows].sort((a, b) => mean(a[1]) - mean(b[1])).slice(0, 120).map(([name, row]) => {
     const first = html("td", { title: name }, html("span", { className: `swatch ${row.family}` }), ` ${name}`);
     const line = html("tr", { className: state.chosen.has(name) ? "chosen" : "" }, first, ...maps.map((map) => {
-      const e = row.cells.get(map);
-      const cell = html("td", { className: "cell" }, e === undefined ? "–" : e <= leastError * 1.001 ? `≤${short(leastError)}` : short(e));
-      if (e === undefined) cell.className = ""; else cell.style.background = heat(e);
+      const p = row.cells.get(map);
+      if (p === undefined) return html("td", {}, "–");
+      const error = p.e <= leastError * 1.001 ? `≤${short(leastError)}` : short(p.e);
+      const cell = html("td", { className: "cell", title: `${value("time")}: ${short(p.t)}` }, error, html("small", {}, short(p.t)));
+      cell.style.background = heat(p.e);
       return cell;
     }));
     line.addEventListener("click", () => choose(name));

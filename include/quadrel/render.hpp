@@ -57,6 +57,9 @@ struct RenderOptions {
     /// The same before the first tile, while a map that no cache has is derived from heights; `map`
     /// is what to call it.
     std::function<void(const std::string& map, double share)> baking;
+    /// Seconds that deriving a map may take, after which the render ends with an InputError that
+    /// names the command that bakes it.
+    double baking_limit = 20;
     /// Told why the disk cache, unless it is switched off, does not keep such a map.
     std::function<void(const std::string& reason)> not_kept;
 };

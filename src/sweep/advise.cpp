@@ -162,13 +162,18 @@ std::string line_of(const Candidate& c) {
                        c.maps.empty() ? "-" : c.maps);
 }
 
-/// Of each search the one that is nearest, since the rest of its ladder says nothing more.
-std::vector<Candidate> best_rungs(const std::vector<Candidate>& candidates) {
+bool has_trace(const std::vector<Candidate>& candidates, const std::string& trace) {
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](const Candidate& c) { return c.algorithm.trace == trace; });
+}
+
+/// Of each search that has none among `advised` the one that is nearest: the rest of a ladder says
+/// nothing more.
+std::vector<Candidate> best_rungs(const std::vector<Candidate>& candidates,
+                                  const std::vector<Candidate>& advised) {
     std::vector<Candidate> best;
     for (const Candidate& c : candidates)
-        if (std::none_of(best.begin(), best.end(), [&](const Candidate& other) {
-                return other.algorithm.trace == c.algorithm.trace;
-            }))
+        if (!has_trace(best, c.algorithm.trace) && !has_trace(advised, c.algorithm.trace))
             best.push_back(c);
     return best;
 }
@@ -192,8 +197,9 @@ std::vector<Candidate> advise(const Question& question) {
     std::vector<Candidate> candidates = Adviser(question).run();
     std::stable_sort(candidates.begin(), candidates.end(), comes_first);
     if (!candidates.empty() && !candidates.front().failed.empty())
-        throw UsageError(question.scene.string() +
-                         ": no search can be judged: " + candidates.front().failed);
+        throw InputError(question.scene.string(), "",
+                         "a scene on which no search can be judged: " + candidates.front().failed,
+                         "a first material with a height map");
     return candidates;
 }
 
@@ -210,7 +216,7 @@ std::string advice_text(const Question& question, const std::vector<Candidate>& 
     text += kinds[0].empty() ? "No search keeps that.\n"
                              : fmt::format("Cheapest: {}.\n", kinds[0].front().algorithm.name());
     text += "\n" + table_of(kinds[0], most, question) + "\nThe nearest of those that do not:\n\n" +
-            table_of(best_rungs(kinds[1]), most, question);
+            table_of(best_rungs(kinds[1], kinds[0]), most, question);
     for (const Candidate& c : kinds[2])
         text += "\nNot judged: " + c.algorithm.name() + ": " + c.failed + "\n";
     return text +

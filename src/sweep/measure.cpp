@@ -40,13 +40,13 @@ void time_draws(const PreparedRender& prepared, const RenderOptions& options, in
         draw_into(film, prepared, options, nullptr, Recording::nothing);
         draws.push_back(milliseconds(watch.lap(), options.threads));
         const StageTimes stages = draw_by_stages(film, prepared, options);
-        kernels.push_back(milliseconds(total(stages).wall_ns));
+        kernels.push_back(milliseconds(total(stages).cpu_ns));
         const auto search = stages.find(trace);
-        traces.push_back(search == stages.end() ? 0 : milliseconds(search->second.wall_ns));
+        traces.push_back(search == stages.end() ? 0 : milliseconds(search->second.cpu_ns));
     }
     time.draw = summary_of(std::move(draws));
     time.kernel = summary_of(std::move(kernels));
-    time.trace = summary_of(std::move(traces)).least;
+    time.trace = summary_of(std::move(traces)).median;
 }
 
 }  // namespace

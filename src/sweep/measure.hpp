@@ -17,11 +17,11 @@ struct RepeatedTime {
 };
 
 struct RunTime {
-    RepeatedTime draw;  ///< the image, maps and geometry ready, as a render without statistics
-    /// Sum over the stages, each on its own, and over threads, by the processor's counter: waiting
-    /// makes single draws longer and the least of them no shorter.
-    RepeatedTime kernel;
-    double trace = 0;    ///< of it the search, least
+    RepeatedTime draw;    ///< the image, maps and geometry ready, as a render without statistics
+    RepeatedTime kernel;  ///< sum over the stages, each on its own; CPU time of all threads
+    /// Of it the search, the median: stages share a tile's time by what they take of the
+    /// processor's counter, and one that was held up leaves too little to the others.
+    double trace = 0;
     double load_ms = 0;  ///< once: reading maps and deriving what the search needs, wall time
 };
 

@@ -1,6 +1,7 @@
 #include "sweep/run_scenes.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
@@ -35,6 +36,7 @@ RenderOptions RunScenes::render_options(const Run& run) {
     options.number = run.number;
     options.isa = run.isa;
     options.threads = run.threads;
+    options.baking_limit = std::numeric_limits<double>::infinity();  // nobody waits for one picture
     return options;
 }
 

@@ -96,7 +96,7 @@ std::vector<ChannelSource> channel_sources(const Scene& scene, const RenderOptio
 void load_textures_of(PreparedRender& prepared, const RenderOptions& options) {
     arena_of(options.threads).execute([&] {
         load_plan_textures(*prepared.scene, prepared.used, prepared.plan,
-                           {options.baking, options.not_kept},
+                           {options.baking, options.not_kept, options.baking_limit},
                            static_cast<std::int64_t>(prepared.window.area()));
     });
 }

@@ -154,6 +154,7 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
     options.input = bake_arguments(need.reference);
     options.key = need.reference.key;
     options.not_kept = baking.not_kept;
+    options.seconds_limit = baking.seconds_limit;
     if (baking.progress)
         options.progress = [&, map = fmt::format("{} map", kind)](double share) {
             baking.progress(map, share);

@@ -22,12 +22,13 @@ struct MaterialTextures {
     const SampledTexture* bound(int slot) const { return owned[slot] ? &sampled[slot] : nullptr; }
 };
 
-/// Who is told of what is derived from heights; each may be none.
+/// Who is told of what is derived from heights, each may be none, and how long that may take.
 struct BakingListener {
     /// How much of it is done.
     std::function<void(const std::string& map, double share)> progress;
     /// Why the disk cache does not keep it.
     std::function<void(const std::string& reason)> not_kept;
+    double seconds_limit = 20;  ///< for one map
 };
 
 /// Which channel of its file holds a material's heights, as a swizzle: the first unless the scene
