@@ -126,7 +126,8 @@ std::string unexplained(const Film& film, std::size_t i, const StressScene& stre
         case Status::no_frame:
             return "";
         case Status::nan:
-            return stress.has_nan ? "" : "NAN without a NaN among the texels";
+            return stress.has_nan || follows_listing(scene) ? ""
+                                                            : "NAN without a NaN among the texels";
     }
     return fmt::format("status {}", static_cast<int>(status));
 }
