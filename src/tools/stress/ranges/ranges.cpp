@@ -42,6 +42,7 @@ StressScene range_scene(const std::string& room, const std::string& row, const R
     if (frame) relief_of(scene)["frame"] = row;
     relief_of(scene)["shadow"] = "none";
     axis.change(scene, value);
+    scene.measured_only = true;
     return scene;
 }
 
