@@ -14,6 +14,7 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/selection_options.hpp"
+#include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
 #include "file/output_group.hpp"
 #include "quadrel/bake/baked_file.hpp"
@@ -148,13 +149,14 @@ std::string describe_kinds() {
 }
 
 void add_field(CLI::App& verb, BakeArguments& a) {
-    const CLI::IsMember modes(wrap_modes());
+    const CLI::Validator modes = one_word_of(wrap_modes());
     verb.add_option("heights", a.image, "image of any format that textures may have")->required();
     add_selection_options(verb, a.selection);
     verb.add_option("--channel", a.channel,
                     "where the heights are: r, g, b, a, or 1-r ... for depth; alpha-or-first: a "
                     "where the image has it, else r")
-        ->check(CLI::IsMember({"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a", alpha_or_first}))
+        ->check(one_word_of(std::vector<std::string>{"r", "g", "b", "a", "1-r", "1-g", "1-b", "1-a",
+                                                     alpha_or_first}))
         ->capture_default_str();
     verb.add_option("--wrap-u", a.wrap_u, "how the field goes on")
         ->check(modes)
@@ -168,7 +170,7 @@ void add_field(CLI::App& verb, BakeArguments& a) {
     std::vector<std::string> formats;
     for (const auto& [name, format] : named_formats) formats.emplace_back(name);
     verb.add_option("--format", a.format, "what texels are rounded to; the file's own if absent")
-        ->check(CLI::IsMember(formats));
+        ->check(one_word_of(formats));
     verb.add_flag("--flip-v", a.flip_v, "last row first");
 }
 
@@ -182,7 +184,7 @@ void add_outputs(CLI::App& verb, BakeArguments& a) {
                     "dummer: height, root of the cone; gg3: normal x y, cone, depth")
         ->capture_default_str();
     verb.add_option("--rounding", a.rounding, "of packed values")
-        ->check(CLI::IsMember({"conservative", "nearest"}))
+        ->check(one_word_of(std::vector<std::string>{"conservative", "nearest"}))
         ->capture_default_str();
     add_compression_option(verb, a.compression);
     verb.add_flag("--no-cache", a.no_cache, "neither read nor write the disk cache");
@@ -202,7 +204,7 @@ void add_bake(CLI::App& app, Action& action) {
     add_quiet_option(*verb);
     verb->add_option("-t,--threads", a->threads,
                      "threads; 0: as many as there are CPUs, more are obeyed")
-        ->check(CLI::Range(0, 1024))
+        ->check(whole_number(0, 1024))
         ->capture_default_str();
     verb->footer(describe_kinds());
     verb->callback([a, &action] { action = [a] { return run_bake(*a); }; });

@@ -11,6 +11,7 @@
 #include "cli/common/console.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/selection_options.hpp"
+#include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
 #include "file/output_group.hpp"
 #include "quadrel/error.hpp"
@@ -101,9 +102,9 @@ void add_mips(CLI::App& app, Action& action) {
         ->required();
     add_selection_options(*verb, a->selection);
     verb->add_option("--format", a->format, "round each level to this (default: the file's)")
-        ->check(CLI::IsMember(formats));
+        ->check(one_word_of(formats));
     verb->add_option("--rule", a->rule, "reduction")
-        ->check(CLI::IsMember(rules))
+        ->check(one_word_of(rules))
         ->capture_default_str();
     verb->add_option("--swizzle", a->swizzle, "channels, as in scene files: rgba, a, 1-r, ...");
     verb->add_flag("--srgb", a->srgb, "colour channels are sRGB-encoded: filter linear values");

@@ -7,6 +7,7 @@
 #include "cli/common/arguments.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/plugins.hpp"
+#include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/scene/load.hpp"
 
@@ -44,12 +45,14 @@ void add_probe(CLI::App& app, Action& action) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     verb->add_option("--size", a->size, "image size in pixels")->type_name("WxH");
-    verb->add_option("--number", a->number, "number type of the shading")
-        ->check(CLI::IsMember({"float", "double"}))
+    verb->add_option("--number", a->number,
+                     "number type of the shading; double runs on scalar alone")
+        ->check(one_word_of(std::vector<std::string>{"float", "double"}))
         ->capture_default_str();
     verb->add_option("--isa", a->isa,
                      "instruction set; steps and look-ups are shown by float on scalar alone")
-        ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
+        ->check(one_word_of(
+            std::vector<std::string>{"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
         ->capture_default_str();
     add_plugin_option(*verb, a->plugins);
     verb->add_flag("--json", a->json, "machine-readable");

@@ -14,6 +14,7 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/common/quiet.hpp"
+#include "cli/common/validators.hpp"
 #include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
 #include "file/output_group.hpp"
@@ -217,22 +218,24 @@ void add_values(CLI::App& verb, RenderArguments& a) {
 }
 
 void add_execution(CLI::App& verb, RenderOptions& options) {
-    verb.add_option("--number", options.number, "number type of the shading")
-        ->check(CLI::IsMember({"float", "double"}))
+    verb.add_option("--number", options.number,
+                    "number type of the shading; double runs on scalar alone")
+        ->check(one_word_of(std::vector<std::string>{"float", "double"}))
         ->capture_default_str();
     verb.add_option("--limits", options.limits,
                     "also render what an implementation of this interface may give: gpu.lo.X, "
                     "gpu.hi.X and gpu.paths.X for each channel X; vulkan, d3d, gl or webgpu")
         ->type_name("INTERFACE");
     verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
-        ->check(CLI::IsMember({"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
+        ->check(one_word_of(
+            std::vector<std::string>{"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
         ->capture_default_str();
     verb.add_option("-t,--threads", options.threads,
                     "threads; 0: as many as there are CPUs, more are obeyed")
-        ->check(CLI::Range(0, 1024))
+        ->check(whole_number(0, 1024))
         ->capture_default_str();
     verb.add_option("--tile", options.tile, "side of a tile in pixels, even")
-        ->check(CLI::Range(2, 1024))
+        ->check(whole_number(2, 1024))
         ->capture_default_str();
 }
 

@@ -13,6 +13,7 @@
 #include "cli/common/plugins.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/selection_options.hpp"
+#include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
@@ -163,7 +164,7 @@ void add_sheet(CLI::App& app, Action& action) {
         ->required();
     verb->add_option("-o,--output", a->output, "PNG to write")->type_name("OUT.png")->required();
     verb->add_option("--columns", a->columns, "images in a row")
-        ->check(CLI::Range(1, 64))
+        ->check(whole_number(1, 64))
         ->capture_default_str();
     verb->add_option("-D,--define", a->overrides, "override a value of every scene; repeatable")
         ->type_name("KEY=VALUE")

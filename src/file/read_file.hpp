@@ -19,6 +19,7 @@ inline const char* reason_not_to_read(const std::filesystem::path& file) {
     note_input(file);
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (error == std::errc::permission_denied) return "no permission to look into its folder";
     if (!std::filesystem::exists(status)) return "no such file";
     if (std::filesystem::is_directory(status)) return "a directory";
     if (std::filesystem::is_fifo(status)) return "a pipe";

@@ -60,9 +60,9 @@ std::vector<std::string> matches(const std::string& request) {
 std::vector<std::string> known_requests() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
-        names.push_back(channel.name);
-        const std::size_t dot = channel.name.rfind('.');
-        if (dot != std::string::npos) names.push_back(channel.name.substr(0, dot));
+        names.push_back(with_index(channel.name, "0"));
+        const std::size_t dot = names.back().rfind('.');
+        if (dot != std::string::npos) names.push_back(names.back().substr(0, dot));
     }
     return names;
 }

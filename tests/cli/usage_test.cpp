@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/process.hpp"
+#include "file/read_file.hpp"
 #include "film/films.hpp"
 
 namespace quadrel::cli_tests {
@@ -86,10 +87,71 @@ TEST(Usage, UnknownChannelNamesTheNearest) {
     EXPECT_NE(outcome.err.find("\"hit.status\""), std::string::npos) << outcome.err;
 }
 
+/// The option, what it was given, and what it takes.
+AssertionResult says_found_and_expected(std::vector<std::string> line, const std::string& option,
+                                        const std::string& found, const std::string& expected) {
+    line.insert(line.begin(), {"render", "a"});
+    const Outcome outcome = run(line);
+    if (auto one = complains(outcome, 2); !one) return one;
+    const std::string text = option + ": found \"" + found + "\", expected " + expected;
+    return outcome.err.find(text) != std::string::npos ? AssertionSuccess()
+                                                       : AssertionFailure() << outcome.err;
+}
+
+TEST(Usage, OptionsSayWhatIsFoundAndExpected) {
+    const std::string tile = "an integer, 2 to 1024", threads = "an integer, 0 to 1024";
+    EXPECT_TRUE(says_found_and_expected({"--tile", "1"}, "--tile", "1", tile));
+    EXPECT_TRUE(says_found_and_expected({"--tile", "2x"}, "--tile", "2x", tile));
+    EXPECT_TRUE(says_found_and_expected({"-t", "-1"}, "--threads", "-1", threads));
+    EXPECT_TRUE(says_found_and_expected({"-t", "many"}, "--threads", "many", threads));
+    EXPECT_TRUE(
+        says_found_and_expected({"--number", "half"}, "--number", "half", "one of float, double"));
+    EXPECT_TRUE(says_found_and_expected({"--number", "flaot"}, "--number", "flaot", "\"float\""));
+    EXPECT_FALSE(says_found_and_expected({"--tile", "64"}, "--tile", "64", tile));
+}
+
+/// Blanks around numbers are left out, within a number they are a mistake.
+TEST(Usage, BlanksWithinNumbersAreNoNumbers) {
+    for (const char* size : {"1 2x3", "12x3 4", "1 x 2 3"})
+        EXPECT_TRUE(says_found_and_expected({"--size", size}, "--size", size, "WIDTHxHEIGHT"));
+    EXPECT_TRUE(says_found_and_expected({"--window", "0,0,1 0,5"}, "--window", "0,0,1 0,5", "x0"));
+    EXPECT_FALSE(says_found_and_expected({"--size", " 12 x 3 "}, "--size", " 12 x 3 ", "WIDTH"));
+}
+
+TEST(Usage, APlaceholderIsNoChannel) {
+    const Outcome outcome = run({"render", "a", "--channels", "shadow.<i>.steps"});
+    EXPECT_NE(outcome.err.find("did you mean \"shadow.0.steps\""), std::string::npos)
+        << outcome.err;
+}
+
+TEST(Usage, HelpOfHelpIsHelp) {
+    EXPECT_EQ(run({"help", "help"}).out, run({"--help"}).out);
+    EXPECT_EQ(run({"help", "help", "render"}).out, run({"render", "--help"}).out);
+    EXPECT_NE(run({"render", "--help"}).out.find("double runs on scalar alone"), std::string::npos);
+}
+
 TEST(Usage, UnknownCompressionNamesTheNearest) {
     const Outcome outcome = run({"render", "a", "--compression", "sip"});
     EXPECT_NE(outcome.err.find("\"zip\", or one of none, rle, zips, zip, piz"), std::string::npos)
         << outcome.err;
+}
+
+/// Where one may not look, one does not know that nothing is there.
+TEST(Input, AFileInAClosedFolderIsNotMissing) {
+    const TemporaryFolder folder;
+    std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+    std::filesystem::create_directory(folder / "closed");
+    testing_films::write_bytes(folder / "closed" / "a.exr", "image");
+    std::filesystem::permissions(folder / "closed", std::filesystem::perms::none);
+    const pid_t child = fork();
+    if (child == 0) {
+        constexpr uid_t nobody = 65534;
+        if (getuid() == 0 && setuid(nobody) != 0) _exit(0);
+        const char* const reason = reason_not_to_read(folder / "closed" / "a.exr");
+        _exit(reason != nullptr && std::string(reason).find("no permission") == 0 ? 0 : 1);
+    }
+    EXPECT_EQ(wait_for(child), 0);
+    std::filesystem::permissions(folder / "closed", std::filesystem::perms::all);
 }
 
 TEST(Input, MissingAndBadFiles) {

@@ -1,5 +1,6 @@
 // quadrel-stress: a short run of it, and that it finds what it looks for.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -28,7 +29,7 @@ Outcome run_stress(const std::string& arguments) {
 }
 
 TEST(Stress, AShortRunFindsNothing) {
-    const Outcome outcome = run_stress("--scenes 80 --lists 40 --seconds 120");
+    const Outcome outcome = run_stress("--scenes 30 --lists 100 --seconds 120");
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_NE(outcome.out.find("No crash, no hang"), std::string::npos);
 }

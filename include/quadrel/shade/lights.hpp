@@ -22,9 +22,13 @@ inline constexpr auto lit_inputs =
 template <Number F>
 F attenuation(const vec3<F>& P, const auto& light) {
     if (light.directional) return F(light.intensity);
+    F sum(light.attenuation[0]);
+    if (light.attenuation[1] == 0 && light.attenuation[2] == 0) return F(light.intensity) / sum;
+    // A term that is not there is none, however far the light is: 0 times infinity is NaN.
     const F d = distance(uniform3<F>(light.position), P);
-    return F(light.intensity) / (F(light.attenuation[0]) + F(light.attenuation[1]) * d +
-                                 F(light.attenuation[2]) * (d * d));
+    if (light.attenuation[1] != 0) sum = sum + F(light.attenuation[1]) * d;
+    if (light.attenuation[2] != 0) sum = sum + F(light.attenuation[2]) * (d * d);
+    return F(light.intensity) / sum;
 }
 
 template <Number F>
@@ -51,11 +55,11 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
                        (max(cosine, F(0)) * visible);
         if constexpr (std::is_same_v<decltype(highlight), const F>) {
-            sum.specular +=
-                uniform3<F>(light.specular) * uniform3<F>(material.specular) * (highlight * lit);
+            sum.specular += uniform3<F>(light.specular) * uniform3<F>(material.specular) *
+                            select(lit > F(0), highlight * lit, F(0));  // a power may be infinite
         } else {
             sum.specular +=
-                uniform3<F>(light.specular) * select(cosine > F(0), highlight * lit, vec3<F>(F(0)));
+                uniform3<F>(light.specular) * select(lit > F(0), highlight * lit, vec3<F>(F(0)));
         }
     }
     sum.ambient = sum.ambient * io.template load<Value::occlusion>();

@@ -128,7 +128,7 @@ std::vector<std::string> with_help_words(std::vector<std::string> arguments) {
     if (arguments.empty()) return arguments;
     if (arguments[0] == "version") arguments[0] = "--version";
     if (arguments[0] != "help") return arguments;
-    arguments.erase(arguments.begin());
+    while (!arguments.empty() && arguments[0] == "help") arguments.erase(arguments.begin());
     arguments.emplace_back("--help");
     return arguments;
 }

@@ -98,7 +98,9 @@ class CellWalk {
         const double border = between ? low : axis.forward() ? cell.high : cell.low;
         if (!axis.position.moves()) return ray_.end;
         const Affine to_border = axis.position - border;
-        return std::max({to_border.root().hi, from, up(from)}) + to_border.slack();
+        const double past = std::max({to_border.root().hi, from, up(from)}) + to_border.slack();
+        // A ray that all but stays on the border: to where its own rounding lets it be past it.
+        return axis.cells(past).is_one() ? past : past + axis.position.slack();
     }
 
     /// The part in which the borders are crossed that the ray is at.

@@ -1,6 +1,8 @@
 #include "render/draw/geometry.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
@@ -142,8 +144,12 @@ void set_eye(const Scene& scene, FrameUniforms& frame) {
     frame.orthographic = eye.w == 0;
     glm::dvec3 v(eye);
     if (!frame.orthographic) v = v / eye.w;
-    // Towards the viewer: eye space looks down -z.
-    if (frame.orthographic && v.z < 0) v = -v;
+    if (frame.orthographic) {
+        // Towards the viewer: eye space looks down -z. Of ordinary size, however large the picture:
+        // a power of two, which leaves the direction's bits.
+        const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+        v *= std::ldexp(v.z < 0 ? -1.0 : 1.0, size > 0 ? -std::ilogb(size) : 0);
+    }
     for (int i = 0; i < 3; ++i) frame.eye[i] = static_cast<float>(v[i]) + 0.0f;
 }
 

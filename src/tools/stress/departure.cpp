@@ -99,6 +99,16 @@ std::array<int, 2> height_size(const Scene& scene) {
 
 namespace {
 
+/// The few planes that are looked at for each pixel: among them they are soon found.
+Film of_interest(const Film& film) {
+    Film some{film.frame, film.window, {}};
+    for (const char* name :
+         {"K.U", "K.V", "uv.U", "uv.V", "hit.s", "hit.status", "certified", "oracle.s",
+          "oracle.cell.X", "oracle.cell.Y", "oracle.place.X", "oracle.place.Y", "oracle.condition"})
+        some.planes.push_back(*film.find(name));
+    return some;
+}
+
 /// Why a pixel's hits are apart: adds one to what names it.
 void add_cause(const Film& single, const Film& exact, std::size_t i, double width, double height,
                const PixelDeparture& pixel, Departure& sum) {
@@ -118,7 +128,8 @@ void add_cause(const Film& single, const Film& exact, std::size_t i, double widt
 
 }  // namespace
 
-Departure departure(const Film& single, const Film& exact, const Scene& scene) {
+Departure departure(const Film& float_film, const Film& double_film, const Scene& scene) {
+    const Film single = of_interest(float_film), exact = of_interest(double_film);
     const auto [width, height] = height_size(scene);
     const Departures all(single, exact, width, height);
     Departure sum{scene.materials.front().frame.id, scene.materials.front().trace.id};

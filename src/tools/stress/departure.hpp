@@ -33,6 +33,7 @@ class Departures {
 /// Texels of the scene's height map, or 64 x 64.
 std::array<int, 2> height_size(const Scene& scene);
 
-Departure departure(const Film& single, const Film& exact, const Scene& scene);
+/// Films of one scene, by float and by double.
+Departure departure(const Film& float_film, const Film& double_film, const Scene& scene);
 
 }  // namespace quadrel::stress

@@ -103,7 +103,7 @@ bool run_ranges(const Arguments& arguments, const std::filesystem::path& folder)
                       report.add(scene, result);
                   });
         tables.push_back(range_table(room, results));
-        std::cout << to_text(tables.back()) << '\n';
+        std::cout << to_text(tables.back()) << std::endl;
     }
     if (report.has_errors()) std::cout << report.to_text();
     if (!arguments.plot.empty()) {
@@ -180,7 +180,8 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("-t,--processes", a.processes, "at once")
         ->capture_default_str()
         ->check(CLI::Range(1, 1024));
-    app.add_option("--seconds", a.seconds, "that a scene may take")
+    app.add_option("--seconds", a.seconds,
+                   "of processor time that a scene may take; ten times that on the clock")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     app.footer(

@@ -12,7 +12,7 @@ namespace quadrel::stress {
 
 struct WorkerOptions {
     int processes = 1;
-    double seconds = 20;           ///< that one scene may take
+    double seconds = 20;  ///< of processor time that a scene may take; ten times that on the clock
     std::filesystem::path folder;  ///< with all maps; each process gets one of its own below it
 };
 

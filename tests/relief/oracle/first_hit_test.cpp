@@ -112,6 +112,31 @@ TEST(FirstHit, IsWhatRationalsFind) {
         EXPECT_FALSE(certificates_hold(with(planted))) << static_cast<int>(planted);
 }
 
+/// Through a row of texel centres, and all but along it: rounding cannot tell on which side such a
+/// ray is, from its beginning to its end.
+testing::AssertionResult follows_borders(const Finder& find) {
+    const auto cliff = [](int x, int) { return x < 17 ? 0.0f : 1.0f; };
+    const JudgedMap map(height_map(33, 17, cliff, Wrap::mirrored_repeat));
+    for (const Surface surface : surfaces)
+        for (const double Ku : {-1.678341811449427e-18, 1e-19, -1e-30, 1e-300, 0.0})
+            for (const double Kv : {-0.007077410351485014, 0.3, 0.0}) {
+                const judge::Ray ray{0.5, 0.28767773509025574, Ku, Kv, 0};
+                const Hit hit = find(map, surface, ray);
+                if (hit.steps > 100) return testing::AssertionFailure() << hit.steps << " steps";
+                if (auto held = certificate_holds(map, surface, ray, hit); !held)
+                    return held << ", Ku " << Ku << ", Kv " << Kv;
+            }
+    return testing::AssertionSuccess();
+}
+
+TEST(FirstHit, ARayThatStaysOnABorderIsFound) {
+    EXPECT_TRUE(follows_borders(found));
+    EXPECT_FALSE(follows_borders(with(Planted::cell_beside)));
+    EXPECT_FALSE(follows_borders([](const JudgedMap&, Surface, const judge::Ray&) {
+        return Hit{};  // given up
+    }));
+}
+
 /// By rationals alone the same, in the same cell; and both ways to a certificate are taken.
 TEST(FirstHit, IsTheSameByRationalsAlone) {
     int by_bounds = 0, exactly = 0;

@@ -55,9 +55,13 @@ struct FrameCot : DerivativeFrame {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const ViewedSurface<F> surface = viewed_surface(io);
-        const auto j = cotangent_jacobian(
-            io.template load<Value::dPdx>(), io.template load<Value::dPdy>(),
-            io.template load<Value::dUVdx>(), io.template load<Value::dUVdy>(), surface.N);
+        const vec3<F> px = io.template load<Value::dPdx>(), py = io.template load<Value::dPdy>();
+        const F scale = ordinary_scale(px, py);
+        SurfaceJacobian<F> j =
+            cotangent_jacobian(px * scale, py * scale, io.template load<Value::dUVdx>(),
+                               io.template load<Value::dUVdy>(), surface.N);
+        j.grad_u = j.grad_u * scale;
+        j.grad_v = j.grad_v * scale;
         store_frame(io, surface, j, oblique_depth_rate(surface, io.template load<Value::Ng>()));
     }
 };

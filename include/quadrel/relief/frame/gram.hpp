@@ -16,8 +16,10 @@
 namespace quadrel {
 
 template <Number F>
-SurfaceJacobian<F> gram_jacobian(const vec3<F>& px, const vec3<F>& py, const vec2<F>& qx,
+SurfaceJacobian<F> gram_jacobian(const vec3<F>& dPdx, const vec3<F>& dPdy, const vec2<F>& qx,
                                  const vec2<F>& qy) {
+    const F scale = ordinary_scale(dPdx, dPdy);
+    const vec3<F> px = dPdx * scale, py = dPdy * scale;
     const vec3<F> n = cross(px, py);
     const F n2 = dot(n, n);
     const F tolerance = degenerate_tolerance<F>();
@@ -27,8 +29,8 @@ SurfaceJacobian<F> gram_jacobian(const vec3<F>& px, const vec3<F>& py, const vec
     const vec3<F> dual_x = cross(py, n) / n2;
     const vec3<F> dual_y = cross(n, px) / n2;
     const vec3<F> zero(F(0));
-    j.grad_u = select(j.valid, dual_x * qx.x + dual_y * qy.x, zero);
-    j.grad_v = select(j.valid, dual_x * qx.y + dual_y * qy.y, zero);
+    j.grad_u = select(j.valid, (dual_x * qx.x + dual_y * qy.x) * scale, zero);
+    j.grad_v = select(j.valid, (dual_x * qx.y + dual_y * qy.y) * scale, zero);
     const F area = abs(qx.x * qy.y - qx.y * qy.x);
     j.uv_degenerate = area <= tolerance * (length(qx) * length(qy));
     return j;

@@ -34,7 +34,10 @@ struct FrameInverseTbn : DerivativeFrame {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const ViewedSurface<F> surface = viewed_surface(io);
-        const vec3<F> px = io.template load<Value::dPdx>(), py = io.template load<Value::dPdy>();
+        const vec3<F> dPdx = io.template load<Value::dPdx>();
+        const vec3<F> dPdy = io.template load<Value::dPdy>();
+        const F scale = ordinary_scale(dPdx, dPdy);
+        const vec3<F> px = dPdx * scale, py = dPdy * scale;
         const vec2<F> qx = io.template load<Value::dUVdx>(), qy = io.template load<Value::dUVdy>();
         SurfaceJacobian<F> j = gram_jacobian(px, py, qx, qy);
         const vec3<F> n = cross(px, py);
@@ -43,8 +46,8 @@ struct FrameInverseTbn : DerivativeFrame {
         const auto tangents = surface_tangents(px, py, qx, qy, regular);
         const mat3<F> to_texture = transpose(inverse(mat3<F>(tangents.T, tangents.B, surface.N)));
         const vec3<F> zero(F(0));
-        j.grad_u = select(regular, to_texture[0], zero);
-        j.grad_v = select(regular, to_texture[1], zero);
+        j.grad_u = select(regular, to_texture[0] * scale, zero);
+        j.grad_v = select(regular, to_texture[1] * scale, zero);
         const F r = select(regular, dot(to_texture[2], surface.V),
                            oblique_depth_rate(surface, io.template load<Value::Ng>()));
         store_frame(io, surface, j, r);

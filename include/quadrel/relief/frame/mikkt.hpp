@@ -21,8 +21,10 @@ namespace quadrel {
 /// constant.
 template <Number F>
 F inverse_density(const vec3<F>& grad, const vec3<F>& grad_other) {
-    const F other = length(grad_other);
-    return select(other > F(0), length(cross(grad, grad_other)) / other, length(grad));
+    const F scale = ordinary_scale(grad, grad_other);
+    const vec3<F> a = grad * scale, b = grad_other * scale;
+    const F other = length(b);
+    return select(other > F(0), length(cross(a, b)) / other, length(a)) / scale;
 }
 
 struct FrameMikkt : StageDefaults {

@@ -19,11 +19,37 @@ F degenerate_tolerance() {
     return F(8) * F(std::numeric_limits<Scalar<F>>::epsilon());
 }
 
+template <Number F>
+F largest_component(const vec3<F>& v) {
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+/// The power of two that brings a size to between 1 and 2: with vectors so scaled, products of four
+/// of them neither overflow nor vanish, in worlds of 1e-18 units as of 1e18. All else keeps its
+/// bits, since the scaling is exact.
+template <Number F>
+F ordinary_scale(F size) {
+    constexpr int most = std::numeric_limits<Scalar<F>>::max_exponent - 2;
+    return power_of_two(clamp(-exponent(size), F(Scalar<F>(-most)), F(Scalar<F>(most))));
+}
+template <Number F>
+F ordinary_scale(const vec3<F>& a, const vec3<F>& b) {
+    return ordinary_scale(max(largest_component(a), largest_component(b)));
+}
+
+/// length(v), also where the squares are beyond what F holds.
+template <Number F>
+F length_at_any_scale(const vec3<F>& v) {
+    const F scale = ordinary_scale(largest_component(v));
+    return length(v * scale) / scale;
+}
+
 /// Whether the gradients of u and v are parallel, or one of them is null.
 template <Number F>
 Mask<F> gradients_degenerate(const vec3<F>& grad_u, const vec3<F>& grad_v) {
-    const F area = length(cross(grad_u, grad_v));
-    return area <= degenerate_tolerance<F>() * (length(grad_u) * length(grad_v));
+    const F scale = ordinary_scale(grad_u, grad_v);
+    const vec3<F> u = grad_u * scale, v = grad_v * scale;
+    return length(cross(u, v)) <= degenerate_tolerance<F>() * (length(u) * length(v));
 }
 
 /// Unit direction of growing u (and v) in the frame's plane: the dual basis of grad u, grad v. Null
@@ -35,11 +61,12 @@ struct UvDirections {
 
 template <Number F>
 UvDirections<F> uv_directions(const SurfaceJacobian<F>& j) {
-    const vec3<F> n = cross(j.grad_u, j.grad_v);
+    const F scale = ordinary_scale(j.grad_u, j.grad_v);
+    const vec3<F> u = j.grad_u * scale, v = j.grad_v * scale;
+    const vec3<F> n = cross(u, v), to_u = cross(v, n), to_v = cross(n, u);
     const vec3<F> zero(F(0));
-    const Mask<F> regular = j.valid & (dot(n, n) > F(0));
-    return {select(regular, normalize(cross(j.grad_v, n)), zero),
-            select(regular, normalize(cross(n, j.grad_u)), zero)};
+    const Mask<F> regular = j.valid & (dot(to_u, to_u) > F(0)) & (dot(to_v, to_v) > F(0));
+    return {select(regular, normalize(to_u), zero), select(regular, normalize(to_v), zero)};
 }
 
 /// The unit vector to the eye, and the unit vertex normal on the viewer's side of the face.

@@ -20,7 +20,8 @@ namespace quadrel {
 /// `v` in the plane of the unit vector N, normalised; null where nothing is left.
 template <Number F>
 vec3<F> tangent_direction(const vec3<F>& v, const vec3<F>& N) {
-    const vec3<F> in_plane = v - N * dot(N, v);
+    const vec3<F> scaled = v * ordinary_scale(largest_component(v));
+    const vec3<F> in_plane = scaled - N * dot(N, scaled);
     const F squared = dot(in_plane, in_plane);
     return select(squared > F(0), in_plane * inversesqrt(squared), vec3<F>(F(0)));
 }
@@ -50,8 +51,8 @@ struct FrameVertex : StageDefaults {
         const UvDirections<F> directions{tangent_direction(dPdu, surface.N),
                                          tangent_direction(dPdv, surface.N)};
         SurfaceJacobian<F> j;
-        j.grad_u = over_length(directions.T, length(dPdu));
-        j.grad_v = over_length(directions.B, length(dPdv));
+        j.grad_u = over_length(directions.T, length_at_any_scale(dPdu));
+        j.grad_v = over_length(directions.B, length_at_any_scale(dPdv));
         j.valid = Mask<F>(true);
         j.uv_degenerate = gradients_degenerate(j.grad_u, j.grad_v);
         store_frame(io, surface, j, directions, dot(surface.V, surface.N));

@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
+#include "quadrel/num/math.hpp"
 #include "stress/departure.hpp"
 
 namespace quadrel::stress {
 namespace {
 
+/// In parallel projection, so close that the square fills the picture's height.
 void tilt(StressScene& scene, double degrees) {
     scene.document["objects"][0]["transform"][0]["rotate"] = -degrees;
+    scene.document["camera"] = {{"type", "orthographic"},
+                                {"height", 2 * quadrel::cos(degrees * 0.017453292519943295)},
+                                {"eye", {0, 0, 3}},
+                                {"target", {0, 0, 0}}};
+    relief_of(scene)["depth"] = 0.02;
 }
 
 void set_tiles(StressScene& scene, double tiles) {
@@ -35,6 +42,7 @@ StressScene range_scene(const std::string& room, const std::string& row, const R
     if (frame) relief_of(scene)["frame"] = row;
     relief_of(scene)["shadow"] = "none";
     axis.change(scene, value);
+    scene.measured_only = true;
     return scene;
 }
 

@@ -110,13 +110,16 @@ void add_coordinates(Scenes& scenes) {
                 {"centres of texels", 1.0 / 64, 0, 1.0 / 128, 0, 1.0 / 64, 1.0 / 128}};
     for (const auto& map : maps)
         for (const std::string& trace : classes())
-            for (const std::string& frame : frames())
+            for (const std::string& frame : frames()) {
+                // A judge needs some microseconds a tile.
+                if (map.a >= 1e5 && trace.starts_with("oracle")) continue;
                 add(scenes, fmt::format("E.3/{}/{}/{}", map.name, frame, trace), smooth, 45, trace,
                     [&](StressScene& s) {
                         s.mesh = square_with_uv(map.a, map.b, map.c, map.d, map.e, map.f);
                         mesh_of(s) = Json::object({{"file", s.mesh_file()}});
                         relief_of(s)["frame"] = frame;
                     });
+            }
 }
 
 /// E.4: ends of parameters, formats, wrap modes.

@@ -18,7 +18,8 @@ struct StressScene {
     std::string mesh;      ///< an OBJ file's text, or empty
     bool has_nan = false;  ///< whether what it reads holds NaN or infinities
 
-    std::string planted;  ///< the finding that an error planted in it must give; mostly none
+    bool measured_only = false;  ///< by floats and doubles; neither lanes nor duals nor all steps
+    std::string planted;         ///< the finding that an error planted in it must give; mostly none
 
     std::string mesh_file() const { return "mesh.obj"; }
 };
