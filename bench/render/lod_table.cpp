@@ -6,7 +6,8 @@
 // Every scene is drawn in SIZE x SIZE pixels (96), with the judge's hits in both images, so that
 // what differs is how maps are filtered. Figures are root mean squares of R, G and B over the
 // pixels that are covered as a whole, colours cut at 1, less what the integral's own standard
-// errors account for. The rule of one is told from that of another on minified maps alone.
+// errors account for. Heights decide normals and shadows, colours the rest: `all` maps are
+// filtered, or `colours` (gloss, emission and environment, too) and heights read at level 0.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,34 +34,51 @@ constexpr Rule rules[] = {{"exact", Hardware::exact},
                           {"vulkan-min", Hardware::vulkan_min},
                           {"llvmpipe", Hardware::llvmpipe},
                           {"swiftshader", Hardware::swiftshader}};
-constexpr float biases[] = {-1, -0.75f, -0.5f, -0.25f, 0, 0.25f, 0.5f, 1};
+constexpr float biases[] = {-3, -2, -1.5f, -1, -0.5f, 0, 0.5f, 1};
 constexpr const char* channels[] = {"R", "G", "B"};
 
-template <class Visit>
-void for_each_sampler(Scene& scene, const Visit& visit) {
-    for (Material& material : scene.materials)
-        for (auto& [slot, texture] : material.textures) visit(texture.sampler);
-    if (scene.environment) visit(scene.environment->sampler);
+/// What a row of the table stands for.
+struct Way {
+    const char* maps;       ///< all are filtered, or colours alone, and heights read at level 0
+    const char* gradients;  ///< the footprint that colours are filtered with
+    Rule rule;
+
+    bool filters_heights() const { return std::string_view(maps) == "all"; }
+};
+
+std::vector<Way> ways() {
+    std::vector<Way> all;
+    for (const char* maps : {"all", "colours"})
+        for (const char* gradients : {"undisplaced", "displaced"})
+            for (const Rule& rule : rules) all.push_back({maps, gradients, rule});
+    return all;
 }
 
-/// The judge's hits; maps filtered trilinearly by the rule, with the footprint that `gradients`
-/// names. Attributes stay exact.
-Scene filtered(Scene scene, const Rule& rule, float bias, const char* gradients) {
+SamplerState filtered(SamplerState sampler, const Rule& rule, float bias) {
     const HardwareModel model = hardware_model(rule.hardware);
-    for_each_sampler(scene, [&](SamplerState& sampler) {
-        sampler.mag = sampler.min = Filter::linear;
-        sampler.mip = MipFilter::linear;
-        sampler.lod_bias = bias;
-        sampler.lod_form = model.lod_form;
-        sampler.lod_bits = model.lod_bits;
-        sampler.weight_bits = model.weight_bits;
-        sampler.quad_lod = model.quad_lod ? 1 : 0;
-    });
+    sampler.mag = sampler.min = Filter::linear;
+    sampler.mip = MipFilter::linear;
+    sampler.lod_bias = bias;
+    sampler.lod_form = model.lod_form;
+    sampler.lod_bits = model.lod_bits;
+    sampler.weight_bits = model.weight_bits;
+    sampler.quad_lod = model.quad_lod ? 1 : 0;
+    return sampler;
+}
+
+/// The judge's hits; maps filtered trilinearly by the rule. Attributes stay exact.
+Scene filtered(Scene scene, const Way& way, float bias) {
     for (Material& material : scene.materials) {
+        for (auto& [slot, texture] : material.textures) {
+            texture.sampler = filtered(texture.sampler, way.rule, bias);
+            if (slot == "height" && !way.filters_heights()) texture.sampler.mip = MipFilter::none;
+        }
         material.trace.id = "oracle-bilinear";
         material.trace.parameters.clear();
-        material.shade.parameters["gradients"] = std::string(gradients);
+        material.shade.parameters["gradients"] = std::string(way.gradients);
     }
+    if (scene.environment)
+        scene.environment->sampler = filtered(scene.environment->sampler, way.rule, bias);
     return scene;
 }
 
@@ -103,7 +121,7 @@ Difference difference(const Film& image, const Film& integral) {
 }
 
 void print_header() {
-    std::string line = "| scene | gradients | rule |", rule = "|---|---|---|";
+    std::string line = "| scene | filtered maps | gradients | rule |", rule = "|---|---|---|---|";
     for (const float bias : biases) {
         line += fmt::format(" {:+g} |", bias);
         rule += "---|";
@@ -111,43 +129,40 @@ void print_header() {
     std::cout << line << '\n' << rule << '\n';
 }
 
-/// Rows of a scene, and of all scenes together in `total`, in the same order.
-void print_scene(const std::string& name, int size, std::vector<Difference>& total) {
+void print_row(const std::string& scene, const Way& way, const std::vector<Difference>& row) {
+    std::cout << fmt::format("| {} | {} | {} | {} |", scene, way.maps, way.gradients,
+                             way.rule.name);
+    for (const Difference& d : row) std::cout << fmt::format(" {:.2f} |", 100 * d.rms());
+    std::cout << std::endl;
+}
+
+/// Rows by way, columns by bias.
+using Table = std::vector<std::vector<Difference>>;
+
+/// Rows of a scene, which are added to those of all scenes, each with the same weight.
+void print_scene(const std::string& name, int size, Table& total) {
     const Scene scene = load_scene(name, {fmt::format("size=[{},{}]", size, size)});
     const Film integral = integral_of(scene);
     std::size_t next = 0;
-    for (const char* gradients : {"undisplaced", "displaced"})
-        for (const Rule& rule : rules) {
-            std::cout << fmt::format("| {} | {} | {} |", name, gradients, rule.name);
-            for (const float bias : biases) {
-                const Difference d =
-                    difference(image_of(filtered(scene, rule, bias, gradients)), integral);
-                std::cout << fmt::format(" {:.2f} |", 100 * d.rms());
-                if (total.size() <= next) total.resize(next + 1);
-                total[next].squares += d.squares / std::max(d.values, 1);
-                total[next].noise += d.noise / std::max(d.values, 1);
-                total[next++].values += 1;
-            }
-            std::cout << std::endl;
+    for (const Way& way : ways()) {
+        std::vector<Difference> row, &sums = total[next++];
+        for (std::size_t i = 0; i < std::size(biases); ++i) {
+            const Difference d = difference(image_of(filtered(scene, way, biases[i])), integral);
+            row.push_back(d);
+            sums[i].squares += d.squares / std::max(d.values, 1);
+            sums[i].noise += d.noise / std::max(d.values, 1);
+            sums[i].values += 1;
         }
-}
-
-void print_total(const std::vector<Difference>& total) {
-    std::size_t next = 0;
-    for (const char* gradients : {"undisplaced", "displaced"})
-        for (const Rule& rule : rules) {
-            std::cout << fmt::format("| all | {} | {} |", gradients, rule.name);
-            for (std::size_t i = 0; i < std::size(biases); ++i)
-                std::cout << fmt::format(" {:.2f} |", 100 * total[next++].rms());
-            std::cout << '\n';
-        }
+        print_row(name, way, row);
+    }
 }
 
 void print_table(int size, const std::vector<std::string>& scenes) {
     print_header();
-    std::vector<Difference> total;
+    const std::vector<Way> rows = ways();
+    Table total(rows.size(), std::vector<Difference>(std::size(biases)));
     for (const std::string& scene : scenes) print_scene(scene, size, total);
-    print_total(total);
+    for (std::size_t i = 0; i < rows.size(); ++i) print_row("all", rows[i], total[i]);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST(Integral, SamplesAreTestedForDepthAndHoles) {
 /// Against pictures that are 12 times as large, of what an integral takes samples of: everything
 /// that there is, by another way.
 testing::AssertionResult is_the_mean_of_a_finer_picture(const Integrator& integrator) {
-    constexpr int finer = 12, width = 22, height = 18;
+    constexpr int finer = 12, width = 16, height = 12;
     const Scene scene = varied_scene(1, Conventions::gl, width, height);
     const Film film = integrator(scene, {128, 0});
     Scene large = integral_scene(scene);

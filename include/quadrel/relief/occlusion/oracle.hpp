@@ -8,6 +8,7 @@
 // of shadow-oracle.
 #pragma once
 
+#include "quadrel/relief/trace/oracle/lanes.hpp"
 #include "quadrel/relief/trace/oracle/sky.hpp"
 #include "quadrel/relief/view.hpp"
 
@@ -32,7 +33,7 @@ struct AoOracle : StageDefaults {
     static constexpr std::array parameters{
         parameter<&Params::samples>("samples", "rays", "directions", 2, 65536, 64),
         parameter<&Params::seed>("seed", "1", "of the directions", 0, 1 << 30, 0),
-        choice<&Params::surface>("surface", "how texels are read", oracle::surface_names, 0)};
+        oracle::surface_parameter<&Params::surface>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -45,9 +46,8 @@ struct AoOracle : StageDefaults {
         const Mask<F> framed =
             io.template load<Value::frame_status>() == status_packet<F>(Status::hit);
         const Mask<F> active = io.active() & framed & (depth != F(0));
-        const oracle::Field field{io.template texture<TextureSlot::height>(),
-                                  io.template texture<TextureSlot::max_mip>(),
-                                  static_cast<oracle::Surface>(params.surface)};
+        const oracle::Field field =
+            oracle::field_of(io, static_cast<oracle::Surface>(params.surface));
         F open(1), error(0);
         for (int lane = 0; lane < 4; ++lane) {
             const auto row = [&](const vec3<F>& v) {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "quadrel/relief/shadow/light_ray.hpp"
-#include "quadrel/relief/trace/oracle/first_hit.hpp"
+#include "quadrel/relief/trace/oracle/lanes.hpp"
 
 namespace quadrel {
 
@@ -24,17 +24,15 @@ struct ShadowOracle : StageDefaults {
     struct Params {
         std::int32_t surface = 0;
     };
-    static constexpr std::array parameters{
-        choice<&Params::surface>("surface", "how texels are read", oracle::surface_names, 0)};
+    static constexpr std::array parameters{oracle::surface_parameter<&Params::surface>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const LightRay<F> light = light_ray(io);
         const F s = io.template load<Value::hit_s>();
-        const oracle::Field field{io.template texture<TextureSlot::height>(),
-                                  io.template texture<TextureSlot::max_mip>(),
-                                  static_cast<oracle::Surface>(params.surface)};
+        const oracle::Field field =
+            oracle::field_of(io, static_cast<oracle::Surface>(params.surface));
         F visible(1);
         Int<F> steps(0);
         for (int lane = 0; lane < 4; ++lane) {

@@ -1,10 +1,24 @@
-// The judge's results of a quad, one plain ray a lane, and how stages store them.
+// What stages of the judge share: the field that they search, its results of a quad, one plain ray
+// a lane, and how these are stored.
 #pragma once
 
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
 
 namespace quadrel::oracle {
+
+/// The parameter `surface` of a stage.
+template <auto member>
+constexpr ParameterText surface_parameter() {
+    return choice<member>("surface", "how texels are read", surface_names, 0);
+}
+
+/// The maps of the stage's material, read as that says.
+template <class Io>
+Field field_of(const Io& io, Surface surface) {
+    return {io.template texture<TextureSlot::height>(), io.template texture<TextureSlot::max_mip>(),
+            surface};
+}
 
 /// The first hits of the four lanes of a Quad<T>.
 template <class T>
@@ -14,9 +28,7 @@ class QuadHits {
 
     template <class Io>
     QuadHits(const Io& io, const SearchRay<F>& ray, Surface surface)
-        : field_{io.template texture<TextureSlot::height>(),
-                 io.template texture<TextureSlot::max_mip>(), surface},
-          ray_(ray) {
+        : field_(field_of(io, surface)), ray_(ray) {
         for (int lane = 0; lane < 4; ++lane) hits_[lane] = hit(lane);
     }
 

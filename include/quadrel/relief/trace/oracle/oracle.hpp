@@ -21,8 +21,7 @@ struct Oracle : StageDefaults {
     struct Params {
         std::int32_t surface = 0;
     };
-    static constexpr std::array parameters{
-        choice<&Params::surface>("surface", "how texels are read", oracle::surface_names, 0)};
+    static constexpr std::array parameters{oracle::surface_parameter<&Params::surface>()};
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
