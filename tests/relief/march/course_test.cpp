@@ -246,7 +246,7 @@ TEST(Course, PlantedErrorsAreCaught) {
 /// Heights that no ray comes near to.
 struct FarBelow {
     static float highest() { return -1e30f; }
-    static bool bounded() { return false; }
+    static const HeightMaxima* maxima() { return nullptr; }
     static int texels() { return 1; }
     template <class M, class V>
     CeilingLevels levels_between(M, V, V, int) const {

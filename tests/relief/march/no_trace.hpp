@@ -40,7 +40,12 @@ inline testing::AssertionResult leaves_no_trace(const StageUnderTest<float>& row
     const auto maxima = height_maxima(*map.texture, map.sampled.sampler);
     DamagedMaxima damaged(maxima->maxima);
     if (damage) damage(damaged);
-    with.material.maxima = &damaged.maxima;
+    // Never where they were the last time: a search remembers whether looking at them paid.
+    static HeightMaxima places[2];
+    static int place = 0;
+    place = 1 - place;
+    places[place] = damaged.maxima;
+    with.material.maxima = &places[place];
     for (Batch<float>* batch : {&with, &without}) batch->counters = {};
     row.run(with, parameters);
     without.run(row.id, parameters);

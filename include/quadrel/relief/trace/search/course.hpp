@@ -22,6 +22,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/search/beam.hpp"
+#include "quadrel/relief/trace/search/look_memory.hpp"
 
 namespace quadrel {
 
@@ -77,9 +78,16 @@ class StepsOnCourse {
         const Scalar<F> highest = heights.highest();
         may_end_ = highest < std::numeric_limits<Scalar<F>>::infinity();
         pass_below(highest, end_of_passing() - k_);
-        looks_ahead_ = heights.bounded() && starts_slowly();
-        if (looks_ahead_) look_ahead();
+        const HeightMaxima* const maxima = heights.maxima();
+        if (maxima != nullptr && starts_slowly() && memory().looks(maxima)) {
+            looks_ahead_ = true;
+            look_ahead();
+        }
         give_step_before(first);
+    }
+    StepsOnCourse(const StepsOnCourse&) = delete;
+    ~StepsOnCourse() {
+        if (looks_ahead_) memory().learn(gain_);
     }
 
     Iterator begin() { return Iterator(*this); }
@@ -92,6 +100,10 @@ class StepsOnCourse {
     static constexpr int first_length = 16, longest = 128, worth_a_look = 4;
     static constexpr float cells_worth_a_look = 2, most_cells_a_step = 1;
     static constexpr int shortest_pause = 2, longest_pause = 16;
+    /// In parts of a sample, likewise: what a look takes, and what a step left out spares.
+    static constexpr int look_costs = 32, step_spares = 8;
+
+    static LookMemory& memory() { return look_memory<StepsOnCourse>(); }
 
     bool goes_on() const { return k_ <= last_ && (!may_end_ || any(active_)); }
 
@@ -131,6 +143,7 @@ class StepsOnCourse {
             const int length = std::min(length_, end - k_);
             if (length < worth_a_look) break;
             const int passed = look_ahead_by(length);
+            gain_ += step_spares * passed - look_costs - length;
             if (passed == length) {
                 length_ = std::min(2 * length_, longest);
             } else if (passed >= worth_a_look && length_ > shortest_) {
@@ -220,6 +233,7 @@ class StepsOnCourse {
     int shortest_ = worth_a_look;  ///< fewest steps to look ahead
     int length_ = first_length;    ///< how many next
     int pause_ = 1, until_look_ = 1;
+    int gain_ = 0;  ///< of looks so far
 };
 
 /// `own_last`: see StepsOnCourse. A lane for which it is no number takes its first step.

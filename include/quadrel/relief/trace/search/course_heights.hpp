@@ -22,8 +22,8 @@ class CourseHeights {
         return leaves_out_ ? height_bounds(io_).high : HeightBounds<Scalar<F>>().high;
     }
 
-    /// Whether something is known of parts of the map.
-    bool bounded() const { return leaves_out_ && io_.material().maxima != nullptr; }
+    /// What is known of parts of the map; null: nothing.
+    const HeightMaxima* maxima() const { return leaves_out_ ? io_.material().maxima : nullptr; }
 
     /// Along the map's longer side.
     int texels() const {

@@ -40,8 +40,8 @@ class LookMemory {
     int idle_ = 0;  ///< packets that make every step, the last of which tries again
 };
 
-/// This thread's, of a search that reads heights of a type that no other has.
-template <class Height>
+/// This thread's, of a search of this type.
+template <class Search>
 LookMemory& look_memory() {
     static thread_local LookMemory memory;
     return memory;

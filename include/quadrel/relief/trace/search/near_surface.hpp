@@ -138,7 +138,7 @@ class StepsNearSurface {
         if (last < fewest_steps_to_leave_out) return;
         levels_ = height.ceiling(active);
         if (levels_.maxima == nullptr) return;
-        memory_ = &look_memory<Height>();
+        memory_ = &look_memory<StepsNearSurface>();
         if (!memory_->looks(levels_.maxima)) {
             levels_.maxima = nullptr;
             return;
