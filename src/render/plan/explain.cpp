@@ -60,9 +60,17 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     }
     for (const PlannedStage& stage : prepared.plan.discard[m].stages)
         text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
-    if (prepared.plan.exact.empty()) return;
-    for (const PlannedStage& stage : prepared.plan.exact[m].stages)
-        text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
+    const RenderPlan& render = prepared.plan;
+    if (!render.exact.empty())
+        for (const PlannedStage& stage : render.exact[m].stages)
+            text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
+    for (const RangePlan* const ranges : {&render.bounds, &render.limits}) {
+        if (ranges->materials.empty()) continue;
+        for (const PlannedStage& stage : ranges->materials[m].stages)
+            text.does.push_back(fmt::format("runs {} on ranges of {}", stage_name(stage),
+                                            ranges == &render.bounds ? "exact arithmetic"
+                                                                     : "what a GPU may give"));
+    }
 }
 
 /// Ids of the planned stages that leave out steps by the heights of the map.
