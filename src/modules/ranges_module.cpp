@@ -1,6 +1,6 @@
 // Stages on ranges: compiled once, for no instruction set in particular.
+#include "kernels/range_stages.hpp"
 #include "kernels/ranges.hpp"
-#include "quadrel/relief/range/stages.hpp"
 
 namespace quadrel {
 namespace {

@@ -1,5 +1,7 @@
 // What a GPU may give: renders of other implementations lie within the ranges, mistakes do not, and
 // the ranges are narrow enough to say so.
+#include <optional>
+
 #include "quadrel/error.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/films.hpp"
@@ -77,10 +79,10 @@ Shares shares_of(const Film& ranges, const std::string& channel) {
 }
 
 const Judged plain{"sampler-mag-linear", {40, 40, 56, 48}};
-const Judged thesis_quad{"thesis-quad", {200, 200, 208, 208}};
-const Judged bricks{"bricks-45", {300, 300, 308, 304}};
+const Judged thesis_quad{"thesis-quad", {200, 200, 204, 204}};
+const Judged bricks{"bricks-45", {300, 300, 304, 304}};
 const Judged offset{"rows/offset-limit", {40, 40, 56, 48}};
-const Judged binary{"rows/relief-binary", {40, 40, 52, 44}};
+const Judged binary{"rows/relief-binary", {40, 40, 44, 44}};
 
 TEST(Limits, HoldWhatOtherImplementationsGive) {
     for (const Judged& what : {plain, thesis_quad, bricks, offset, binary})
@@ -90,11 +92,35 @@ TEST(Limits, HoldWhatOtherImplementationsGive) {
                 if ((limits == "d3d") != (hardware == "d3d") && hardware != "exact") continue;
                 const Verdict verdict =
                     judge(ranges, render_scene(what, "", {"hardware=\"" + hardware + "\""}));
-                EXPECT_GT(verdict.values, 100u);
+                EXPECT_GT(verdict.values, 50u);
                 EXPECT_EQ(verdict.outside, 0u) << what.scene << ", limits " << limits << ", "
                                                << hardware << ": " << verdict.first;
             }
         }
+}
+
+/// Renders of a scene within its ranges; empty where a stage of it does not run on ranges.
+std::optional<Verdict> verdict_of_row(const std::string& name) {
+    const Scene scene = load_scene(name);
+    const int x = scene.width / 2, y = scene.height / 2;
+    const Judged what{name, {x, y, x + 4, y + 4}, {"samples=1"}};
+    try {
+        return judge(render_scene(what, "gl"), render_scene(what, "", {"hardware=\"llvmpipe\""}));
+    } catch (const UsageError&) {
+        return std::nullopt;
+    }
+}
+
+TEST(Limits, HoldEveryRowThatRunsOnRanges) {
+    int rows = 0;
+    for (const std::string& name : installed_scenes()) {
+        if (!name.starts_with("rows/")) continue;
+        const auto verdict = verdict_of_row(name);
+        if (!verdict) continue;
+        ++rows;
+        EXPECT_EQ(verdict->outside, 0u) << name << ": " << verdict->first;
+    }
+    EXPECT_GT(rows, 80);
 }
 
 TEST(Limits, HoldTheLeastThatVulkanAllows) {
@@ -115,7 +141,8 @@ TEST(Limits, FindMistakes) {
     const Mistake mistakes[] = {
         {"a texture upside down", {"textures.bricks-color.flip_v=true"}},
         {"a colour that is not decoded", {"textures.bricks-color.format=\"unorm8\""}},
-        {"light from the wrong point", {"lights.0.position=[-10,10,10]"}},
+        {"light from the wrong point",
+         {"lights=[{\"type\":\"point\",\"space\":\"eye\",\"position\":[-10,10,10]}]"}},
         {"a level that is two off", {"textures.bricks-color.lod_bias=2"}},
         {"half of the steps", {"material.relief.steps=64"}},
         {"a relief without its depth", {"material.relief.depth=0.05"}},

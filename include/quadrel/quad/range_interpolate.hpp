@@ -19,12 +19,14 @@ class PrimitiveReader<Ranges> {
   public:
     template <class Row>
     PrimitiveReader(const StageCall& call, int first_lane, const Row* rows)
-        : first_(reinterpret_cast<const float*>(rows + call.primitive[first_lane])) {}
+        : first_(reinterpret_cast<const float*>(rows + call.primitive[first_lane])),
+          plane_(std::is_same_v<Row, PrimitiveVertices> ? 0 : range_context().budget.plane) {}
 
-    /// What is the same over a triangle, with the errors of the vertex stage.
+    /// What is the same over a triangle, with the errors of the vertex stage; inputs of that stage
+    /// have none.
     Ranges at(int offset) const {
         const double value = first_[offset];
-        const double off = range_context().budget.plane * std::fabs(value);
+        const double off = plane_ * std::fabs(value);
         return off > 0 ? Ranged(range_detail::widened(value, off)) : Ranged(value);
     }
     PerVertex<Ranges> per_vertex(int offset, int stride) const {
@@ -37,6 +39,7 @@ class PrimitiveReader<Ranges> {
 
   private:
     const float* first_;
+    double plane_;
 };
 
 template <>

@@ -73,10 +73,18 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     }
     for (const PlannedStage& stage : prepared.plan.discard[m].stages)
         text.does.push_back(fmt::format("runs {} to discard", stage_name(stage)));
-    if (!prepared.plan.exact.empty())
-        for (const PlannedStage& stage : prepared.plan.exact[m].stages)
+    const RenderPlan& render = prepared.plan;
+    if (!render.exact.empty())
+        for (const PlannedStage& stage : render.exact[m].stages)
             text.does.push_back(fmt::format("runs {} on dual numbers", stage_name(stage)));
-    if (!prepared.plan.errors.empty()) describe_judge(prepared.plan.errors[m], text);
+    for (const RangePlan* const ranges : {&render.bounds, &render.limits}) {
+        if (ranges->materials.empty()) continue;
+        for (const PlannedStage& stage : ranges->materials[m].stages)
+            text.does.push_back(
+                fmt::format("runs {} on ranges of {}", stage_name(stage),
+                            ranges == &render.bounds ? "exact arithmetic" : "what a GPU may give"));
+    }
+    if (!render.errors.empty()) describe_judge(render.errors[m], text);
 }
 
 /// Ids of the planned stages that leave out steps by the heights of the map.

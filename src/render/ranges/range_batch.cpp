@@ -11,6 +11,9 @@ namespace {
 constexpr int quad_lanes = 4;
 constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 
+constexpr FragmentRange unknown{-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity(), 0};
+
 /// What a decision in a stage of that room is about.
 std::uint32_t kind_of(const StageInfo& stage) {
     const std::string_view room = stage.text.room;
@@ -95,12 +98,21 @@ void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage
     std::fill_n(context_->undecided, quad_lanes, 0u);
     context_->begin_lane(-1);
     run_stages(plan);
+    if (context_->too_many) return give_up(quad);
     const std::uint32_t several = context_->joined;
     for (int lane = 0; lane < quad_lanes; ++lane)
         if ((several >> lane & 1) == 0) record(quad, lane);
     for (int lane = 0; lane < quad_lanes; ++lane)
         if ((several >> lane & 1) != 0 && coverage.samples[static_cast<std::size_t>(lane)] != 0)
             follow(plan, quad, lane);
+    for (int lane = 0; lane < quad_lanes; ++lane)
+        undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
+}
+
+/// Nothing is known of a quad.
+void RangeBatch::give_up(int quad) {
+    for (std::size_t s = 0; s < plan_.slots.size(); ++s)
+        for (int lane = 0; lane < quad_lanes; ++lane) result(s, quad_lanes * quad + lane) = unknown;
     for (int lane = 0; lane < quad_lanes; ++lane)
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
 }
@@ -128,9 +140,7 @@ void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane) {
     } while (!context_->too_many && ++count < most_ways && context_->next_way());
     const bool all = !context_->too_many && (count < most_ways || !context_->next_way());
     for (std::size_t s = 0; s < plan_.slots.size(); ++s) {
-        constexpr double most = std::numeric_limits<double>::infinity();
-        result(s, quad_lanes * quad + lane) =
-            all ? joined(ways_[s]) : FragmentRange{-most, most, 0};
+        result(s, quad_lanes * quad + lane) = all ? joined(ways_[s]) : unknown;
     }
 }
 

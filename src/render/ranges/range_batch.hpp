@@ -41,6 +41,7 @@ class RangeBatch {
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
     void follow(const MaterialPlan& plan, int quad, int lane);
     void record(int quad, int lane);
+    void give_up(int quad);
     FragmentRange& result(std::size_t slot, int lane) {
         return results_[slot * batch_lanes + static_cast<std::size_t>(lane)];
     }

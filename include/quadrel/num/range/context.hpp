@@ -23,6 +23,9 @@ struct Undecided {
 struct RangeContext {
     /// Open comparisons of one run, and answers that one run may need.
     static constexpr int most_open = 4096, most_answers = 64;
+    /// Questions whether any lane goes on, of one run and of all runs of a lane: an undecided lane
+    /// may never be through with a loop.
+    static constexpr int most_questions = 8192, most_questions_of_lane = 65536;
 
     ErrorBudget budget;
     std::uint64_t maps = 0;      ///< which textures there are: another number for others
@@ -39,19 +42,20 @@ struct RangeContext {
     std::int32_t answers = 0;       ///< taken in this run
     std::int32_t given = 0;         ///< how many of them are what the way says
     std::int8_t way[most_answers];
+    std::int32_t questions = 0, questions_of_lane = 0;
     std::int32_t shared_errors = 0;  ///< groups of named errors so far
     std::int32_t unit_vectors = 0;   ///< likewise
 
     /// Before the stages run.
     void begin_run() {
-        open = answers = 0;
+        open = answers = questions = 0;
         joined = 0;
         shared_errors = unit_vectors = 0;
     }
     /// Before the first run of a lane (none if negative).
     void begin_lane(std::int32_t lane) {
         followed = lane;
-        given = 0;
+        given = questions_of_lane = 0;
         too_many = false;
     }
     /// After a run: the next way, if there is one.
@@ -87,6 +91,12 @@ struct RangeContext {
         }
         if (answers >= given) way[answers] = 1;
         return way[answers++];
+    }
+    /// Whether there may be an answer to whether any lane goes on. Where there are too many, none
+    /// does: what is computed from there on is not used.
+    bool may_go_on() {
+        too_many |= ++questions > most_questions || ++questions_of_lane > most_questions_of_lane;
+        return !too_many;
     }
     /// Both sides are taken together in a lane.
     void join(int lane) {

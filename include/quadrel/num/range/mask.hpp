@@ -75,6 +75,7 @@ struct RangeMask {
 };
 
 inline bool any(const RangeMask& m) {
+    if (!range_context().may_go_on()) return false;
     bool open = false;
     for (const RangeTruth& truth : m.lane) {
         const RangeTruth known = truth.known();

@@ -3,7 +3,7 @@
 // find), nor what reads baked maps or texels by its own addresses.
 #pragma once
 
-#include "quadrel/relief/range/words.hpp"
+#include "quadrel/relief/range_words.hpp"
 #include "quadrel/relief/stages.hpp"
 #include "quadrel/shade/stages.hpp"
 

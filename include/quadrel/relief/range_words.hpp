@@ -23,8 +23,8 @@ requires std::same_as<F, Ranges> Steps steps_near_surface(const Height&, const S
                                                           Before = Before::not_needed) {
     return steps<F>(0, last);
 }
-template <class Along, class Position, class Heights>
-class StepsOnCourse<Ranges, Along, Position, Heights> : public Steps {
+template <Before before, class Along, class Position, class Heights>
+class StepsOnCourse<Ranges, before, Along, Position, Heights> : public Steps {
   public:
     StepsOnCourse(const Along&, Position&, const Heights&, const RangeMask&, int first, int last,
                   const Ranges&)
