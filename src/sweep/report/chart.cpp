@@ -183,8 +183,9 @@ class Drawing {
         for (const double v : y_.ticks())
             text_ += fmt::format(
                 "<path class=\"grid\" d=\"M{1} {0:.1f}H{2}\"/><text class=\"tick\" "
-                "text-anchor=\"end\" x=\"{3}\" y=\"{4:.1f}\">{5:g}</text>\n",
-                y_.at(v), chart_left, chart_width - chart_right, chart_left - 8, y_.at(v) + 4, v);
+                "text-anchor=\"end\" x=\"{3}\" y=\"{4:.1f}\">{5}{6:g}</text>\n",
+                y_.at(v), chart_left, chart_width - chart_right, chart_left - 8, y_.at(v) + 4,
+                v <= 1.001 * chart_.y.least ? "\u2264" : "", v);
         text_ += fmt::format("<text text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text>\n",
                              (chart_left + chart_width - chart_right) / 2,
                              chart_height - chart_bottom + 40, xml_text(chart_.x.title));

@@ -23,6 +23,7 @@ struct ChartSeries {
 struct Axis {
     std::string title;
     bool log = true;
+    double least = 0;  ///< what is drawn in place of anything less
 };
 
 struct Chart {

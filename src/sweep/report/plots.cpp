@@ -92,8 +92,8 @@ std::string front_chart(const Group& group, const std::string& view, const std::
     Chart chart{view == "camera" ? "Run time against error, the scenes' own cameras"
                                  : "Run time against error at " + view + " degrees",
                 machine,
-                {"search, ns a pixel (mean over maps)", true},
-                {"texels from the true hit, 99 % of the pixels", true},
+                {"search, ns a pixel (mean over maps)", true, 0},
+                {"texels from the true hit, 99 % of the pixels", true, least_error},
                 {}};
     ChartSeries line{"front", "", {}, false, true, false};
     for (const std::string& name : front)
@@ -141,12 +141,12 @@ std::string angle_chart(const Group& group, const std::vector<double>& angles, b
             line.points.push_back({angle, error ? mean.error() : mean.time(), "",
                                    name + fmt::format(" at {:g} degrees", angle)});
         }
-    Chart chart{
-        error ? "Error against the view's angle" : "Run time against the view's angle",
-        machine,
-        {"degrees between view and normal", false},
-        {error ? "texels from the true hit, 99 % of the pixels" : "search, ns a pixel", true},
-        {}};
+    Chart chart{error ? "Error against the view's angle" : "Run time against the view's angle",
+                machine,
+                {"degrees between view and normal", false, 0},
+                {error ? "texels from the true hit, 99 % of the pixels" : "search, ns a pixel",
+                 true, error ? least_error : 0},
+                {}};
     for (auto& [name, line] : lines) {
         if (!line.points.empty()) line.points.back().label = name;
         chart.series.push_back(std::move(line));
