@@ -135,6 +135,34 @@ TEST(JudgedImages, AreJudgedByWhatTheyHold) {
     EXPECT_THROW(measure_errors(image, scene, options), UsageError);
 }
 
+/// Whatever an image holds, each pixel has a kind; where nothing was drawn it is missed.
+TEST(JudgedImages, MayHoldAnything) {
+    const Scene scene = judged_scene("linear");
+    const Film image = port(scene);
+    const auto judged = [&](const char* name,
+                            const std::function<std::uint32_t(std::size_t)>& bits) {
+        Film film;
+        Film wild = image;
+        Plane& plane = *wild.find(name);
+        for (std::size_t i = 0; i < plane.bits.size(); ++i) plane.bits[i] = bits(i);
+        ErrorOptions options;
+        options.film = &film;
+        const ErrorSummary summary = measure_errors(wild, scene, options);
+        std::uint64_t pixels = 0;
+        for (const std::uint64_t count : summary.parts.at(0).kinds) pixels += count;
+        EXPECT_EQ(pixels, summary.covered) << name;
+        EXPECT_FALSE(to_text(summary).empty());
+        return most_frequent(summary);
+    };
+    const float wild[] = {std::nanf(""), std::numeric_limits<float>::infinity(), -1e30f, 1e9f, 0};
+    for (const char* name : {"hit.U", "hit.V", "hit.s", "N.Y", "G", "shadow.visibility"})
+        judged(name, [&](std::size_t i) { return std::bit_cast<std::uint32_t>(wild[i % 5]); });
+    EXPECT_EQ(judged("hit.status",
+                     [](std::size_t i) { return static_cast<std::uint32_t>(2 + i * 77777); }),
+              ErrorKind::missed);
+    EXPECT_EQ(judged("A", [](std::size_t) { return 0u; }), ErrorKind::missed);
+}
+
 /// Percentiles are those of the sorted values, shares those of counts.
 testing::AssertionResult sums_up(const Film& film, const ErrorSummary& summary) {
     std::vector<float> values;
