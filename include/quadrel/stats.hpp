@@ -1,11 +1,13 @@
 // What a render did and what it took.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "quadrel/errors.hpp"
 #include "quadrel/raster/assemble.hpp"
 #include "quadrel/texture/counters.hpp"
 
@@ -65,6 +67,12 @@ struct CertifiedStats {
     }
 };
 
+/// Covered lanes by where their hit lies beside the judge's (channel `err.kind`, errors.hpp).
+struct KindStats {
+    bool drawn = false;  ///< else nothing was asked
+    std::array<std::uint64_t, error_kinds> lanes{};
+};
+
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size.
 struct RenderStats {
@@ -81,6 +89,7 @@ struct RenderStats {
     /// lights.
     std::uint64_t trace_steps = 0, shadow_steps = 0;
     CertifiedStats certified;
+    KindStats kinds;
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "quadrel/errors.hpp"
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/texture/counters.hpp"
 #include "render/stats/stage_clock.hpp"
@@ -18,6 +19,7 @@ struct DrawRecord {
     std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
     std::array<std::uint64_t, 3> certified{};         ///< covered lanes by Certificate
     std::uint64_t without_ray = 0;                    ///< of those of Certificate::none
+    std::array<std::uint64_t, error_kinds> kinds{};   ///< covered lanes by ErrorKind
 };
 
 /// Adds what another thread recorded.
@@ -33,6 +35,7 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     into.shadow_steps += from.shadow_steps;
     for (std::size_t k = 0; k < into.certified.size(); ++k) into.certified[k] += from.certified[k];
     into.without_ray += from.without_ray;
+    for (std::size_t k = 0; k < into.kinds.size(); ++k) into.kinds[k] += from.kinds[k];
 }
 
 }  // namespace quadrel
