@@ -1,11 +1,13 @@
 // What a render did and what it took.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "quadrel/errors.hpp"
 #include "quadrel/raster/assemble.hpp"
 #include "quadrel/texture/counters.hpp"
 
@@ -74,6 +76,12 @@ struct IntegralStats {
     std::uint64_t above = 0;  ///< pixels that have all samples, and an error above the stated one
 };
 
+/// Covered lanes by where their hit lies beside the judge's (channel `err.kind`, errors.hpp).
+struct KindStats {
+    bool drawn = false;  ///< else nothing was asked
+    std::array<std::uint64_t, error_kinds> lanes{};
+};
+
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size, and look-ups without `has_touched` on what was
 /// left out, which differs between instruction sets.
@@ -94,6 +102,7 @@ struct RenderStats {
     std::uint64_t trace_steps = 0, shadow_steps = 0;
     CertifiedStats certified;
     IntegralStats integral;
+    KindStats kinds;
     PrimitiveCounts primitives;
     std::vector<StageStats> stages;
     std::vector<TextureStats> textures;

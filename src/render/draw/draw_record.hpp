@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "quadrel/errors.hpp"
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/texture/counters.hpp"
 #include "render/stats/stage_clock.hpp"
@@ -27,6 +28,7 @@ struct DrawRecord {
     std::array<std::uint64_t, 3> certified{};         ///< covered lanes by Certificate
     std::uint64_t without_ray = 0;                    ///< of those of Certificate::none
     IntegralCounts integral;
+    std::array<std::uint64_t, error_kinds> kinds{};  ///< covered lanes by ErrorKind
 };
 
 inline void merge(IntegralCounts& into, const IntegralCounts& from) {
@@ -50,6 +52,7 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     for (std::size_t k = 0; k < into.certified.size(); ++k) into.certified[k] += from.certified[k];
     into.without_ray += from.without_ray;
     merge(into.integral, from.integral);
+    for (std::size_t k = 0; k < into.kinds.size(); ++k) into.kinds[k] += from.kinds[k];
 }
 
 }  // namespace quadrel

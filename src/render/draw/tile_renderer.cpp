@@ -74,6 +74,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
     if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
     if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
     if (plan.integral) integral_.emplace(*plan.integral, target.background);
+    for (const ChannelSource& channel : *target.channels)
+        if (channel.name == "err.kind") kind_ = &channel;
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -237,11 +239,14 @@ void TileRenderer::shade() {
         run(plan_.materials[material], material, quads_.data() + first, count);
         if (recording_ == Recording::counts)
             count_certified(plan_.materials[material], {quads_.data() + first, end - first});
-        if (integral_)
+        if (integral_) {
             integral_->add(batch_, quads_.data() + first);
-        else if (recording_ != Recording::marks)
-            film_.add(batch_, quads_.data() + first, geometry_, buffer_,
-                      run_judges(material, quads_.data() + first, count));
+        } else if (recording_ != Recording::marks) {
+            const Judges judges = run_judges(material, quads_.data() + first, count);
+            film_.add(batch_, quads_.data() + first, geometry_, buffer_, judges);
+            if (recording_ == Recording::counts && judges.errors != nullptr)
+                count_kinds(*judges.errors, {quads_.data() + first, end - first});
+        }
         first = end;
     }
 }
@@ -334,6 +339,17 @@ void TileRenderer::count_certified(const MaterialPlan& plan, std::span<const Qua
         ++record_.certified[batch_.integer(slot_of(Value::certified), lane)];
         record_.without_ray += batch_.integer(slot_of(Value::certified_reason), lane) ==
                                static_cast<std::uint32_t>(Uncertified::no_ray);
+    }
+}
+
+/// Of the fragments that are seen, where their kinds are drawn. An image is no larger than the
+/// window, beyond which quads may reach: it is not counted.
+void TileRenderer::count_kinds(const ErrorBatch& errors, std::span<const QuadCoverage> quads) {
+    if (kind_ == nullptr || plan_.judged != nullptr) return;
+    for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
+        const auto q = static_cast<std::size_t>(lane / 4), k = static_cast<std::size_t>(lane % 4);
+        if (solid_ || quads[q].samples[k] != 0)
+            ++record_.kinds[errors.bits(*kind_, batch_, lane, 0, 0)];
     }
 }
 

@@ -82,6 +82,7 @@ class TileRenderer {
     void mark(std::uint32_t material);
     void count_steps(const MaterialPlan& plan);
     void count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads);
+    void count_kinds(const ErrorBatch& errors, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
     bool keeps_time() const {
         return recording_ == Recording::times || recording_ == Recording::counts;
@@ -105,8 +106,9 @@ class TileRenderer {
     StageClock clock_;
     DrawRecord record_;
     std::vector<QuadCoverage> quads_;
-    bool solid_ = false;  ///< the quads are all those of the tile, and whole
-    bool solid_tiles_;    ///< nothing asks for what only the buffer has
+    bool solid_ = false;                   ///< the quads are all those of the tile, and whole
+    const ChannelSource* kind_ = nullptr;  ///< err.kind, where it is drawn
+    bool solid_tiles_;                     ///< nothing asks for what only the buffer has
 };
 
 }  // namespace quadrel

@@ -62,6 +62,13 @@ Json to_json(const MaximaStats& maxima) {
     return {{"maps", maxima.maps}, {"bytes", maxima.bytes}, {"wall_ms", maxima.wall_ms}};
 }
 
+Json to_json(const KindStats& kinds) {
+    Json json = Json::object();
+    for (std::size_t k = 0; k < error_kinds; ++k)
+        json[error_kind_name(static_cast<ErrorKind>(k))] = kinds.lanes[k];
+    return json;
+}
+
 Json to_json(const CertifiedStats& certified) {
     return {{"share", certified.share()},
             {"by_bounds", certified.by_bounds},
@@ -160,8 +167,10 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     stats.pixels = prepared.window.area();
     stats.primitives = prepared.geometry.counts;
     stats.left_out = left_out(prepared);
-    for (const ChannelSource& channel : prepared.channels)
+    for (const ChannelSource& channel : prepared.channels) {
         stats.certified.drawn |= channel.name == "certified";
+        stats.kinds.drawn |= channel.name == "err.kind" && prepared.plan.judged == nullptr;
+    }
     stats.integral.drawn = prepared.plan.integral.has_value();
     record_textures(prepared, stats);
     record_maxima(prepared, stats);
@@ -196,6 +205,7 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
     if (stats.integral.drawn)
         stats.integral = {true, record.integral.samples, record.integral.least,
                           record.integral.most, record.integral.above};
+    for (std::size_t k = 0; k < error_kinds; ++k) stats.kinds.lanes[k] += record.kinds[k];
     for (const auto& [id, time] : record.stages)
         stats.stages.push_back({id, time.batches, time.lanes, time.fetches,
                                 1e-6 * static_cast<double>(time.wall_ns),
@@ -245,6 +255,7 @@ std::string to_json(const RenderStats& stats) {
              {"peak_memory_kib", stats.peak_memory_kib}};
     if (stats.certified.drawn) out["certified"] = to_json(stats.certified);
     if (stats.integral.drawn) out["integral"] = to_json(stats.integral);
+    if (stats.kinds.drawn) out["errors"] = to_json(stats.kinds);
     if (stats.has_touched) {
         out["touched"] = to_json(stats.touched);
         out["steps"] = {{"trace", stats.trace_steps}, {"shadow", stats.shadow_steps}};

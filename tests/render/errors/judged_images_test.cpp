@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quadrel/error.hpp"
+#include "quadrel/stats.hpp"
 #include "render/errors/judged_scenes.hpp"
 
 namespace quadrel::render_tests {
@@ -195,6 +196,26 @@ TEST(ErrorSummaries, AreThoseOfTheirFilm) {
     change_plane(other, "err.search.uv", [](float x) { return 2 * x; });
     EXPECT_FALSE(sums_up(other, summarize_errors(film)));
     EXPECT_THROW(summarize_errors(with_planes(film, {"err.s"})), UsageError);
+}
+
+/// Statistics of a render count the same.
+TEST(ErrorSummaries, AreCountedByStatistics) {
+    Scene scene = judged_scene("linear", fences(), "frame-gram");
+    const auto counted = [&](const Scene& of, const std::string& channel) {
+        RenderStats stats;
+        RenderOptions options;
+        options.channels = {channel};
+        options.stats = &stats;
+        render(of, options);
+        EXPECT_EQ(stats.kinds.drawn, channel == "err.kind");
+        EXPECT_EQ(to_json(stats).find("other surface") != std::string::npos, channel == "err.kind");
+        return stats.kinds.lanes;
+    };
+    EXPECT_EQ(counted(scene, "err.kind"), measure_errors(scene).parts.at(0).kinds);
+    EXPECT_EQ(counted(scene, "hit.s"), decltype(KindStats::lanes){});
+    Scene other = scene;
+    other.materials[0].trace.parameters["steps"] = 4;
+    EXPECT_NE(counted(other, "err.kind"), measure_errors(scene).parts.at(0).kinds);
 }
 
 TEST(ErrorSummaries, NameTheWorstPixels) {
