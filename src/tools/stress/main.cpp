@@ -22,8 +22,8 @@ namespace {
 struct Arguments {
     std::uint64_t seed = 1, scenes = 1000;
     std::size_t lists = 1;
-    std::string only, folder, plot;
-    bool list = false, ranges = false, planted = false;
+    std::string only, folder, plot, ranges;
+    bool list = false, planted = false;
     int processes = 1;
     double seconds = 20;
 };
@@ -95,7 +95,8 @@ bool run_job(const Arguments& arguments, const std::filesystem::path& folder) {
 bool run_ranges(const Arguments& arguments, const std::filesystem::path& folder) {
     std::vector<RangeTable> tables;
     Report report;
-    for (const char* room : {"frame", "trace"}) {
+    for (const std::string room : {"frame", "trace"}) {
+        if (arguments.ranges != "all" && arguments.ranges != room) continue;
         std::map<std::string, SceneResult> results;
         run_shown(Job(range_scenes(room)), arguments, folder,
                   [&](const StressScene& scene, const SceneResult& result) {
@@ -156,8 +157,8 @@ bool run(const Arguments& arguments) {
     setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
     write_maps_apart(folder.path());
     if (arguments.planted) return run_planted(arguments, folder.path());
-    return arguments.ranges ? run_ranges(arguments, folder.path())
-                            : run_job(arguments, folder.path());
+    return arguments.ranges.empty() ? run_job(arguments, folder.path())
+                                    : run_ranges(arguments, folder.path());
 }
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -173,8 +174,9 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("-o", a.folder,
                    "with --only: write it with its maps and mesh into a folder, and judge it")
         ->type_name("FOLDER");
-    app.add_flag("--ranges", a.ranges,
-                 "instead: over which range each frame and trace stays within half a texel");
+    app.add_option("--ranges", a.ranges,
+                   "instead: over which range each frame or trace stays within half a texel")
+        ->check(CLI::IsMember({"frame", "trace", "all"}));
     app.add_option("--plot", a.plot, "with --ranges: the same as a picture")->type_name("OUT.svg");
     app.add_flag("--planted", a.planted, "instead: whether errors that are planted are found");
     app.add_option("-t,--processes", a.processes, "at once")

@@ -38,7 +38,7 @@ StressScene range_scene(const std::string& room, const std::string& row, const R
     const bool frame = room == "frame";
     const MapName map{frame ? "half" : "fractal", 64, 64};
     StressScene scene =
-        plain_scene(scene_name(room, row, axis, value), map, 45, frame ? "max-mip" : row);
+        plain_scene(scene_name(room, row, axis, value), map, 45, frame ? "linear" : row);
     if (frame) relief_of(scene)["frame"] = row;
     relief_of(scene)["shadow"] = "none";
     axis.change(scene, value);
