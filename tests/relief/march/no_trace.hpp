@@ -69,7 +69,8 @@ inline testing::AssertionResult leaves_no_trace_on_all_maps(const StageUnderTest
                 return testing::AssertionFailure() << row.id << " on " << kinds[kind].name << " "
                                                    << i << ": " << same.message();
         }
-    if (looks.made * 20 > looks.all * 19)
+    // Not more: packets of rays this different soon stop looking (look_memory.hpp).
+    if (looks.made * 50 > looks.all * 49)
         return testing::AssertionFailure()
                << row.id << " makes " << looks.made << " look-ups of " << looks.all;
     return testing::AssertionSuccess();
