@@ -67,9 +67,9 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     for (const RangePlan* const ranges : {&render.bounds, &render.limits}) {
         if (ranges->materials.empty()) continue;
         for (const PlannedStage& stage : ranges->materials[m].stages)
-            text.does.push_back(fmt::format("runs {} on ranges of {}", stage_name(stage),
-                                            ranges == &render.bounds ? "exact arithmetic"
-                                                                     : "what a GPU may give"));
+            text.does.push_back(
+                fmt::format("runs {} on ranges of {}", stage_name(stage),
+                            ranges == &render.bounds ? "exact arithmetic" : "what a GPU may give"));
     }
 }
 
