@@ -37,7 +37,7 @@ int inverse_root(mpfr_ptr to, mpfr_srcptr x, mpfr_srcptr, mpfr_rnd_t mode) {
 #define QUADREL_TWO(f) \
     [](const Ranged& a, const Ranged& b) { return f; }, [](double a, double b) { return f; }
 
-const RangeCase cases[] = {
+const RangeCase range_cases[] = {
     {"+", QUADREL_TWO(a + b), mpfr_add, -1000, 1000, -1000, 1000},
     {"-", QUADREL_TWO(a - b), mpfr_sub, -1000, 1000, -1000, 1000},
     {"*", QUADREL_TWO(a* b), mpfr_mul, -1000, 1000, -1000, 1000},
@@ -107,10 +107,11 @@ testing::AssertionResult holds_results(const RangeCase& of, int count, Careless 
 }
 
 TEST(Ranges, HoldExactResultsAndThoseOfDouble) {
-    for (const RangeCase& of : cases) EXPECT_TRUE(holds_results(of, 60000, Careless::nothing));
+    for (const RangeCase& of : range_cases)
+        EXPECT_TRUE(holds_results(of, 60000, Careless::nothing));
 }
 TEST(Ranges, OfCarelessArithmeticAreFound) {
-    for (const RangeCase& of : cases) {
+    for (const RangeCase& of : range_cases) {
         if (of.exact == mpfr_min || of.exact == mpfr_max) continue;
         EXPECT_FALSE(holds_results(of, 400, Careless::ends_to_middle)) << of.name;
         EXPECT_FALSE(holds_results(of, 400, Careless::upper_end_of_lower)) << of.name;

@@ -9,20 +9,20 @@
 namespace quadrel::render_tests {
 namespace {
 
-const std::vector<std::string> judged = {"P",     "uv", "K", "r", "N",    "hit.U",
-                                         "hit.V", "R",  "G", "B", "hit.s"};
+const std::vector<std::string> limited_channels = {"P",     "uv", "K", "r", "N",    "hit.U",
+                                                   "hit.V", "R",  "G", "B", "hit.s"};
 
-struct Judged {
+struct LimitedScene {
     std::string scene;
     Window window;
     std::vector<std::string> overrides = {};
 };
 
-Film render_scene(const Judged& what, const std::string& limits,
-                  std::vector<std::string> more = {}) {
+Film render_limited(const LimitedScene& what, const std::string& limits,
+                    std::vector<std::string> more = {}) {
     more.insert(more.end(), what.overrides.begin(), what.overrides.end());
     RenderOptions options;
-    options.channels = judged;
+    options.channels = limited_channels;
     options.channels.push_back("A");
     options.window = what.window;
     options.limits = limits;
@@ -30,15 +30,15 @@ Film render_scene(const Judged& what, const std::string& limits,
 }
 
 /// What a film's float channels are beside the ranges of another.
-struct Verdict {
+struct RangeVerdict {
     std::size_t values = 0, outside = 0;
     /// Of values that differ from the reference's by more than their range is wide.
     std::size_t changed = 0, found = 0;
     std::string first;
 };
 
-Verdict judge(const Film& ranges, const Film& film) {
-    Verdict verdict;
+RangeVerdict verdict_of(const Film& ranges, const Film& film) {
+    RangeVerdict verdict;
     const Plane& covered = *ranges.find("A");
     for (const Plane& plane : film.planes) {
         const Plane* const low = ranges.find("gpu.lo." + plane.name);
@@ -63,11 +63,11 @@ Verdict judge(const Film& ranges, const Film& film) {
 }
 
 /// Pixels of a channel by what can be said of them, as shares of those that are covered.
-struct Shares {
+struct RangeShares {
     double ambiguous = 0, unbounded = 0;
 };
-Shares shares_of(const Film& ranges, const std::string& channel) {
-    Shares shares;
+RangeShares range_shares_of(const Film& ranges, const std::string& channel) {
+    RangeShares shares;
     double covered = 0;
     for (std::size_t i = 0; i < ranges.planes[0].bits.size(); ++i) {
         if (!(ranges.find("A")->as_float(i) > 0)) continue;
@@ -78,20 +78,21 @@ Shares shares_of(const Film& ranges, const std::string& channel) {
     return {shares.ambiguous / covered, shares.unbounded / covered};
 }
 
-const Judged plain{"sampler-mag-linear", {40, 40, 56, 48}};
-const Judged thesis_quad{"thesis-quad", {200, 200, 204, 204}};
-const Judged bricks{"bricks-45", {300, 300, 304, 304}};
-const Judged offset{"rows/offset-limit", {40, 40, 56, 48}};
-const Judged binary{"rows/relief-binary", {40, 40, 44, 44}};
+const LimitedScene plain_texture{"sampler-mag-linear", {40, 40, 56, 48}};
+const LimitedScene thesis_quad_part{"thesis-quad", {200, 200, 204, 204}};
+const LimitedScene bricks_part{"bricks-45", {300, 300, 304, 304}};
+const LimitedScene offset_part{"rows/offset-limit", {40, 40, 56, 48}};
+const LimitedScene binary_part{"rows/relief-binary", {40, 40, 44, 44}};
 
 TEST(Limits, HoldWhatOtherImplementationsGive) {
-    for (const Judged& what : {plain, thesis_quad, bricks, offset, binary})
+    for (const LimitedScene& what :
+         {plain_texture, thesis_quad_part, bricks_part, offset_part, binary_part})
         for (const std::string limits : {"gl", "vulkan", "d3d"}) {
-            const Film ranges = render_scene(what, limits);
+            const Film ranges = render_limited(what, limits);
             for (const std::string hardware : {"exact", "d3d", "llvmpipe", "swiftshader"}) {
                 if ((limits == "d3d") != (hardware == "d3d") && hardware != "exact") continue;
-                const Verdict verdict =
-                    judge(ranges, render_scene(what, "", {"hardware=\"" + hardware + "\""}));
+                const RangeVerdict verdict =
+                    verdict_of(ranges, render_limited(what, "", {"hardware=\"" + hardware + "\""}));
                 EXPECT_GT(verdict.values, 50u);
                 EXPECT_EQ(verdict.outside, 0u) << what.scene << ", limits " << limits << ", "
                                                << hardware << ": " << verdict.first;
@@ -100,12 +101,13 @@ TEST(Limits, HoldWhatOtherImplementationsGive) {
 }
 
 /// Renders of a scene within its ranges; empty where a stage of it does not run on ranges.
-std::optional<Verdict> verdict_of_row(const std::string& name) {
+std::optional<RangeVerdict> verdict_of_row(const std::string& name) {
     const Scene scene = load_scene(name);
     const int x = scene.width / 2, y = scene.height / 2;
-    const Judged what{name, {x, y, x + 4, y + 4}, {"samples=1"}};
+    const LimitedScene what{name, {x, y, x + 4, y + 4}, {"samples=1"}};
     try {
-        return judge(render_scene(what, "gl"), render_scene(what, "", {"hardware=\"llvmpipe\""}));
+        return verdict_of(render_limited(what, "gl"),
+                          render_limited(what, "", {"hardware=\"llvmpipe\""}));
     } catch (const UsageError&) {
         return std::nullopt;
     }
@@ -125,9 +127,9 @@ TEST(Limits, HoldEveryRowThatRunsOnRanges) {
 
 TEST(Limits, HoldTheLeastThatVulkanAllows) {
     const std::string same_snapping = "hardware=\"vulkan-min\"";
-    for (const Judged& what : {plain, thesis_quad, offset}) {
-        const Verdict verdict = judge(render_scene(what, "vulkan", {same_snapping}),
-                                      render_scene(what, "", {same_snapping}));
+    for (const LimitedScene& what : {plain_texture, thesis_quad_part, offset_part}) {
+        const RangeVerdict verdict = verdict_of(render_limited(what, "vulkan", {same_snapping}),
+                                                render_limited(what, "", {same_snapping}));
         EXPECT_EQ(verdict.outside, 0u) << what.scene << ": " << verdict.first;
     }
 }
@@ -147,16 +149,17 @@ TEST(Limits, FindMistakes) {
         {"half of the steps", {"material.relief.steps=64"}},
         {"a relief without its depth", {"material.relief.depth=0.05"}},
     };
-    const Film ranges = render_scene(thesis_quad, "gl");
+    const Film ranges = render_limited(thesis_quad_part, "gl");
     for (const Mistake& mistake : mistakes) {
-        const Verdict verdict = judge(ranges, render_scene(thesis_quad, "", mistake.overrides));
+        const RangeVerdict verdict =
+            verdict_of(ranges, render_limited(thesis_quad_part, "", mistake.overrides));
         EXPECT_GT(verdict.outside, 0u) << mistake.what;
         EXPECT_GE(2 * verdict.found, verdict.changed) << mistake.what;
     }
 }
 
 TEST(Limits, AreMostlyDecided) {
-    const Shares shares = shares_of(render_scene(bricks, "gl"), "R");
+    const RangeShares shares = range_shares_of(render_limited(bricks_part, "gl"), "R");
     EXPECT_LE(shares.ambiguous, 0.25);  // of few pixels; over whole scenes, less
     EXPECT_LE(shares.unbounded, 0.01);
 }
@@ -165,9 +168,9 @@ TEST(Limits, OfExactArithmeticAreNarrowAndWithinThose) {
     RenderOptions options;
     options.channels = {"bound.lo.uv.U", "bound.hi.uv.U", "bound.lo.K.U", "bound.hi.K.U",
                         "gpu.lo.K.U",    "gpu.hi.K.U",    "K.U"};
-    options.window = bricks.window;
+    options.window = bricks_part.window;
     options.limits = "gl";
-    const Film film = render(load_scene(bricks.scene), options);
+    const Film film = render(load_scene(bricks_part.scene), options);
     for (std::size_t i = 0; i < film.planes[0].bits.size(); ++i) {
         const auto value = [&](const char* name) { return film.find(name)->as_float(i); };
         EXPECT_LE(value("bound.hi.uv.U") - value("bound.lo.uv.U"), 1e-6);
@@ -180,10 +183,10 @@ TEST(Limits, OfExactArithmeticAreNarrowAndWithinThose) {
 TEST(Limits, AreTheSameOnAnyThreads) {
     RenderOptions options;
     options.channels = {"R", "undecided"};
-    options.window = bricks.window;
+    options.window = bricks_part.window;
     options.limits = "gl";
     options.threads = 1;
-    const Scene scene = load_scene(bricks.scene);
+    const Scene scene = load_scene(bricks_part.scene);
     const Film one = render(scene, options);
     options.threads = 3;
     options.tile = 4;

@@ -7,10 +7,11 @@
 namespace quadrel::source_tests {
 namespace {
 
-/// What the words do, and no text.
+/// What the words do, and what look-ups and interpolation are on ranges alone: no text.
 bool is_behind_words(const std::string& path) {
     static const std::regex words(
-        "relief/trace/search/(beam|course|height_ceiling|near_surface)\\.hpp$");
+        "relief/trace/search/(beam|course|height_ceiling|near_surface)\\.hpp$|"
+        "texture/range/|quad/range_interpolate\\.hpp$");
     return std::regex_search(path, words);
 }
 

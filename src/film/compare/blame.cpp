@@ -60,6 +60,9 @@ constexpr std::array data_flow = {
     std::string_view{"G"},
     std::string_view{"B"},
     std::string_view{"err"},
+    std::string_view{"bound"},
+    std::string_view{"gpu"},
+    std::string_view{"undecided"},
 };
 
 /// Whether a row of the order is the channel or a group that it belongs to.

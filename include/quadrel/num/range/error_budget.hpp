@@ -1,5 +1,5 @@
 // The errors that a specification permits an implementation of float32 arithmetic and of samplers.
-// Plain data: it crosses module borders. src/render/limits has one for each interface.
+// Plain data: it crosses module borders. src/render/ranges has one for each interface.
 #pragma once
 
 #include <cstdint>

@@ -76,11 +76,17 @@ struct RangeMask {
 
 inline bool any(const RangeMask& m) {
     if (!range_context().may_go_on()) return false;
-    bool open = false;
+    bool open = false, perhaps = false;
     for (const RangeTruth& truth : m.lane) {
         const RangeTruth known = truth.known();
-        if (known.state == RangeTruth::yes || known.state == RangeTruth::perhaps) return true;
+        if (known.state == RangeTruth::yes) return true;
+        perhaps |= known.state == RangeTruth::perhaps;
         open |= known.state == RangeTruth::open;
+    }
+    if (perhaps) {
+        // Such a lane's ranges grow from step to step: it is not waited for as long.
+        range_context().questions += 15;
+        return true;
     }
     if (!open) return false;
     for (const RangeTruth& truth : m.lane)

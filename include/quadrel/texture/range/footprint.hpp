@@ -35,7 +35,7 @@ struct TexelValue {
 };
 
 /// What a texel of one's own index may be: patches are few, whole maps are looked through once.
-inline constexpr double most_patches = 64, most_texels = 1024;
+inline constexpr double most_patches = 64, most_texels = 256;
 
 /// A range of texel coordinates along an axis (centres at .5), with what the sampler is off by.
 inline RealInterval texel_coordinates(const RealInterval& u, std::int32_t size,
