@@ -84,7 +84,7 @@ struct KindStats {
 
 /// Everything about one render. Times and memory differ from run to run; the rest does not, except
 /// that lanes of padding depend on the tile size, and look-ups without `has_touched` on what was
-/// left out, which differs between instruction sets.
+/// left out, which differs between instruction sets and from run to run.
 struct RenderStats {
     std::string isa, number;
     int packet_lanes = 0;      ///< lanes of one packet of the kernels
