@@ -162,7 +162,9 @@ bool run(const Arguments& arguments) {
 }
 
 void add_options(CLI::App& app, Arguments& a) {
-    app.add_option("--scenes", a.scenes, "random scenes")->capture_default_str();
+    app.add_option("--scenes", a.scenes, "random scenes")
+        ->capture_default_str()
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1000000000000}));
     app.add_option("--seed", a.seed, "of the random scenes")->capture_default_str();
     app.add_option("--lists", a.lists, "every N-th of the listed scenes; 0: none")
         ->capture_default_str()
