@@ -148,6 +148,7 @@ bool replay(const Arguments& arguments) {
 }
 
 bool run(const Arguments& arguments) {
+    if (!(arguments.seconds > 0)) throw UsageError("--seconds: found no number above 0");
     if (arguments.list) {
         for (const StressScene& scene : listed_scenes()) std::cout << scene.name << '\n';
         return true;
