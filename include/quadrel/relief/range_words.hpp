@@ -31,6 +31,20 @@ class StepsOnCourse<Ranges, before, Along, Position, Heights> : public Steps {
         : Steps(first, last) {}
 };
 
+/// Ranges are of doubles, in which nothing overflows that floats hold.
+template <>
+inline Ranges ordinary_scale<Ranges>(Ranges) {
+    return Ranges(1);
+}
+template <>
+inline Ranges ordinary_scale<Ranges>(const vec3<Ranges>&, const vec3<Ranges>&) {
+    return Ranges(1);
+}
+template <>
+inline Ranges length_at_any_scale<Ranges>(const vec3<Ranges>& v) {
+    return length(v);
+}
+
 template <>
 inline Ranges degenerate_tolerance<Ranges>() {
     const bool single = range_context().budget.unit > 0;
