@@ -57,7 +57,8 @@ class Judge {
         const double s = std::fabs(double(run_.s.as_float(i)) - truth_.s.as_float(i));
         const double du = double(run_.u.as_float(i)) - truth_.u.as_float(i);
         const double dv = double(run_.v.as_float(i)) - truth_.v.as_float(i);
-        const double texels = std::hypot(du * width_, dv * height_);
+        const double across = du * width_, down = dv * height_;
+        const double texels = std::sqrt(across * across + down * down);
         if (!has_ray(found) || !has_ray(real) || real == Status::nan)
             return {RayEnd::none, 0, 0, false};
         if (found == Status::nan || !std::isfinite(texels)) return {RayEnd::nan, 0, 0, false};

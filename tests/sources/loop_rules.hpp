@@ -53,7 +53,7 @@ inline bool is_written_out(const std::string& code, const std::string& head) {
 /// The name of the step in the head of a loop by words; empty for other loops.
 inline std::string step_name(const std::string& head) {
     static const std::regex words(
-        R"(const auto (\w+) :\s+((quadrel::)?(steps|rounds|steps_near_surface|steps_on_course)<\w+>|ray\.steps)\([^;]*\))");
+        R"(const auto (\w+) :\s+((quadrel::)?(steps|rounds|steps_near_surface|steps_on_course)<\w+(, Before::needed)?>|ray\.steps)\([^;]*\))");
     std::smatch match;
     return std::regex_match(head, match, words) ? match[1].str() : "";
 }
