@@ -178,7 +178,7 @@ auto shade_triangle(const RasterState& state, const std::array<ShaderVertex<n>, 
 
 /// One value a pixel, in image coordinates: from the top-left, whatever the conventions.
 template <class V>
-struct Picture {
+struct DrawnPicture {
     int width = 0, height = 0;
     std::vector<V> pixels;
 
@@ -195,9 +195,10 @@ struct Picture {
 
 /// shade_triangle as a picture of `background` with the covered pixels' values on it.
 template <Packet F, int n, class Shader, class V>
-Picture<V> draw_triangle(const Viewport& viewport, const std::array<ShaderVertex<n>, 3>& triangle,
-                         const Shader& shader, const V& background) {
-    Picture<V> picture{
+DrawnPicture<V> draw_triangle(const Viewport& viewport,
+                              const std::array<ShaderVertex<n>, 3>& triangle, const Shader& shader,
+                              const V& background) {
+    DrawnPicture<V> picture{
         viewport.width, viewport.height,
         std::vector<V>(std::size_t(viewport.width) * std::size_t(viewport.height), background)};
     const RasterState state = raster_state(viewport, hardware_model(Hardware::exact));

@@ -2,7 +2,13 @@
 // triangle, samples a texture of its own, shades a triangle with it, and asks for a derivative.
 #include <cstdio>
 
+#include "quadrel/compare.hpp"
+#include "quadrel/error_pictures.hpp"
+#include "quadrel/errors.hpp"
 #include "quadrel/film/film.hpp"
+#include "quadrel/film/preview.hpp"
+#include "quadrel/prepare.hpp"
+#include "quadrel/probe.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/shader.hpp"

@@ -135,11 +135,12 @@ TEST(TriangleShader, InterpolatesInFloatAndDouble) {
 
 TEST(TriangleShader, DrawsAPictureFromTheTopLeft) {
     const auto y = [](const auto& in) { return in.varying(1); };
-    const Picture<float> up = draw_triangle<F>({16, 16}, half, y, -1.0f);
+    const DrawnPicture<float> up = draw_triangle<F>({16, 16}, half, y, -1.0f);
     EXPECT_EQ(up.at(0, 15), 0.5f);
     EXPECT_EQ(up.at(0, 1), 14.5f);
     EXPECT_EQ(up.at(15, 0), -1.0f);
-    const Picture<float> down = draw_triangle<F>({16, 16, Conventions::vulkan}, half, y, -1.0f);
+    const DrawnPicture<float> down =
+        draw_triangle<F>({16, 16, Conventions::vulkan}, half, y, -1.0f);
     EXPECT_EQ(down.at(0, 0), 0.5f);
     EXPECT_EQ(down.at(15, 15), -1.0f);
     EXPECT_THROW(up.at(16, 0), std::out_of_range);
