@@ -13,9 +13,9 @@ inline ErrorBudget gpu_like() {
     budget.inverse_root = 2;
     budget.square_root = 4.5;
     budget.normalize = 7;
-    budget.exp2 = 3;
-    budget.exp2_slope = 2;
-    budget.log2 = 3;
+    budget.exp2 = budget.exp = 3;
+    budget.exp2_slope = budget.exp_slope = 2;
+    budget.log2 = budget.log = 3;
     budget.log2_absolute = 0x1p-21;
     budget.sine = 0x1p-11;
     budget.sine_limit = 3.15;

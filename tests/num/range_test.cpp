@@ -255,6 +255,37 @@ std::vector<RealInterval> ways_of(int lane, const Text& text) {
     return ways;
 }
 
+Ranges lanes(double a, double b, double c, double d) {
+    Ranges v;
+    const double all[] = {a, b, c, d};
+    for (int i = 0; i < 4; ++i) v.lane[i] = Ranged(all[i]);
+    return v;
+}
+
+/// Implementations may take a quad's differences from whichever row and column they like.
+TEST(Ranges, OfDerivativesHoldBothRowsAndColumns) {
+    const Ranges v = lanes(0, 1, 4, 9);
+    range_context().budget = gpu_like();
+    for (int i = 0; i < 4; ++i) {
+        for (const double x : {1.0, 5.0}) EXPECT_TRUE(holds(dFdx(v).lane[i].range(), x)) << i;
+        for (const double y : {4.0, 8.0}) EXPECT_TRUE(holds(dFdy(v).lane[i].range(), y)) << i;
+    }
+    range_context().budget = ErrorBudget();
+    EXPECT_FALSE(holds(dFdx(v).lane[0].range(), 5));
+    EXPECT_FALSE(holds(dFdy(v).lane[0].range(), 8));
+}
+
+/// Near t = 1 the form that compilers make of mix loses all of a small b.
+TEST(Ranges, OfMixHoldBothForms) {
+    const Ranges a(1), b(0x1p-30), t(1);
+    range_context().budget = gpu_like();
+    const RealInterval either = mix(a, b, t).lane[0].range();
+    EXPECT_TRUE(holds(either, 0x1p-30));
+    EXPECT_TRUE(holds(either, 0));
+    range_context().budget = ErrorBudget();
+    EXPECT_FALSE(holds(mix(a, b, t).lane[0].range(), 0));
+}
+
 TEST(RangeWays, AreGoneThroughOneByOne) {
     range_context().budget = ErrorBudget();
     const auto staircase = [] {

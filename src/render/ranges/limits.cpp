@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <limits>
 #include <sstream>
 
 #include "quadrel/error.hpp"
@@ -13,29 +14,30 @@
 namespace quadrel {
 namespace {
 
-constexpr double largest_pi = 3.15;  // arguments up to pi, rounded up
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double float_below_pi = 0x1.921fb4p+1;
 
 /// What the four have in common, and what none states: interpolation, and how precisely fixed-point
 /// texels are filtered.
 ErrorBudget shared_limits() {
     ErrorBudget budget;
     budget.unit = 0x1p-23;
-    budget.division = 2.5;
+    budget.division = 3.5;  // 2.5, or a product with 1 / y, which may be made of it
     budget.inverse_root = 2;
     budget.square_root = 4.5;  // 1 / inversesqrt(x)
     budget.normalize = 7;      // v / length(v)
-    budget.exp2 = 3;
-    budget.exp2_slope = 2;
-    budget.log2 = 3;
+    budget.exp2 = budget.exp = 3;
+    budget.exp2_slope = budget.exp_slope = 2;
+    budget.log2 = budget.log = 3;
     budget.log2_absolute = 0x1p-21;
     budget.sine = 0x1p-11;
-    budget.sine_limit = largest_pi;
+    budget.sine_limit = float_below_pi;
     budget.arctangent = 4096;
     budget.flushes_denormals = true;
     budget.any_derivative = true;
     budget.filtered = 0x1p-16;
     budget.plane = 0x1p-20;
-    budget.snapping = 0x1p-9;
+    budget.snapping = 0x1p-8;  // 8 bits, whichever way they are rounded
     budget.evaluation = 0x1p-23;
     return budget;
 }
@@ -50,9 +52,9 @@ ErrorBudget vulkan() {
 
 ErrorBudget gl() {
     ErrorBudget budget = shared_limits();
-    budget.sine_limit = 0x1p-149;  // nothing is stated
-    budget.address = 0x1p-8;       // nor here: what implementations have
-    budget.lod = 0x1p-4;
+    budget.sine = budget.arctangent = infinity;  // "undefined precision"
+    budget.address = 0x1p-8;                     // not stated: what implementations have
+    budget.lod = 0x1p-4;                         // nor is this
     budget.lod_freedom = LodFreedom::gl;
     return budget;
 }
@@ -63,11 +65,15 @@ ErrorBudget d3d() {
     budget.inverse_root = 4;  // 2^-21
     budget.square_root = 1;
     budget.normalize = 5;
-    budget.exp2 = 4;
+    budget.exp2 = budget.exp = 4;  // 2^-21; e^x is 2^(x log2(e)) and log(x) log2(x) log(2)
     budget.exp2_slope = 0;
+    budget.exp_slope = 1;
     budget.log2 = 4;
+    budget.log = 5;
     budget.sine = 0.0008;
     budget.sine_limit = 314;  // 100 pi
+    budget.arctangent = infinity;
+    budget.snapping = 0.6 * 0x1p-8;
     budget.address = 0.6 * 0x1p-8;
     budget.lod = 0x1p-8;
     budget.lod_freedom = LodFreedom::d3d;
@@ -80,6 +86,7 @@ double* setting(ErrorBudget& budget, const std::string& name) {
     if (name == "evaluation") return &budget.evaluation;
     if (name == "filtered") return &budget.filtered;
     if (name == "address") return &budget.address;
+    if (name == "lod") return &budget.lod;
     return nullptr;
 }
 
@@ -89,7 +96,7 @@ void apply_setting(ErrorBudget& budget, const std::string& text) {
     if (place == nullptr || equals == std::string::npos)
         throw UsageError(
             fmt::format("--limits: found \"{}\", expected plane=, snapping=, evaluation=, "
-                        "filtered= or address= and a number",
+                        "filtered=, address= or lod= and a number",
                         text));
     const char* const first = text.data() + equals + 1;
     const char* const last = text.data() + text.size();

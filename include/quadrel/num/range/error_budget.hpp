@@ -10,8 +10,8 @@ namespace quadrel {
 enum class LodFreedom : std::int32_t {
     exact,   ///< the sampler's own form
     d3d,     ///< from the longer gradient to the root of the sum of both squares
-    gl,      ///< max(|m_u|, |m_v|) to |m_u| + |m_v|, the greater of x and y
-    vulkan,  ///< the same, up to sqrt(2) (|m_u| + |m_v|)
+    vulkan,  ///< max(|m_u|, |m_v|) to sqrt(2) (|m_u| + |m_v|), the greater of x and y
+    gl,      ///< the same, or to the sum of the greater of |m_u| and of |m_v| in x and y
 };
 
 /// Errors in units of 2^-23 times the result ("ulp") unless said otherwise. All 0: exact arithmetic
@@ -21,16 +21,16 @@ struct ErrorBudget {
     /// may be fused, and sums and products of more than two terms taken in any order.
     double unit = 0;
     double division = 0, square_root = 0, inverse_root = 0;
-    double normalize = 0;  ///< of v's factor, over what dot(v, v) has
-    double exp2 = 0;       ///< 2^x and e^x: ulp, and as many more a unit of |x|
-    double exp2_slope = 0;
-    double log2 = 0;           ///< outside of [1/2, 2]
-    double log2_absolute = 0;  ///< inside, absolute
-    double sine = 0;           ///< absolute, up to |x| = sine_limit; beyond, anything
-    double sine_limit = 0;     ///< 0: the reference's own
-    double arctangent = 0;
+    double normalize = 0;             ///< of v's factor, over what dot(v, v) has
+    double exp2 = 0, exp2_slope = 0;  ///< 2^x: ulp, and as many more a unit of |x|
+    double exp = 0, exp_slope = 0;    ///< e^x, likewise
+    double log2 = 0, log = 0;         ///< outside of [1/2, 2]
+    double log2_absolute = 0;         ///< inside, absolute
+    double sine = 0;        ///< absolute, up to |x| = sine_limit; beyond, or if infinite, anything
+    double sine_limit = 0;  ///< 0: the reference's own
+    double arctangent = 0;  ///< infinite: anything
     bool flushes_denormals = false;
-    bool any_derivative = false;  ///< fine or coarse, as it likes
+    bool any_derivative = false;  ///< of either row or column of the quad, as it likes
 
     // Samplers.
     double address = 0;   ///< of a texel coordinate and so of weights, in texels

@@ -80,23 +80,22 @@ inline Ranged inversesqrt(const Ranged& a) {
 // ---- Powers and logarithms ----------------------------------------------------------------------
 
 namespace range_detail {
-/// e^x or 2^x of a range, whose error grows with |x|.
+/// e^x or 2^x of a range, with an error of so many units and as many more a unit of |x|.
 template <class Function>
-Ranged power(const Ranged& a, Function function) {
+Ranged power(const Ranged& a, double units, double slope, Function function) {
     if (!a.is_bounded()) return Ranged::anything();
     const RealInterval x = a.range();
     if (x.hi > 1100) return Ranged::anything();
-    const ErrorBudget& errors = budget();
-    return number(rounded(growing(x, function), errors.exp2 + errors.exp2_slope * x.magnitude()));
+    return number(rounded(growing(x, function), units + slope * x.magnitude()));
 }
-/// A logarithm of a range: by its own units outside of [1/2, 2], absolute inside.
+/// A logarithm of a range: by its units outside of [1/2, 2], absolute inside.
 template <class Function>
-Ranged logarithm(const Ranged& a, Function function) {
+Ranged logarithm(const Ranged& a, double units, Function function) {
     const RealInterval x = a.range();
     if (!a.is_bounded() || x.lo <= 0) return Ranged::anything();
     const ErrorBudget& errors = budget();
     RealInterval result = growing(x, function);
-    if (x.lo < 0.5 || x.hi > 2) result = rounded(result, errors.log2);
+    if (x.lo < 0.5 || x.hi > 2) result = rounded(result, units);
     if (x.lo <= 2 && x.hi >= 0.5 && errors.log2_absolute > 0)
         result = widened(result, errors.log2_absolute);
     return flushed(result);
@@ -104,16 +103,19 @@ Ranged logarithm(const Ranged& a, Function function) {
 }  // namespace range_detail
 
 inline Ranged exp2(const Ranged& a) {
-    return range_detail::power(a, [](double x) { return exp2(x); });
+    const ErrorBudget& errors = range_detail::budget();
+    return range_detail::power(a, errors.exp2, errors.exp2_slope, [](double x) { return exp2(x); });
 }
 inline Ranged exp(const Ranged& a) {
-    return range_detail::power(a, [](double x) { return exp(x); });
+    const ErrorBudget& errors = range_detail::budget();
+    return range_detail::power(a, errors.exp, errors.exp_slope, [](double x) { return exp(x); });
 }
 inline Ranged log2(const Ranged& a) {
-    return range_detail::logarithm(a, [](double x) { return log2(x); });
+    return range_detail::logarithm(a, range_detail::budget().log2,
+                                   [](double x) { return log2(x); });
 }
 inline Ranged log(const Ranged& a) {
-    return range_detail::logarithm(a, [](double x) { return log(x); });
+    return range_detail::logarithm(a, range_detail::budget().log, [](double x) { return log(x); });
 }
 
 /// 2^(y log2 x). Nothing is promised for x < 0, nor for x = 0 with y <= 0.
@@ -147,6 +149,7 @@ inline Ranged wave(const Ranged& a, int quarter) {
     if (!a.is_bounded()) return Ranged::anything();
     const RealInterval x = a.range();
     const ErrorBudget& errors = budget();
+    if (errors.sine == std::numeric_limits<double>::infinity()) return Ranged::anything();
     const double limit = errors.sine_limit > 0 ? errors.sine_limit : 0x1p20;
     if (x.magnitude() > limit) return errors.unit > 0 ? Ranged::anything() : Ranged(-1, 1);
     const auto value = [&](double at) { return quarter == 0 ? sin(at) : cos(at); };
@@ -168,18 +171,23 @@ inline Ranged wave(const Ranged& a, int quarter) {
 inline Ranged sin(const Ranged& a) { return range_detail::wave(a, 0); }
 inline Ranged cos(const Ranged& a) { return range_detail::wave(a, 1); }
 inline Ranged tan(const Ranged& a) { return sin(a) / cos(a); }
+namespace range_detail {
+/// The angle of a slope.
+inline Ranged angle(const RealInterval& slope) {
+    const double units = budget().arctangent;
+    if (units == std::numeric_limits<double>::infinity()) return Ranged::anything();
+    return rounded(growing(slope, [](double x) { return atan(x); }), units);
+}
+}  // namespace range_detail
+
 inline Ranged atan(const Ranged& a) {
-    if (!a.is_bounded()) return Ranged::anything();
-    return range_detail::rounded(range_detail::growing(a.range(), [](double x) { return atan(x); }),
-                                 range_detail::budget().arctangent);
+    return a.is_bounded() ? range_detail::angle(a.range()) : Ranged::anything();
 }
 /// Where x is above 0; elsewhere nothing is said.
 inline Ranged atan2(const Ranged& y, const Ranged& x) {
     const RealInterval run = x.range(), rise = y.range();
     if (!x.is_bounded() || !y.is_bounded() || run.lo <= 0) return Ranged::anything();
-    const RealInterval slope = rise / run;
-    return range_detail::rounded(range_detail::growing(slope, [](double t) { return atan(t); }),
-                                 range_detail::budget().arctangent);
+    return range_detail::angle(rise / run);
 }
 inline Ranged asin(const Ranged& a) {
     const RealInterval x = a.range();

@@ -107,12 +107,14 @@ inline Ranged difference(const Ranged& to, const Ranged& from) { return (to - fr
 inline Ranges differences(const Ranges& v, int step, DerivativeMode mode) {
     const bool any_mode = range_context().budget.any_derivative;
     const Ranged coarse = difference(v.lane[step], v.lane[0]);
+    const int across = 3 - step;  // coarse ones may be those of either row or column
+    const Ranged other = difference(v.lane[3], v.lane[across]);
     Ranges result;
     for (int i = 0; i < 4; ++i) {
         const int from = i & ~step;
         const Ranged fine = difference(v.lane[from + step], v.lane[from]);
         result.lane[i] = mode == DerivativeMode::coarse ? coarse : fine;
-        if (any_mode) result.lane[i] = join(fine, coarse);
+        if (any_mode) result.lane[i] = join(coarse, other);
     }
     return result;
 }

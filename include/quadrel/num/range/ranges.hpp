@@ -236,6 +236,13 @@ inline RangeInt to_int_in_range(const Ranges& a) { return to_int(a); }
 
 // ---- Functions: better matches than the texts of num/ -------------------------------------------
 
+/// a (1 - t) + b t, or a + t (b - a), which compilers make of it.
+inline Ranges mix(const Ranges& a, const Ranges& b, const Ranges& t) {
+    const Ranges usual = a * (Ranges(1) - t) + b * t;
+    if (range_detail::budget().unit == 0) return usual;
+    return map_lanes<Ranges>([](const Ranged& x, const Ranged& y) { return join(x, y); }, usual,
+                             a + t * (b - a));
+}
 inline Ranges min(const Ranges& a, const Ranges& b) {
     return map_lanes<Ranges>([](const Ranged& x, const Ranged& y) { return min(x, y); }, a, b);
 }

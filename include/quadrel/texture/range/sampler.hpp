@@ -194,7 +194,11 @@ inline RealInterval permitted_rho(LodForm form, const RealInterval (&x)[2],
         std::max(larger(size_of(x[0]), size_of(x[1])).lo, larger(size_of(y[0]), size_of(y[1])).lo);
     const double most =
         std::max(x[0].magnitude() + x[1].magnitude(), y[0].magnitude() + y[1].magnitude());
-    return {least, next_up(most * (freedom == LodFreedom::gl ? 1 : 0x1.6a09e667f3bcdp+0))};
+    const double greatest = freedom == LodFreedom::gl
+                                ? std::max(x[0].magnitude(), y[0].magnitude()) +
+                                      std::max(x[1].magnitude(), y[1].magnitude())
+                                : 0;
+    return {least, next_up(std::max(most * 0x1.6a09e667f3bcdp+0, greatest))};
 }
 
 /// log2, with what the sampler's form of it is off by; of 0, less than any level.
