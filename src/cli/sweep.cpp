@@ -5,6 +5,7 @@
 #include <charconv>
 #include <memory>
 
+#include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/common/quiet.hpp"
@@ -79,10 +80,14 @@ void say_failures(const sweep::SweepOutcome& outcome) {
 
 ExitCode run_sweep(const SweepArguments& arguments) {
     check_arguments(arguments);
+    CommandFiles files;
+    for (const char* name : {"results.json", "results.csv", "page.html"})
+        files.add_output("-o", std::filesystem::path(arguments.output) / name);
     load_plugins(arguments.plugins);
     if (arguments.plan.empty()) return merge(arguments);
     const Task task = parse_task(arguments.task);
     const sweep::Plan plan = sweep::read_plan(arguments.plan);
+    files.check();
     ProgressBar bar;
     sweep::SweepOptions options{arguments.output, task.number, task.of, QUADREL_VERSION, {}};
     options.progress = [&bar](std::size_t done, std::size_t all, const std::string& name) {
@@ -94,7 +99,8 @@ ExitCode run_sweep(const SweepArguments& arguments) {
                      outcome.known, outcome.failed));
     say_failures(outcome);
     finish(arguments, plan.title, outcome.records);
-    return ExitCode::ok;
+    const bool nothing = outcome.failed > 0 && outcome.measured + outcome.known == 0;
+    return nothing ? ExitCode::input : ExitCode::ok;
 }
 
 }  // namespace

@@ -60,6 +60,25 @@ TEST_F(SweepCommand, TheQuickPlanGivesAllFiles) {
     EXPECT_EQ(runs_in(folder / "out").size(), 48u);
 }
 
+TEST_F(SweepCommand, ThePlanIsNoOutput) {
+    for (const char* name : {"results.json", "results.csv", "page.html"}) {
+        testing_films::write_bytes(folder / name, plan);
+        const Outcome outcome = sweep({name, "-o", "."});
+        EXPECT_EQ(outcome.code, 2) << name;
+        EXPECT_EQ(file_bytes(folder / name), plan) << name;
+    }
+}
+
+TEST_F(SweepCommand, ASweepOfWhichNothingCanBeMeasuredIsNone) {
+    std::string bad = plan;
+    const std::string from = "\"material.relief.shadow\": \"none\"";
+    bad.replace(bad.find(from), from.size(), "\"material.relief.depthz\": 1");
+    testing_films::write_bytes(folder / "bad.json", bad);
+    const Outcome outcome = sweep({"bad.json", "-o", "out"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.err.find("depthz"), std::string::npos) << outcome.err;
+}
+
 TEST_F(SweepCommand, JobsOfBothSchedulersMakeTheWhole) {
     ASSERT_EQ(sweep({"plan.json", "-o", "whole", "--quiet"}).code, 0);
     for (const char* task : {"1", "2", "3"}) {

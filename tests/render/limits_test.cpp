@@ -84,6 +84,27 @@ const LimitedScene bricks_part{"bricks-45", {300, 300, 304, 304}};
 const LimitedScene offset_part{"rows/offset-limit", {40, 40, 56, 48}};
 const LimitedScene binary_part{"rows/relief-binary", {40, 40, 44, 44}};
 
+/// Of what nothing covers there is no doubt.
+TEST(Limits, HoldTheBackground) {
+    RenderOptions options;
+    options.channels = {"R", "G", "B", "A", "Z", "uv"};
+    options.limits = "gl";
+    const Film film = render(
+        load_scene("sampler-min-linear", {"size=[12,12]", "background=[0.25,0.5,0.75]"}), options);
+    std::size_t empty = 0;
+    for (std::size_t i = 0; i < film.planes[0].bits.size(); ++i) {
+        if (film.find("A")->as_float(i) > 0) continue;
+        ++empty;
+        for (const char* name : {"R", "G", "B", "Z", "uv.U", "uv.V"}) {
+            const std::uint32_t bits = film.find(name)->bits[i];
+            EXPECT_EQ(film.find(std::string("gpu.lo.") + name)->bits[i], bits) << name;
+            EXPECT_EQ(film.find(std::string("gpu.hi.") + name)->bits[i], bits) << name;
+            EXPECT_EQ(film.find(std::string("gpu.paths.") + name)->bits[i], 1u) << name;
+        }
+    }
+    EXPECT_GT(empty, 0u);
+}
+
 TEST(Limits, HoldWhatOtherImplementationsGive) {
     for (const LimitedScene& what :
          {plain_texture, thesis_quad_part, bricks_part, offset_part, binary_part})

@@ -134,6 +134,37 @@ TEST(Plan, WrongOnesAreRefusedInOneLine) {
     }
 }
 
+/// [1, 2, ... last], in so many parts of 1.
+std::string list_up_to(int last, int parts = 1) {
+    std::string list = "[";
+    for (int k = 1; k <= last; ++k)
+        list += fmt::format("{}{}", k == 1 ? "" : ", ", double(k) / parts);
+    return list + "]";
+}
+
+TEST(Plan, TooManyRunsAreRefused) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& text) -> std::string {
+        try {
+            plan_of(folder, text);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string pom = fmt::format(
+        R"({{"trace": "pom", "parameters": {{"steps_grazing": {0}, "steps_normal": {0}}}}})",
+        list_up_to(101));
+    EXPECT_NE(refusal(replaced(small_plan(), R"("max-mip")", pom)).find("10000 combinations"),
+              std::string::npos);
+    const std::string steps = "\"steps\": " + list_up_to(1001);
+    const std::string many = replaced(small_plan(), R"("steps": [4, 16])", steps);
+    EXPECT_EQ(refusal(many), "accepted");
+    const std::string views = "\"views\": " + list_up_to(1000, 20);
+    EXPECT_NE(refusal(replaced(many, R"("views": [0, 60])", views)).find("1000000"),
+              std::string::npos);
+}
+
 TEST(Plan, NamesThatMeanTwoThingsAreRefused) {
     const TemporaryFolder folder;
     const std::string twice = R"({"kind": "spikes", "size": 16, "name": "a"},

@@ -44,6 +44,8 @@ void check_integral(const IntegralOptions& integral, const RenderOptions& option
         throw UsageError("the error of an integral: expected a finite number that is not negative");
     if (options.touched)
         throw UsageError("an integral over pixels does not tell which texels it touches");
+    if (!options.limits.empty())
+        throw UsageError("--limits: an integral over pixels has no ranges of what a GPU may give");
 }
 
 void check_options(const RenderOptions& options) {

@@ -78,10 +78,18 @@ void read_format(Fields& fields, PlannedMap& map) {
     if (fields.has("wrap")) map.wrap = word_in(fields.get("wrap"), wraps);
 }
 
-/// All combinations of `lists`' values, the last one changing quickest.
+/// Combinations of an entry's values, and runs of a plan: a week of the quickest ones.
+constexpr std::size_t most_combinations = 10'000, most_runs = 1'000'000;
+
+/// All combinations of `lists`' values, the last one changing quickest. Refuses `entry`, whose they
+/// are, if there are too many.
 template <class T>
 std::vector<std::map<std::string, T>> products(
-    const std::vector<std::pair<std::string, std::vector<T>>>& lists) {
+    const SceneValue& entry, const std::vector<std::pair<std::string, std::vector<T>>>& lists) {
+    std::size_t count = 1;
+    for (const auto& [name, values] : lists)
+        if ((count *= values.size()) > most_combinations)
+            entry.fail("lists with more than 10000 combinations", "at most as many");
     std::vector<std::map<std::string, T>> all{{}};
     for (const auto& [name, values] : lists) {
         std::vector<std::map<std::string, T>> next;
@@ -117,7 +125,7 @@ std::vector<MapValues> map_values(Fields& fields, const MapKind& kind) {
         for (const SceneValue& value : elements(fields.get(name)))
             lists.back().second.push_back(value.number({parameter.low, parameter.high}));
     }
-    return products(lists);
+    return products(fields.get("kind"), lists);
 }
 
 void read_made(Fields& fields, PlannedMap map, std::vector<PlannedMap>& maps) {
@@ -194,7 +202,7 @@ std::vector<Parameters> read_parameters_of(const SceneValue& value, const std::s
         for (const SceneValue& one : elements(list))
             lists.back().second.push_back(parameter_value(one, trace, name));
     }
-    return products(lists);
+    return products(value, lists);
 }
 
 std::map<double, double> read_published(const SceneValue& value) {
@@ -341,6 +349,17 @@ void refuse_equal_names(const Plan& plan, Fields& fields) {
                                     "a \"name\" of its own for each");
 }
 
+void refuse_too_many_runs(const Plan& plan) {
+    double runs = 1;
+    for (const std::size_t factor :
+         {plan.scenes.size(), plan.maps.size(), plan.views.size(), plan.algorithms.size(),
+          plan.numbers.size(), plan.isas.size(), plan.threads.size()})
+        runs *= static_cast<double>(factor);
+    if (runs > static_cast<double>(most_runs))
+        throw InputError(plan.file.string(), "", fmt::format("{:.3g} runs", runs),
+                         fmt::format("at most {}", most_runs));
+}
+
 }  // namespace
 
 std::string View::name() const { return angle ? short_number(*angle) : "camera"; }
@@ -374,6 +393,7 @@ Plan read_plan(const std::filesystem::path& file) {
     read_running(fields, plan);
     refuse_equal_names(plan, fields);
     fields.finish("a plan");
+    refuse_too_many_runs(plan);
     return plan;
 }
 
