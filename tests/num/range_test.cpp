@@ -281,7 +281,7 @@ TEST(Ranges, OfMixHoldBothForms) {
     range_context().budget = gpu_like();
     const RealInterval either = mix(a, b, t).lane[0].range();
     EXPECT_TRUE(holds(either, 0x1p-30));
-    EXPECT_TRUE(holds(either, 0));
+    EXPECT_TRUE(holds(either, 0.0));
     range_context().budget = ErrorBudget();
     EXPECT_FALSE(holds(mix(a, b, t).lane[0].range(), 0));
 }

@@ -166,7 +166,7 @@ TEST(Limits, FindMistakes) {
         {"a colour that is not decoded", {"textures.bricks-color.format=\"unorm8\""}},
         {"light from the wrong point",
          {"lights=[{\"type\":\"point\",\"space\":\"eye\",\"position\":[-10,10,10]}]"}},
-        {"a level that is two off", {"textures.bricks-color.lod_bias=2"}},
+        {"a level that is four off", {"textures.bricks-color.lod_bias=4"}},
         {"half of the steps", {"material.relief.steps=64"}},
         {"a relief without its depth", {"material.relief.depth=0.05"}},
     };

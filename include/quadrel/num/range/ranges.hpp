@@ -236,12 +236,18 @@ inline RangeInt to_int_in_range(const Ranges& a) { return to_int(a); }
 
 // ---- Functions: better matches than the texts of num/ -------------------------------------------
 
-/// a (1 - t) + b t, or a + t (b - a), which compilers make of it.
+/// a (1 - t) + b t, or a + t (b - a), which compilers make of it: the same but for rounding, three
+/// times, of numbers as large as both together.
 inline Ranges mix(const Ranges& a, const Ranges& b, const Ranges& t) {
-    const Ranges usual = a * (Ranges(1) - t) + b * t;
-    if (range_detail::budget().unit == 0) return usual;
-    return map_lanes<Ranges>([](const Ranged& x, const Ranged& y) { return join(x, y); }, usual,
-                             a + t * (b - a));
+    Ranges result = a * (Ranges(1) - t) + b * t;
+    const double unit = range_detail::budget().unit;
+    for (int i = 0; unit > 0 && i < 4; ++i) {
+        const RealInterval usual = result.lane[i].range();
+        const double size = a.lane[i].range().magnitude() + b.lane[i].range().magnitude();
+        const double off = 3 * unit * size * std::max(1.0, t.lane[i].range().magnitude());
+        if (result.lane[i].is_bounded()) result.lane[i] = range_detail::widened(usual, off);
+    }
+    return result;
 }
 inline Ranges min(const Ranges& a, const Ranges& b) {
     return map_lanes<Ranges>([](const Ranged& x, const Ranged& y) { return min(x, y); }, a, b);
