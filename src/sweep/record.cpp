@@ -1,5 +1,7 @@
 #include "sweep/record.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
