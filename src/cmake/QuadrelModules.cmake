@@ -90,13 +90,22 @@ function(quadrel_kernel_sources variable number number_header function)
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()
 
+# quadrel_export_only(<module> <symbol> <map>)
+# Hidden visibility and the linker's version script <map>, which is written, keep all but <symbol> to
+# the module; it lies where modules are looked for.
+function(quadrel_export_only module symbol map)
+  file(WRITE ${map} "{ global: ${symbol}; local: *; };\n")
+  target_link_options(${module} PRIVATE -Wl,--version-script=${map})
+  set_target_properties(${module} PROPERTIES
+    PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+    LIBRARY_OUTPUT_DIRECTORY ${QUADREL_MODULE_DIR})
+endfunction()
+
 # quadrel_add_isa_modules(<prefix> EXPORTS <symbol> SOURCES <file>...)
 # Builds <prefix>-<isa>.so for every instruction set of this machine's architecture. Each exports
 # only <symbol>.
 function(quadrel_add_isa_modules prefix)
   cmake_parse_arguments(ARG "" "EXPORTS" "SOURCES" ${ARGN})
-  set(map ${CMAKE_CURRENT_BINARY_DIR}/${prefix}.map)
-  file(WRITE ${map} "{ global: ${ARG_EXPORTS}; local: *; };\n")
   foreach(isa IN LISTS QUADREL_ISAS)
     string(TOUPPER ${isa} ISA)
     set(target ${prefix}-${isa})
@@ -105,9 +114,6 @@ function(quadrel_add_isa_modules prefix)
     target_compile_options(${target} PRIVATE ${quadrel_flags_${isa}} -fno-gnu-unique)
     target_compile_definitions(${target} PRIVATE QUADREL_ISA=${isa} QUADREL_ISA_${ISA}=1
                                                  HWY_COMPILE_ONLY_STATIC)
-    target_link_options(${target} PRIVATE -Wl,--version-script=${map})
-    set_target_properties(${target} PROPERTIES
-      PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-      LIBRARY_OUTPUT_DIRECTORY ${QUADREL_MODULE_DIR})
+    quadrel_export_only(${target} ${ARG_EXPORTS} ${CMAKE_CURRENT_BINARY_DIR}/${prefix}.map)
   endforeach()
 endfunction()

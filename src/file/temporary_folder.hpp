@@ -12,13 +12,14 @@
 
 namespace quadrel {
 
-/// Under the system's temporary one; goes with all that is in it. Throws OutputError.
+/// Under the system's temporary one, its name begins with `name`; goes with all that is in it.
+/// Throws OutputError.
 class TemporaryFolder {
   public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "quadrel-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw OutputError(name, std::strerror(errno));
-        path_ = name;
+    explicit TemporaryFolder(const std::string& name = "quadrel") {
+        std::string path = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
+        if (mkdtemp(path.data()) == nullptr) throw OutputError(path, std::strerror(errno));
+        path_ = path;
     }
     ~TemporaryFolder() {
         std::error_code ignored;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "file/temporary_folder.hpp"
 #include "quadrel/error.hpp"
 #include "stress/planted.hpp"
 #include "stress/ranges/ranges.hpp"
@@ -26,27 +27,6 @@ struct Arguments {
     bool list = false, planted = false;
     int processes = 1;
     double seconds = 20;
-};
-
-/// A folder for maps, scenes and the cache of baked maps, gone at the end.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string pattern =
-            (std::filesystem::temp_directory_path() / "quadrel-stress-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern, "cannot be made");
-        path_ = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
 };
 
 /// In a process of its own: what forks later has no threads that a library has started.
@@ -154,7 +134,7 @@ bool run(const Arguments& arguments) {
         return true;
     }
     if (!arguments.only.empty()) return replay(arguments);
-    const TemporaryFolder folder;
+    const TemporaryFolder folder("quadrel-stress");
     setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
     write_maps_apart(folder.path());
     if (arguments.planted) return run_planted(arguments, folder.path());
