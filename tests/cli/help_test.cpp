@@ -40,12 +40,22 @@ std::vector<Words> examples_in(const std::string& help) {
     return examples;
 }
 
-/// A command line that makes sense, whatever became of it where its files are missing.
+/// Puts `value` behind `option` where there is such an option; whether there is.
+bool set_option(Words& words, const std::string& option, const std::string& value) {
+    const auto found = std::find(words.begin(), words.end(), option);
+    if (found == words.end()) return false;
+    *(found + 1) = value;
+    return true;
+}
+
+/// A command line that makes sense, whatever became of it where its files are missing. Of few
+/// pixels and samples: what they look like is not the question.
 AssertionResult makes_sense(Words words) {
     const TemporaryFolder folder;
     const bool draws = words[0] == "render" || words[0] == "sheet";
-    if (draws && std::find(words.begin(), words.end(), "--size") == words.end())
-        words.insert(words.end(), {"--size", "8x8"});
+    if (!set_option(words, "--size", "8x8") && draws) words.insert(words.end(), {"--size", "8x8"});
+    set_option(words, "--window", "0,0,8,8");
+    set_option(words, "--integrate", "2");
     const Outcome outcome = run(words, folder.path());
     if (outcome.code == 0 || outcome.code == 3) return AssertionSuccess();
     return AssertionFailure() << outcome.code << " " << outcome.err;
