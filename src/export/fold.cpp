@@ -36,10 +36,8 @@ std::string key_of(const Node& node) {
                       std::to_string(static_cast<int>(node.type)) + '|' + node.text + '|' +
                       std::to_string(node.index) + '|';
     char part[64];
-    if (node.kind == Kind::literal) {
-        std::snprintf(part, sizeof part, "%a", node.value);
-        key += part;
-    }
+    std::snprintf(part, sizeof part, "%a", node.value);
+    key += part;
     std::snprintf(part, sizeof part, "|%p", static_cast<const void*>(node.variable));
     key += part;
     for (const Node* argument : node.arguments) {
@@ -175,6 +173,7 @@ Node* Folder::simplified(Node node) {
     if (Node* const result = simple_logic(node)) return result;
     if (Node* const result = simple_sum(node)) return result;
     if (Node* const result = computed(node)) return result;
+    if (Node* const result = counted(node)) return result;
     const auto& arguments = node.arguments;
     if (node.kind == Kind::select) {
         if (arguments[0]->kind == Kind::literal)
@@ -225,12 +224,22 @@ Node* Folder::simple_logic(Node& node) {
     return nullptr;
 }
 
+/// A loop's counter is not above its last value, which texts ask where other number types go on.
+Node* Folder::counted(const Node& node) {
+    if (node.kind != Kind::binary || node.text != "<=") return nullptr;
+    const Node &counter = *node.arguments[0], &most = *node.arguments[1];
+    if (!is_operation(counter, Kind::call, "float") || most.kind != Kind::literal) return nullptr;
+    const Node& of = *counter.arguments[0];
+    const bool is_below = of.kind == Kind::symbol && of.value > 0 && of.value <= most.value;
+    return is_below && of.value < 16777216 ? literal(Type::boolean, 1) : nullptr;
+}
+
 /// x - 0, x + -0, x * 1 and x / 1 are x, whatever x is; 0 + x is not where x is -0.
 Node* Folder::simple_sum(const Node& node) {
     if (node.kind != Kind::binary || node.type == Type::boolean) return nullptr;
     Node *const a = node.arguments[0], *const b = node.arguments[1];
     if (node.text == "-" && is_literal(*b, 0)) return a;
-    const double nothing = node.type == Type::real ? -0.0 : 0;
+    const double nothing = node.type == Type::integer ? 0 : -0.0;
     if (node.text == "+" || (node.text == "|" && node.type == Type::integer)) {
         if (is_literal(*a, nothing)) return b;
         if (is_literal(*b, nothing)) return a;

@@ -34,6 +34,7 @@ class Folder {
     Node* simple_logic(Node& node);
     Node* simple_sum(const Node& node);
     Node* computed(const Node& node);
+    Node* counted(const Node& node);
     Node* named_vector(const Node& node, Node* vector);
     Node* literal(Type type, double value);
     /// The node that is equal to `node` and known where that stands; else a new one.

@@ -195,9 +195,23 @@ void Locals::declare() {
     declare_changed();
 }
 
+/// A difference of neighbours is no part of a condition, or of what one chooses: there, a shader
+/// may leave it out for some of them.
+bool Locals::declare_difference(Node* node) {
+    if (node->kind != Kind::call ||
+        (node->text != "dFdx" && node->text != "dFdy" && node->text != "texture"))
+        return false;
+    Info& info = info_[node];
+    const bool has_one_user = info.uses.size() == 1 && info.uses[0].node != nullptr;
+    const Node* const user = has_one_user ? info.uses[0].node : nullptr;
+    info_[user != nullptr && user->kind == Kind::component ? user : node].declared = true;
+    return true;
+}
+
 void Locals::declare_if_used_much(Node* node, const std::set<const Node*>& assigned) {
     Info& info = info_[node];
     if (!info.needed || is_cheap(*node)) return;
+    if (declare_difference(node)) return;
     const auto& arguments = node->arguments;
     // A negation of what has a name, or is a variable, is said again.
     if (node->kind == Kind::unary && node->text == "!" && arguments[0]->kind != Kind::read &&

@@ -60,6 +60,7 @@ class Locals {
 
     void count_uses();
     void declare();
+    bool declare_difference(Node* node);
     void declare_if_used_much(Node* node, const std::set<const Node*>& assigned);
     void declare_vectors();
     const Region* place_of(const Node* node) const;

@@ -44,6 +44,8 @@ int channels_of(TextureSlot slot) {
     }
 }
 
+}  // namespace
+
 FrameUniforms plain_frame(int lights) {
     FrameUniforms frame{};
     frame.light_count = std::min(lights, max_lights);
@@ -56,8 +58,6 @@ FrameUniforms plain_frame(int lights) {
     }
     return frame;
 }
-
-}  // namespace
 
 ShaderScene plain_scene(int side, int lights) {
     ShaderScene scene(plain_frame(lights));

@@ -8,9 +8,12 @@ namespace quadrel::recorded {
 /// How maps are called in shaders.
 std::string map_name(TextureSlot slot);
 
+/// A camera at the origin, and lights that differ in kind: the first is directional, the second
+/// fades with the square of the distance.
+FrameUniforms plain_frame(int lights);
+
 /// Square maps of `side` texels with all of their levels, repeated, trilinear; baked ones with
-/// level 0 alone but for pyramids. A material that is white, and `lights` lights, the first one
-/// directional.
+/// level 0 alone but for pyramids. A material that is white, in plain_frame.
 ShaderScene plain_scene(int side, int lights);
 
 }  // namespace quadrel::recorded

@@ -38,7 +38,8 @@ int level_of(const Node& node) {
 
 /// `line` may be broken behind position i.
 bool breaks_at(const std::string& line, std::size_t i) {
-    return line[i] == ' ' && std::strchr(",=+-*/?:&|<>", line[i - 1]) != nullptr;
+    if (line[i] != ' ' || std::strchr(",=+-*/?:&|<>", line[i - 1]) == nullptr) return false;
+    return line[i - 1] != '&' || line[i - 2] == ' ' || line[i - 2] == '&';
 }
 
 }  // namespace

@@ -61,13 +61,13 @@ class BakedLookUp<slot, channels, StageIo<Stage, Shader>, what> {
 
     Texel<channels, Shader> operator()(const ShaderMask&, const vec2<Shader>& uv) const {
         using namespace recorded;
-        return texel(look_up("textureLod", map_.view, {pack<2>(uv), literal(Type::real, 0)}));
+        return texel(look_up("textureLod", map_, {pack<2>(uv), literal(Type::real, 0)}));
     }
     Texel<channels, Shader> operator()(const ShaderMask&, const vec2<Shader>& uv,
                                        const ShaderInt& layer) const {
         using namespace recorded;
         const vec3<Shader> at(uv.x, uv.y, to_float<Shader>(layer));
-        return texel(look_up("textureLod", map_.view, {pack<3>(at), literal(Type::real, 0)},
+        return texel(look_up("textureLod", map_, {pack<3>(at), literal(Type::real, 0)},
                              "sampler2DArray"));
     }
     vec2<Shader> size() const { return TexelSize<Shader>(map_).texels; }

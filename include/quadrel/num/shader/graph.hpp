@@ -40,7 +40,7 @@ struct Node {
     Kind kind = Kind::literal;
     Type type = Type::real;
     std::string text;
-    double value = 0;  ///< of a literal
+    double value = 0;  ///< of a literal; the last one of a loop's counter
     int index = 0;
     std::vector<Node*> arguments;
     Variable* variable = nullptr;  ///< of a read

@@ -38,7 +38,10 @@ class ShaderSteps {
         }
         ShaderStep operator*() const {
             if (of_.endless_) return {nullptr};
-            return {recorded::Recorder::current().symbol(recorded::Type::integer, loop_->index)};
+            recorded::Node* const index =
+                recorded::Recorder::current().symbol(recorded::Type::integer, loop_->index);
+            index->value = loop_->last;
+            return {index};
         }
         void operator++() { recorded::Recorder::current().end_loop(); }
 

@@ -61,9 +61,9 @@ inline vec4<Shader> sample_expanded(const SampledTexture& texture, const SampleC
                                     const vec2<Shader>& uv, const LodRecord<Shader>& lod) {
     using namespace recorded;
     if (lod.given.node() != nullptr)
-        return unpack<4>(look_up("textureLod", texture.view, {pack<2>(uv), lod.given.node()}));
+        return unpack<4>(look_up("textureLod", texture, {pack<2>(uv), lod.given.node()}));
     return unpack<4>(
-        look_up("textureGrad", texture.view, {pack<2>(uv), pack<2>(lod.dx), pack<2>(lod.dy)}));
+        look_up("textureGrad", texture, {pack<2>(uv), pack<2>(lod.dx), pack<2>(lod.dy)}));
 }
 inline vec4<Shader> sample_expanded(const SampledTexture& texture,
                                     const SampleContext<Shader>& context, const vec2<Shader>& uv,
@@ -72,18 +72,18 @@ inline vec4<Shader> sample_expanded(const SampledTexture& texture,
 }
 inline vec4<Shader> texture(const SampledTexture& from, const SampleContext<Shader>&,
                             const vec2<Shader>& uv, DerivativeMode = DerivativeMode::fine) {
-    return recorded::unpack<4>(recorded::look_up("texture", from.view, {recorded::pack<2>(uv)}));
+    return recorded::unpack<4>(recorded::look_up("texture", from, {recorded::pack<2>(uv)}));
 }
 inline vec4<Shader> texture_bias(const SampledTexture& from, const SampleContext<Shader>&,
                                  const vec2<Shader>& uv, const Shader& bias,
                                  DerivativeMode = DerivativeMode::fine) {
     return recorded::unpack<4>(
-        recorded::look_up("texture", from.view, {recorded::pack<2>(uv), bias.node()}));
+        recorded::look_up("texture", from, {recorded::pack<2>(uv), bias.node()}));
 }
 inline vec4<Shader> texture_gather(const SampledTexture& texture, const SampleContext<Shader>&,
                                    const vec2<Shader>& uv, int component = 0) {
     using namespace recorded;
-    return unpack<4>(look_up("textureGather", texture.view,
+    return unpack<4>(look_up("textureGather", texture,
                              {pack<2>(uv), literal(Type::integer, component)}));
 }
 
@@ -91,13 +91,13 @@ inline vec4<Shader> texture_cube(const SampledTexture& from, const SampleContext
                                  const vec3<Shader>& direction,
                                  DerivativeMode = DerivativeMode::fine) {
     using namespace recorded;
-    return unpack<4>(look_up("texture", from.view, {pack<3>(direction)}, "samplerCube"));
+    return unpack<4>(look_up("texture", from, {pack<3>(direction)}, "samplerCube"));
 }
 inline vec4<Shader> texture_cube_lod(const SampledTexture& from, const SampleContext<Shader>&,
                                      const vec3<Shader>& direction, const Shader& level) {
     using namespace recorded;
     return unpack<4>(
-        look_up("textureLod", from.view, {pack<3>(direction), level.node()}, "samplerCube"));
+        look_up("textureLod", from, {pack<3>(direction), level.node()}, "samplerCube"));
 }
 
 // ---- Texels -------------------------------------------------------------------------------------

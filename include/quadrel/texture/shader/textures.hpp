@@ -35,10 +35,17 @@ class ShaderTextures {
         return entry.is_bound ? &entry.texture : nullptr;
     }
 
-    const std::string& name_of(const TextureView& view) const {
+    const ShaderTexture& entry_of(const TextureView& view) const {
         const std::ptrdiff_t slot = view.texels - tags_.data();
         if (slot < 0 || slot >= most) throw recorded::RecordingError("reads a map of its own");
-        return entries_[static_cast<std::size_t>(slot)].name;
+        return entries_[static_cast<std::size_t>(slot)];
+    }
+    /// A text may look a map up by a sampler of its own: the nearest texel.
+    std::string name_of(const SampledTexture& texture) const {
+        const ShaderTexture& entry = entry_of(texture.view);
+        if (texture.sampler.mag == entry.texture.sampler.mag) return entry.name;
+        if (texture.sampler.mag == Filter::nearest) return entry.name + "_nearest";
+        throw recorded::RecordingError("filters a map that has no filter");
     }
     /// The texture whose table of sizes by level `table` is, and which: 0 width, 1 height.
     const TextureView* view_of_sizes(const std::int32_t* table, int& axis) const {
@@ -74,15 +81,21 @@ class ShaderTextures {
 namespace recorded {
 
 /// A sampler, as an argument of look-ups.
+inline Node* sampler(const SampledTexture& texture, const char* type) {
+    const std::string name = ShaderTextures::current().name_of(texture);
+    return Recorder::current().uniform(Type::integer, {name, type, 0});
+}
+/// The same where nothing is filtered.
 inline Node* sampler(const TextureView& view, const char* type) {
-    const std::string& name = ShaderTextures::current().name_of(view);
+    const std::string& name = ShaderTextures::current().entry_of(view).name;
     return Recorder::current().uniform(Type::integer, {name, type, 0});
 }
 
 /// A look-up in a texture: its name, and arguments after the sampler.
-inline Node* look_up(const char* function, const TextureView& view, std::vector<Node*> arguments,
-                     const char* type = "sampler2D") {
-    arguments.insert(arguments.begin(), sampler(view, type));
+template <class Map>
+Node* look_up(const char* function, const Map& map, std::vector<Node*> arguments,
+              const char* type = "sampler2D") {
+    arguments.insert(arguments.begin(), sampler(map, type));
     return call(Type::vec4, function, std::move(arguments));
 }
 
