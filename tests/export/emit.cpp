@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "export/exported.hpp"
-#include "export/plain_scene.hpp"
-#include "export/stage_text.hpp"
+#include "export/stages/plain_scene.hpp"
+#include "export/stages/stage_text.hpp"
 
 namespace quadrel::export_tests {
 namespace {

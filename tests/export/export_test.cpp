@@ -6,13 +6,10 @@
 #include "export/exported.hpp"
 #include "export/fragments.hpp"
 #include "export/glsl.hpp"
-#include "export/recorded_stage.hpp"
+#include "quadrel/relief/registry.hpp"
 
 namespace quadrel::export_tests {
 namespace {
-
-using recorded::find_recorded_stage;
-using recorded::RecordedStage;
 
 /// Every fourth quad of a batch is looked at: the stage runs on all.
 constexpr int quads_apart = 4;
@@ -21,8 +18,8 @@ class Comparison {
   public:
     explicit Comparison(std::uint64_t seed)
         : random_(seed),
-          scene_(recorded::plain_scene(exported_side, exported_lights)),
-          maps_(scene_, random_, true),
+          material_(recorded::plain_material()),
+          maps_(random_, true),
           frame_(random_frame(random_)) {
         fill_inputs(inputs_, random_);
         set_uniforms();
@@ -30,9 +27,8 @@ class Comparison {
 
     /// What differs first; empty if nothing does.
     std::string difference(const ExportedFunction& function) {
-        const RecordedStage& stage = *find_recorded_stage(function.id);
         bind_maps(function.uses_neighbours);
-        run_stage_itself(stage);
+        run_stage_itself(*find_stage(function.id));
         for (int lane = 0; lane < batch_lanes; lane += 4 * quads_apart) run_quad(function, lane);
         return compared();
     }
@@ -50,9 +46,9 @@ class Comparison {
         glsl::height_map_nearest.map = &nearest_;
     }
 
-    void run_stage_itself(const RecordedStage& stage) {
+    void run_stage_itself(const StageInfo& stage) {
         std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
-        stage.make_params(params.data());
+        stage.set_defaults(params.data());
         // Inputs first: a stage may store what others load.
         for (int slot = 0; slot < slot_count; ++slot)
             std::copy_n(inputs_.at(slot), batch_lanes, expected_.at(slot));
@@ -65,10 +61,10 @@ class Comparison {
         call.active = active;
         call.lanes = batch_lanes;
         call.parameters = params.data();
-        call.material = &scene_.material;
+        call.material = &material_;
         call.frame = &frame_;
         for (int slot = 0; slot < texture_slot_count; ++slot) call.textures[slot] = &bound_[slot];
-        find_kernel(scalar_float_kernels(), stage.text->id)(&call);
+        find_kernel(scalar_float_kernels(), stage.text.id)(&call);
     }
 
     void run_quad(const ExportedFunction& function, int first_lane) {
@@ -126,7 +122,7 @@ class Comparison {
     }
 
     test::Random random_;
-    ShaderScene scene_;
+    MaterialUniforms material_;
     RandomMaps maps_;
     FrameUniforms frame_;
     SlotArrays inputs_, expected_, found_;

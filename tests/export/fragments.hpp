@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "export/plain_scene.hpp"
+#include "export/exported.hpp"
+#include "export/stages/plain_maps.hpp"
 #include "kernels/table.hpp"
 #include "quadrel/quad/stage.hpp"
 #include "random.hpp"
@@ -43,10 +44,10 @@ class SlotArrays {
 /// Maps that fit the scene of the exported functions, of random texels; some are no numbers.
 class RandomMaps {
   public:
-    RandomMaps(const ShaderScene& scene, test::Random& random, bool nans) {
+    RandomMaps(test::Random& random, bool nans) {
         for (int slot = 0; slot < texture_slot_count; ++slot) {
             SampledTexture& map = maps_[slot];
-            map = *scene.textures.texture(slot);
+            map = {recorded::plain_view(static_cast<TextureSlot>(slot), exported_side), {}};
             std::vector<float>& texels = texels_[slot];
             // Layers and tables go on behind the last level.
             texels.resize(slot < static_cast<int>(first_baked_slot) ? texels_of(map.view) : 400000);
@@ -129,7 +130,7 @@ inline void fill_inputs(SlotArrays& arrays, test::Random& random) {
 }
 
 inline FrameUniforms random_frame(test::Random& random) {
-    FrameUniforms frame = recorded::plain_frame(2);
+    FrameUniforms frame = recorded::plain_frame(exported_lights);
     const auto fill = [&](float* to, int count) {
         for (int i = 0; i < count; ++i) to[i] = static_cast<float>(random.uniform(-1, 1));
     };

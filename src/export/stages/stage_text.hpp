@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "export/dialect.hpp"
-#include "export/recorded_stage.hpp"
+#include "export/print/dialect.hpp"
+#include "export/stages/recorded_stage.hpp"
 
 namespace quadrel::recorded {
 
@@ -21,6 +21,9 @@ struct FunctionText {
 /// Throws RecordingError.
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect);
+
+/// The function with all that it needs: version, constants, uniforms.
+std::string whole_file(const FunctionText& function, const Dialect& dialect);
 
 /// A word of letters, digits and underscores.
 std::string as_word(const std::string& text);

@@ -42,10 +42,9 @@ class Dialect {
     virtual std::string head(const std::string& name, const std::vector<Named>& inputs,
                              const std::vector<Named>& outputs) const;
     virtual std::string uniform(const Uniform& uniform) const;
-    /// What functions need in front of them.
-    virtual std::string prelude() const;
-    /// A whole file around functions: version and the like.
-    virtual std::string first_lines() const;
+    /// What `text` needs in front of it: the version, then constants and functions.
+    virtual std::string first_lines(const std::string& text) const;
+    virtual std::string prelude(const std::string& text) const;
 
   protected:
     static std::string join(const std::vector<std::string>& parts);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "export/dialect.hpp"
-#include "export/recorded_stage.hpp"
+#include "export/print/dialect.hpp"
+#include "export/stages/recorded_stage.hpp"
 
 namespace quadrel::recorded {
 

@@ -1,4 +1,4 @@
-#include "export/writer.hpp"
+#include "export/print/writer.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "export/fold.hpp"
+#include "export/print/fold.hpp"
 
 namespace quadrel::recorded {
 

@@ -1,10 +1,10 @@
-#include "export/stage_text.hpp"
+#include "export/stages/stage_text.hpp"
 
 #include <cctype>
 
-#include "export/fold.hpp"
-#include "export/named_parameters.hpp"
-#include "export/writer.hpp"
+#include "export/print/fold.hpp"
+#include "export/stages/named_parameters.hpp"
+#include "export/print/writer.hpp"
 
 namespace quadrel::recorded {
 namespace {
@@ -48,6 +48,16 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     result.text = comment(std::string(stage.text->id) + ": " + stage.text->summary) +
                   comment(std::string("Source: ") + stage.text->source) + function;
     return result;
+}
+
+std::string whole_file(const FunctionText& function, const Dialect& dialect) {
+    std::string uniforms;
+    for (const Uniform& uniform : function.uniforms) uniforms += dialect.uniform(uniform) + "\n";
+    std::string file;
+    for (const std::string& part : {dialect.first_lines(function.text),
+                                    dialect.prelude(function.text), uniforms, function.text})
+        if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
+    return file;
 }
 
 }  // namespace quadrel::recorded

@@ -1,4 +1,4 @@
-#include "export/fold.hpp"
+#include "export/print/fold.hpp"
 
 #include <algorithm>
 #include <cmath>

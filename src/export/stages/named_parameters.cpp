@@ -1,4 +1,4 @@
-#include "export/named_parameters.hpp"
+#include "export/stages/named_parameters.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "export/stage_text.hpp"
+#include "export/stages/stage_text.hpp"
 
 namespace quadrel::recorded {
 namespace {

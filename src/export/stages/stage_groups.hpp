@@ -1,7 +1,7 @@
 // The stages that are recorded, in groups that are compiled beside each other.
 #pragma once
 
-#include "export/recorded_stage.hpp"
+#include "export/stages/recorded_stage.hpp"
 
 namespace quadrel::recorded {
 

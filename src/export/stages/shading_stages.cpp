@@ -1,7 +1,7 @@
 // The words come before the rows, whose texts call them.
 #include "quadrel/relief/shader_words.hpp"
 // Everything before and after the traces.
-#include "export/stage_groups.hpp"
+#include "export/stages/stage_groups.hpp"
 #include "quadrel/quad/differentiate.hpp"
 #include "quadrel/quad/relief_depth.hpp"
 #include "quadrel/relief/frame/stages.hpp"

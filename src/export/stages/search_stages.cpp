@@ -1,7 +1,7 @@
 // The words come before the rows, whose texts call them.
 #include "quadrel/relief/shader_words.hpp"
 // The traces.
-#include "export/stage_groups.hpp"
+#include "export/stages/stage_groups.hpp"
 #include "quadrel/relief/trace/cone/stages.hpp"
 #include "quadrel/relief/trace/engine/stages.hpp"
 #include "quadrel/relief/trace/exact/stages.hpp"

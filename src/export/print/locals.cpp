@@ -1,8 +1,8 @@
-#include "export/locals.hpp"
+#include "export/print/locals.hpp"
 
 #include <algorithm>
 
-#include "export/fold.hpp"
+#include "export/print/fold.hpp"
 
 namespace quadrel::recorded {
 

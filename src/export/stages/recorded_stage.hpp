@@ -70,7 +70,7 @@ std::vector<RecordedStage> recorded_stages(StageList<Stages...>) {
 
 /// All stages that shaders can be made of, and why others cannot.
 struct Refusal {
-    const char* id;
+    const char *id, *room;
     const char* reason;
 };
 const std::vector<RecordedStage>& all_recorded_stages();

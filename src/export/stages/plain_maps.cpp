@@ -1,7 +1,9 @@
-#include "export/plain_scene.hpp"
+#include "export/stages/plain_maps.hpp"
 
 #include <algorithm>
 #include <iterator>
+
+#include "quadrel/quad/value.hpp"
 
 namespace quadrel::recorded {
 
@@ -59,31 +61,30 @@ FrameUniforms plain_frame(int lights) {
     return frame;
 }
 
-ShaderScene plain_scene(int side, int lights) {
-    ShaderScene scene(plain_frame(lights));
-    for (int slot = 0; slot < texture_slot_count; ++slot) {
-        const auto of = static_cast<TextureSlot>(slot);
-        TextureView view{};
-        view.channels = channels_of(of);
-        view.faces = of == TextureSlot::environment ? 6 : 1;
-        const bool is_pyramid = of == TextureSlot::max_mip || of == TextureSlot::min_max ||
-                                of == TextureSlot::texel_max;
-        view.levels = of < first_baked_slot || is_pyramid ? full_mip_levels(side, side) : 1;
-        int offset = 0;
-        for (int level = 0; level < view.levels; ++level) {
-            view.width[level] = view.height[level] = std::max(side >> level, 1);
-            view.offset[level] = offset;
-            offset += view.channels * view.faces * view.width[level] * view.height[level];
-        }
-        scene.textures.bind(slot, map_name(of), view, SamplerState());
+TextureView plain_view(TextureSlot slot, int side) {
+    TextureView view{};
+    view.channels = channels_of(slot);
+    view.faces = slot == TextureSlot::environment ? 6 : 1;
+    const bool is_pyramid = slot == TextureSlot::max_mip || slot == TextureSlot::min_max ||
+                            slot == TextureSlot::texel_max;
+    view.levels = slot < first_baked_slot || is_pyramid ? full_mip_levels(side, side) : 1;
+    int offset = 0;
+    for (int level = 0; level < view.levels; ++level) {
+        view.width[level] = view.height[level] = std::max(side >> level, 1);
+        view.offset[level] = offset;
+        offset += view.channels * view.faces * view.width[level] * view.height[level];
     }
-    MaterialUniforms& material = scene.material;
+    return view;
+}
+
+MaterialUniforms plain_material() {
+    MaterialUniforms material{};
     material.seat = 1;
     material.depth = 0.1f;
     material.shininess = 60;
     for (float* color : {material.ambient, material.diffuse, material.specular})
         std::fill_n(color, 3, 1.0f);
-    return scene;
+    return material;
 }
 
 }  // namespace quadrel::recorded

@@ -1,4 +1,4 @@
-#include "export/dialect.hpp"
+#include "export/print/dialect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,32 +89,42 @@ std::string Dialect::uniform(const Uniform& uniform) const {
     return "uniform " + uniform.type + " " + uniform.name + count + ";";
 }
 
-std::string Dialect::prelude() const {
-    return R"(const int STATUS_NONE = 0, STATUS_HIT = 1, STATUS_FLOOR = 2, STATUS_CAP = 3, STATUS_CLIP = 4;
-const int STATUS_NO_FRAME = 5, STATUS_NAN = 6, STATUS_OUTSIDE = 7;
-#define INFINITY intBitsToFloat(0x7f800000)
-#define NAN intBitsToFloat(0x7fc00000)
+std::string Dialect::prelude(const std::string& text) const {
+    struct Part {
+        const char *word, *text;
+    };
+    static constexpr Part parts[] = {
+        {"STATUS_",
+         "// hit_status and frame_status\n"
+         "const int STATUS_NONE = 0, STATUS_HIT = 1, STATUS_FLOOR = 2, STATUS_CAP = 3;\n"
+         "const int STATUS_CLIP = 4, STATUS_NO_FRAME = 5, STATUS_NAN = 6, STATUS_OUTSIDE = 7;\n"},
+        {"INFINITY", "#define INFINITY intBitsToFloat(0x7f800000)\n"},
+        {"NAN", "#define NAN intBitsToFloat(0x7fc00000)\n"},
+        {"power_of_two(",
+         "\n// 2 to the power of a whole number in [-126, 127].\n"
+         "float power_of_two(float n) {\n    return intBitsToFloat((int(n) + 127) << 23);\n}\n"},
+        {"exponent(",
+         "\n// floor(log2(|x|)) of a normal number.\n"
+         "float exponent(float x) {\n"
+         "    return float(((floatBitsToInt(x) >> 23) & 255) - 127);\n}\n"},
+        {"significand(",
+         "\n// |x| / 2^exponent(x) of a normal number, in [1, 2).\n"
+         "float significand(float x) {\n"
+         "    return intBitsToFloat((floatBitsToInt(x) & 0x007fffff) | 0x3f800000);\n}\n"},
+        {"copysign(",
+         "\n// The size of a with the sign of b.\n"
+         "float copysign(float a, float b) {\n"
+         "    return intBitsToFloat((floatBitsToInt(a) & 0x7fffffff) |\n"
+         "        (floatBitsToInt(b) & ~0x7fffffff));\n}\n"}};
+    std::string needed;
+    for (const Part& part : parts)
+        if (text.find(part.word) != std::string::npos) needed += part.text;
+    return needed;
+}
 
-// 2 to the power of a whole number in [-126, 127].
-float power_of_two(float n) {
-    return intBitsToFloat((int(n) + 127) << 23);
-}
-// |x| = significand(x) * 2^exponent(x) of a normal number, the significand in [1, 2).
-float exponent(float x) {
-    return float(((floatBitsToInt(x) >> 23) & 255) - 127);
-}
-float significand(float x) {
-    return intBitsToFloat((floatBitsToInt(x) & 0x007fffff) | 0x3f800000);
-}
-// The size of a with the sign of b.
-float copysign(float a, float b) {
-    return intBitsToFloat((floatBitsToInt(a) & 0x7fffffff) | (floatBitsToInt(b) & ~0x7fffffff));
-}
-)";
-}
-
-std::string Dialect::first_lines() const {
-    return "#version 330 core\n#extension GL_ARB_texture_gather : enable\n";
+std::string Dialect::first_lines(const std::string& text) const {
+    const bool gathers = text.find("textureGather") != std::string::npos;
+    return gathers ? "#version 400 core\n" : "#version 330 core\n";
 }
 
 namespace {
@@ -149,8 +159,8 @@ class CppDialect : public Dialect {
             uniform.count > 0 ? "[" + std::to_string(uniform.count) + "]" : "";
         return "extern " + uniform.type + " " + uniform.name + count + ";";
     }
-    std::string prelude() const override { return ""; }
-    std::string first_lines() const override { return ""; }
+    std::string prelude(const std::string&) const override { return ""; }
+    std::string first_lines(const std::string&) const override { return ""; }
 };
 
 struct DialectRow {

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "export/dialect.hpp"
-#include "export/locals.hpp"
+#include "export/print/dialect.hpp"
+#include "export/print/locals.hpp"
 #include "quadrel/num/shader/graph.hpp"
 
 namespace quadrel::recorded {
