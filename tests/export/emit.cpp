@@ -1,7 +1,8 @@
 // Writes all stages that can be exported as C++, for the tests: emit OUTPUT.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
+#include <ostream>
 
 #include "export/exported.hpp"
 #include "export/stages/plain_scene.hpp"
@@ -62,29 +63,96 @@ bool uses_neighbours(const std::string& text) {
     return false;
 }
 
-void write_all(std::ostream& out) {
-    const auto dialect = find_dialect("c++");
-    ShaderScene scene = plain_scene(exported_side, exported_lights);
-    std::ostringstream rows, reasons;
-    int functions = 0, refused = 0;
-    for (const RecordedStage& stage : all_recorded_stages()) {
+/// The row of a table.
+std::string row_of(const FunctionText& function, const char* id) {
+    return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
+           ", glsl::run_" + function.name + "}";
+}
+
+/// An error of a printer: what it writes in the place of what is right.
+struct Planted {
+    const char *id, *right, *wrong, *what;
+};
+constexpr Planted all_planted[] = {
+    {"linear", "h >= 1.0f - s", "h > 1.0f - s", "another comparison"},
+    {"linear", "dUVdx, dUVdy).x", "dUVdy, dUVdx).x", "swapped derivatives"},
+    {"linear", "i <= steps", "i < steps", "one step less"},
+    {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
+    {"steep", "1.0f - ", "1.0f + ", "another operator"},
+    {"max-mip", "max(0.0f, max(", "max(max(", "a minimum dropped"},
+    {"max-mip", "<< level", ">> level", "the other shift"},
+    {"relief-binary", "break;", "", "a way out lost"},
+    {"frame-gram", " - ", " + ", "the sign of a difference"},
+    {"shade-lambert", "0.0f + light0_diffuse", "light0_diffuse", "0 + x taken for x"}};
+
+/// `text` with the first `right` as `wrong`; empty where it has none.
+std::string with_error(const std::string& text, const Planted& planted) {
+    const std::size_t at = text.find(planted.right, text.find("{\n"));
+    if (at == std::string::npos) return "";
+    std::string result = text;
+    return result.replace(at, std::string(planted.right).size(), planted.wrong);
+}
+
+/// Functions, the table of them, and the reasons why others are none.
+class Emitter {
+  public:
+    Emitter(std::ostream& out, const Dialect& dialect)
+        : out_(out), dialect_(dialect), scene_(plain_scene(exported_side, exported_lights)) {}
+
+    void emit(const RecordedStage& stage) {
         try {
-            const FunctionText function = write_stage(stage, scene, nullptr, {}, *dialect);
-            write_function(out, function, *dialect);
-            rows << "    {\"" << stage.text->id << "\", "
-                 << (uses_neighbours(function.text) ? "true" : "false") << ", glsl::run_"
-                 << function.name << "},\n";
-            ++functions;
+            const FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
+            write_function(out_, function, dialect_);
+            rows_ += "    " + row_of(function, stage.text->id) + ",\n";
         } catch (const RecordingError& error) {
-            reasons << "    {\"" << stage.text->id << "\", \"" << error.what() << "\"},\n";
-            ++refused;
+            reasons_ +=
+                std::string("    {\"") + stage.text->id + "\", \"" + error.what() + "\"},\n";
         }
     }
-    out << "}  // namespace quadrel::glsl\n\nnamespace quadrel::export_tests {\n"
-        << "const ExportedFunction exported_functions[] = {\n"
-        << rows.str() << "};\nconst int exported_count = " << functions
-        << ";\nconst NotExported not_exported[] = {\n"
-        << reasons.str() << "};\nconst int not_exported_count = " << refused << ";\n}\n";
+
+    void plant(const Planted& planted) {
+        const RecordedStage& stage = *find_recorded_stage(planted.id);
+        FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
+        function.text = with_error(function.text, planted);
+        if (function.text.empty())
+            throw RecordingError(std::string(planted.id) + " has no " + planted.right);
+        const std::string name = function.name + "_planted" + std::to_string(planted_++);
+        for (std::size_t at = function.text.find(function.name + "("); at != std::string::npos;
+             at = function.text.find(function.name + "(", at + name.size()))
+            function.text.replace(at, function.name.size(), name);
+        function.name = name;
+        write_function(out_, function, dialect_);
+        planted_rows_ += "    {" + row_of(function, planted.id) + ", \"" + planted.what + "\"},\n";
+    }
+
+    void finish() {
+        out_ << "}  // namespace quadrel::glsl\n\nnamespace quadrel::export_tests {\n";
+        table("ExportedFunction", "exported_functions", "exported_count", rows_);
+        table("PlantedFunction", "planted_functions", "planted_count", planted_rows_);
+        table("NotExported", "not_exported", "not_exported_count", reasons_);
+        out_ << "}\n";
+    }
+
+  private:
+    void table(const char* type, const char* name, const char* count, const std::string& rows) {
+        out_ << "const " << type << " " << name << "[] = {\n"
+             << rows << "};\nconst int " << count << " = "
+             << std::count(rows.begin(), rows.end(), '\n') << ";\n";
+    }
+
+    std::ostream& out_;
+    const Dialect& dialect_;
+    ShaderScene scene_;
+    std::string rows_, planted_rows_, reasons_;
+    int planted_ = 0;
+};
+
+void write_all(std::ostream& out) {
+    const auto dialect = find_dialect("c++");
+    Emitter emitter(out, *dialect);
+    for (const RecordedStage& stage : all_recorded_stages()) emitter.emit(stage);
+    for (const Planted& planted : all_planted) emitter.plant(planted);
+    emitter.finish();
 }
 
 }  // namespace
@@ -95,9 +163,12 @@ int main(int argc, char** argv) {
     std::ofstream out(argv[1]);
     out << "#include \"export/fragment_arrays.hpp\"\n#include \"export/glsl.hpp\"\n\n"
         << "namespace quadrel::glsl {\n\nusing namespace export_tests;\n\n";
-    quadrel::export_tests::write_all(out);
+    try {
+        quadrel::export_tests::write_all(out);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
     out.close();
-    if (out) return 0;
-    std::fprintf(stderr, "cannot write %s\n", argv[1]);
-    return 1;
+    return out ? 0 : 1;
 }

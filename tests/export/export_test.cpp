@@ -135,5 +135,12 @@ TEST(Export, FunctionsHaveTheBitsOfTheirStages) {
         EXPECT_EQ(comparison.difference(exported_functions[i]), "") << exported_functions[i].id;
 }
 
+TEST(Export, ErrorsOfAPrinterAreFound) {
+    Comparison comparison(1);
+    for (int i = 0; i < planted_count; ++i)
+        EXPECT_NE(comparison.difference(planted_functions[i].function), "")
+            << planted_functions[i].function.id << ": " << planted_functions[i].what;
+}
+
 }  // namespace
 }  // namespace quadrel::export_tests

@@ -20,6 +20,14 @@ struct ExportedFunction {
 extern const ExportedFunction exported_functions[];
 extern const int exported_count;
 
+/// Functions with an error planted into their text: `what` says which.
+struct PlantedFunction {
+    ExportedFunction function;
+    const char* what;
+};
+extern const PlantedFunction planted_functions[];
+extern const int planted_count;
+
 /// A stage that no function was made of, and why.
 struct NotExported {
     const char* id;

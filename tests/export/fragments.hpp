@@ -77,8 +77,8 @@ class RandomMaps {
         const int n = heights.width[0];
         for (int level = 0; level < bounds.levels; ++level) {
             const int side = bounds.width[level], below = level == 0 ? n : bounds.width[level - 1];
-            const float* const from = level == 0 ? heights.texels
-                                                 : texels.data() + bounds.offset[level - 1];
+            const float* const from =
+                level == 0 ? heights.texels : texels.data() + bounds.offset[level - 1];
             const int stride = level == 0 ? 1 : 2;
             for (int i = 0; i < side * side; ++i) {
                 float& to = texels[static_cast<std::size_t>(bounds.offset[level] + i)];

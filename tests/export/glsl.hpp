@@ -168,14 +168,16 @@ inline vec4 textureGather(sampler of, vec2 uv, int component) {
 }
 inline vec4 texture(sampler of, vec2 uv) {
     const Packet u = quad_run.all(uv.x), v = quad_run.all(uv.y);
-    const auto texel = quadrel::texture(*of.map, SampleContext<Packet>(), quadrel::vec2<Packet>(u, v));
+    const auto texel =
+        quadrel::texture(*of.map, SampleContext<Packet>(), quadrel::vec2<Packet>(u, v));
     return {quad_run.own(texel.x), quad_run.own(texel.y), quad_run.own(texel.z),
             quad_run.own(texel.w)};
 }
 inline vec4 texture(sampler of, vec3 direction) {
     const Packet x = quad_run.all(direction.x), y = quad_run.all(direction.y),
                  z = quad_run.all(direction.z);
-    const auto texel = texture_cube(*of.map, SampleContext<Packet>(), quadrel::vec3<Packet>(x, y, z));
+    const auto texel =
+        texture_cube(*of.map, SampleContext<Packet>(), quadrel::vec3<Packet>(x, y, z));
     return {quad_run.own(texel.x), quad_run.own(texel.y), quad_run.own(texel.z),
             quad_run.own(texel.w)};
 }
@@ -201,18 +203,24 @@ inline int texture_size(sampler of, int level, int axis) {
 
 // ---- Uniforms -----------------------------------------------------------------------------------
 
-inline sampler height_map_nearest, height_map, color_map, gloss_map, emissive_map, normal_map, environment_map,
-    max_mip_map, min_max_map, texel_max_map, cone_map, cone_robust_map, cone_quick_map,
-    cone_rabbid_map, cone_cell_map, relaxed_cone_map, relaxed_cone_exact_map, quad_cone_map,
-    aniso_cone_map, distance_map, distance_exact_map, horizon_map, horizon_sampled_map, rmq_map;
+inline sampler height_map_nearest, height_map, color_map, gloss_map, emissive_map, normal_map,
+    environment_map, max_mip_map, min_max_map, texel_max_map, cone_map, cone_robust_map,
+    cone_quick_map, cone_rabbid_map, cone_cell_map, relaxed_cone_map, relaxed_cone_exact_map,
+    quad_cone_map, aniso_cone_map, distance_map, distance_exact_map, horizon_map,
+    horizon_sampled_map, rmq_map;
 /// In the order of TextureSlot.
-inline sampler* const samplers[] = {
-    &height_map,  &color_map,          &gloss_map,           &emissive_map,
-    &normal_map,  &environment_map,    &max_mip_map,         &min_max_map,
-    &texel_max_map, &cone_map,         &cone_robust_map,     &cone_quick_map,
-    &cone_rabbid_map, &cone_cell_map,  &relaxed_cone_map,    &relaxed_cone_exact_map,
-    &quad_cone_map, &aniso_cone_map,   &distance_map,        &distance_exact_map,
-    &horizon_map, &horizon_sampled_map, &rmq_map};
+inline sampler* const samplers[] = {&height_map,       &color_map,
+                                    &gloss_map,        &emissive_map,
+                                    &normal_map,       &environment_map,
+                                    &max_mip_map,      &min_max_map,
+                                    &texel_max_map,    &cone_map,
+                                    &cone_robust_map,  &cone_quick_map,
+                                    &cone_rabbid_map,  &cone_cell_map,
+                                    &relaxed_cone_map, &relaxed_cone_exact_map,
+                                    &quad_cone_map,    &aniso_cone_map,
+                                    &distance_map,     &distance_exact_map,
+                                    &horizon_map,      &horizon_sampled_map,
+                                    &rmq_map};
 static_assert(std::size(samplers) == static_cast<std::size_t>(texture_slot_count));
 
 inline vec3 eye, light0_position, light0_ambient, light0_diffuse, light0_specular, light1_position,

@@ -67,8 +67,8 @@ class BakedLookUp<slot, channels, StageIo<Stage, Shader>, what> {
                                        const ShaderInt& layer) const {
         using namespace recorded;
         const vec3<Shader> at(uv.x, uv.y, to_float<Shader>(layer));
-        return texel(look_up("textureLod", map_, {pack<3>(at), literal(Type::real, 0)},
-                             "sampler2DArray"));
+        return texel(
+            look_up("textureLod", map_, {pack<3>(at), literal(Type::real, 0)}, "sampler2DArray"));
     }
     vec2<Shader> size() const { return TexelSize<Shader>(map_).texels; }
 
@@ -101,9 +101,9 @@ inline vec2<Shader> both_channels<Shader>(const TextureView& view, ShaderInt x, 
 /// Statuses have names.
 template <>
 inline ShaderInt status_packet<Shader>(Status status) {
-    static constexpr const char* names[] = {"STATUS_NONE",    "STATUS_HIT",      "STATUS_FLOOR",
-                                            "STATUS_CAP",     "STATUS_CLIP",     "STATUS_NO_FRAME",
-                                            "STATUS_NAN",     "STATUS_OUTSIDE"};
+    static constexpr const char* names[] = {"STATUS_NONE", "STATUS_HIT",    "STATUS_FLOOR",
+                                            "STATUS_CAP",  "STATUS_CLIP",   "STATUS_NO_FRAME",
+                                            "STATUS_NAN",  "STATUS_OUTSIDE"};
     return ShaderInt(recorded::Recorder::current().symbol(recorded::Type::integer,
                                                           names[static_cast<int>(status)]));
 }

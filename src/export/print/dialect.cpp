@@ -1,6 +1,7 @@
 #include "export/print/dialect.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -89,6 +90,17 @@ std::string Dialect::uniform(const Uniform& uniform) const {
     return "uniform " + uniform.type + " " + uniform.name + count + ";";
 }
 
+namespace {
+/// Whether `word` begins somewhere in the text.
+bool has_word(const std::string& text, const std::string& word) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        if (at == 0 ||
+            (std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0 && text[at - 1] != '_'))
+            return true;
+    return false;
+}
+}  // namespace
+
 std::string Dialect::prelude(const std::string& text) const {
     struct Part {
         const char *word, *text;
@@ -118,7 +130,7 @@ std::string Dialect::prelude(const std::string& text) const {
          "        (floatBitsToInt(b) & ~0x7fffffff));\n}\n"}};
     std::string needed;
     for (const Part& part : parts)
-        if (text.find(part.word) != std::string::npos) needed += part.text;
+        if (has_word(text, part.word)) needed += part.text;
     return needed;
 }
 
@@ -138,8 +150,7 @@ class CppDialect : public Dialect {
     }
     std::string call(const Node& node, const std::vector<std::string>& arguments) const override {
         if (node.text == "int") return "to_int(" + arguments[0] + ")";
-        if (node.text == "textureSize")
-            return "texture_size(" + join(arguments) + ")";
+        if (node.text == "textureSize") return "texture_size(" + join(arguments) + ")";
         if (node.text == "texelFetch") return "texel_fetch(" + join(arguments) + ")";
         return Dialect::call(node, arguments);
     }
@@ -189,28 +200,28 @@ std::vector<std::string> dialect_names() {
 
 bool is_reserved(const std::string& word) {
     static const char* const words[] = {
-        "active",    "alignas",   "as",        "asm",       "auto",      "bool",      "break",
-        "case",      "cast",      "centroid",  "class",     "clip",      "common",    "const",
-        "continue",  "cross",     "default",   "discard",   "distance",  "do",        "dot",
-        "double",    "else",      "enum",      "exp",       "export",    "extern",    "external",
-        "false",     "filter",    "fixed",     "flat",      "float",     "floor",     "fn",
-        "for",       "fract",     "frac",      "from",      "goto",      "half",      "highp",
-        "if",        "in",        "inline",    "inout",     "input",     "int",       "interface",
-        "invariant", "layout",    "length",    "let",       "lerp",      "line",      "linear",
-        "log",       "long",      "loop",      "lowp",      "matrix",    "max",       "mediump",
-        "min",       "mix",       "mod",       "move",      "namespace", "new",       "noise",
-        "normalize", "not",       "of",        "operator",  "or",        "and",       "out",
-        "output",    "override",  "packed",    "partition", "pass",      "patch",     "point",
-        "pow",       "precise",   "precision", "private",   "public",    "ref",       "reflect",
-        "refract",   "register",  "resource",  "return",    "sample",    "sampler",   "saturate",
-        "self",      "set",       "shader",    "shared",    "short",     "sign",      "signed",
-        "sizeof",    "smooth",    "sqrt",      "static",    "step",      "struct",    "superp",
-        "switch",    "target",    "template",  "texture",   "this",      "triangle",  "true",
-        "type",      "typedef",   "uniform",   "union",     "unsigned",  "using",     "var",
-        "varying",   "vector",    "virtual",   "void",      "volatile",  "where",     "while",
-        "with",      "xor",       "yield",     "exponent",  "significand", "copysign", "abs",
-        "trunc",     "ceil",      "clamp",     "select",    "all",       "any",       "transpose",
-        "inverse",   "uint",      "ptr",       "array",     "atomic",    "storage",   "workgroup"};
+        "active",    "alignas",  "as",        "asm",       "auto",        "bool",     "break",
+        "case",      "cast",     "centroid",  "class",     "clip",        "common",   "const",
+        "continue",  "cross",    "default",   "discard",   "distance",    "do",       "dot",
+        "double",    "else",     "enum",      "exp",       "export",      "extern",   "external",
+        "false",     "filter",   "fixed",     "flat",      "float",       "floor",    "fn",
+        "for",       "fract",    "frac",      "from",      "goto",        "half",     "highp",
+        "if",        "in",       "inline",    "inout",     "input",       "int",      "interface",
+        "invariant", "layout",   "length",    "let",       "lerp",        "line",     "linear",
+        "log",       "long",     "loop",      "lowp",      "matrix",      "max",      "mediump",
+        "min",       "mix",      "mod",       "move",      "namespace",   "new",      "noise",
+        "normalize", "not",      "of",        "operator",  "or",          "and",      "out",
+        "output",    "override", "packed",    "partition", "pass",        "patch",    "point",
+        "pow",       "precise",  "precision", "private",   "public",      "ref",      "reflect",
+        "refract",   "register", "resource",  "return",    "sample",      "sampler",  "saturate",
+        "self",      "set",      "shader",    "shared",    "short",       "sign",     "signed",
+        "sizeof",    "smooth",   "sqrt",      "static",    "step",        "struct",   "superp",
+        "switch",    "target",   "template",  "texture",   "this",        "triangle", "true",
+        "type",      "typedef",  "uniform",   "union",     "unsigned",    "using",    "var",
+        "varying",   "vector",   "virtual",   "void",      "volatile",    "where",    "while",
+        "with",      "xor",      "yield",     "exponent",  "significand", "copysign", "abs",
+        "trunc",     "ceil",     "clamp",     "select",    "all",         "any",      "transpose",
+        "inverse",   "uint",     "ptr",       "array",     "atomic",      "storage",  "workgroup"};
     return std::any_of(std::begin(words), std::end(words),
                        [&](const char* known) { return word == known; });
 }

@@ -28,9 +28,9 @@ int level_of(const Node& node) {
         const char* text;
         int level;
     };
-    static constexpr Row rows[] = {{"*", 3},  {"/", 3},  {"+", 4},  {"-", 4},  {"<<", 5}, {">>", 5},
-                                   {"<", 6},  {">", 6},  {"<=", 6}, {">=", 6}, {"==", 7}, {"!=", 7},
-                                   {"&", 8},  {"^", 9},  {"|", 10}, {"&&", 11}};
+    static constexpr Row rows[] = {{"*", 3}, {"/", 3}, {"+", 4},  {"-", 4},  {"<<", 5}, {">>", 5},
+                                   {"<", 6}, {">", 6}, {"<=", 6}, {">=", 6}, {"==", 7}, {"!=", 7},
+                                   {"&", 8}, {"^", 9}, {"|", 10}, {"&&", 11}};
     for (const Row& row : rows)
         if (node.text == row.text) return row.level;
     return or_level;
@@ -48,8 +48,8 @@ std::string wrapped_line(const std::string& line) {
     std::size_t lead = line.find_first_not_of(' ');
     if (line.size() <= longest_line || lead == std::string::npos) return line;
     const bool is_comment = line.compare(lead, 2, "//") == 0;
-    const std::string indent = is_comment ? std::string(lead, ' ') + "// "
-                                          : std::string(lead + 4, ' ');
+    const std::string indent =
+        is_comment ? std::string(lead, ' ') + "// " : std::string(lead + 4, ' ');
     std::string rest = line, result;
     while (rest.size() > longest_line) {
         int open = 0, fewest = INT_MAX;
@@ -223,8 +223,8 @@ void Writer::region(const Region& region, int depth) {
             line(depth, event.text + (is_changed ? "_out" : "") + " = " +
                             text(event.value, choice_level) + ";");
         } else if (event.kind == Event::Kind::assign) {
-            const bool leaves = i + 1 < region.events.size() &&
-                                region.events[i + 1].kind == Event::Kind::leave;
+            const bool leaves =
+                i + 1 < region.events.size() && region.events[i + 1].kind == Event::Kind::leave;
             write_assignments(event, leaves ? &region.events[i + 1] : nullptr, depth);
         } else if (event.kind == Event::Kind::loop) {
             write_loop(*event.loop, depth);
@@ -275,11 +275,9 @@ void Writer::begin_variables(const Loop& loop, int depth) {
 }
 
 std::string Writer::begin_of(const Loop& loop) const {
-    if (loop.kind == Loop::Kind::block)
-        return "if (" + text(loop.condition, choice_level) + ") {";
+    if (loop.kind == Loop::Kind::block) return "if (" + text(loop.condition, choice_level) + ") {";
     if (loop.kind == Loop::Kind::rounds) return dialect_.endless_loop();
-    return dialect_.counted_loop(loop.index, std::to_string(loop.first),
-                                 std::to_string(loop.last));
+    return dialect_.counted_loop(loop.index, std::to_string(loop.first), std::to_string(loop.last));
 }
 
 void Writer::write_loop(const Loop& loop, int depth) {
@@ -388,10 +386,10 @@ void Writer::write_groups(const std::vector<Group>& groups, bool independent, in
             continue;
         }
         const std::string condition = text(group.condition, choice_level);
-        const bool is_else = independent && !condition_before.empty() &&
-                             (condition == "!" + condition_before ||
-                              condition_before == "!" + condition) &&
-                             condition.find(' ') == std::string::npos;
+        const bool is_else =
+            independent && !condition_before.empty() &&
+            (condition == "!" + condition_before || condition_before == "!" + condition) &&
+            condition.find(' ') == std::string::npos;
         const std::string head = is_else ? "else" : "if (" + condition + ")";
         if (group.lines.size() == 1) {
             line(depth, head + " " + group.lines[0]);
@@ -408,8 +406,7 @@ void Writer::write_assignments(const Event& event, const Event* leave, int depth
     std::vector<Group> groups = groups_of(event);
     const bool independent = are_independent(event);
     if (independent) join_groups(groups);
-    const bool is_out =
-        leave != nullptr && independent && leaves_by_group(groups, *leave);
+    const bool is_out = leave != nullptr && independent && leaves_by_group(groups, *leave);
     write_groups(groups, independent, depth);
     if (leave != nullptr && !is_out && !is_literal(*leave->value, 1))
         line(depth, leave_line(*leave));

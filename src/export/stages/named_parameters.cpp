@@ -112,8 +112,7 @@ NamedParameters::Places NamedParameters::places_of(int parameter,
             continue;
         }
         const auto offset = offset_from(a[i], odd[0], text.integer);
-        if (!offset || offset_from(b[i], odd[1], text.integer) != offset ||
-            !number_of(tokens[i]))
+        if (!offset || offset_from(b[i], odd[1], text.integer) != offset || !number_of(tokens[i]))
             return {};
         places.tokens.push_back(i);
         places.offsets.push_back(*offset);
@@ -138,10 +137,10 @@ std::string NamedParameters::written(const Write& write, const Dialect& dialect)
         }
         const std::string number = text.integer ? std::to_string(static_cast<std::int32_t>(value))
                                                 : dialect.real(static_cast<float>(value));
-        constants +=
-            "    " + dialect.parameter(text.integer ? Type::integer : Type::real,
+        constants += "    " +
+                     dialect.parameter(text.integer ? Type::integer : Type::real,
                                        names_[static_cast<std::size_t>(p)], number) +
-            "  // " + text.meaning + "\n";
+                     "  // " + text.meaning + "\n";
     }
     std::string function;
     for (const std::string& token : tokens) function += token;

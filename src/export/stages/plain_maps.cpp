@@ -8,14 +8,18 @@
 namespace quadrel::recorded {
 
 std::string map_name(TextureSlot slot) {
-    static const char* const names[] = {"height",       "color",         "gloss",
-                                        "emissive",     "normal",        "environment",
-                                        "max_mip",      "min_max",       "texel_max",
-                                        "cone",         "cone_robust",   "cone_quick",
-                                        "cone_rabbid",  "cone_cell",     "relaxed_cone",
-                                        "relaxed_cone_exact", "quad_cone", "aniso_cone",
-                                        "distance",     "distance_exact", "horizon",
-                                        "horizon_sampled", "rmq"};
+    static const char* const names[] = {"height",       "color",
+                                        "gloss",        "emissive",
+                                        "normal",       "environment",
+                                        "max_mip",      "min_max",
+                                        "texel_max",    "cone",
+                                        "cone_robust",  "cone_quick",
+                                        "cone_rabbid",  "cone_cell",
+                                        "relaxed_cone", "relaxed_cone_exact",
+                                        "quad_cone",    "aniso_cone",
+                                        "distance",     "distance_exact",
+                                        "horizon",      "horizon_sampled",
+                                        "rmq"};
     static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
     return std::string(names[static_cast<int>(slot)]) + "_map";
 }

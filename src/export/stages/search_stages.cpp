@@ -12,10 +12,9 @@ namespace quadrel::recorded {
 
 std::vector<RecordedStage> search_stages() {
     std::vector<RecordedStage> all;
-    for (const auto& group :
-         {recorded_stages(OffsetStages()), recorded_stages(MarchStages()),
-          recorded_stages(ConeStages()), recorded_stages(ExactStages()),
-          recorded_stages(EngineStages())})
+    for (const auto& group : {recorded_stages(OffsetStages()), recorded_stages(MarchStages()),
+                              recorded_stages(ConeStages()), recorded_stages(ExactStages()),
+                              recorded_stages(EngineStages())})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

@@ -3,8 +3,8 @@
 #include <cctype>
 
 #include "export/print/fold.hpp"
-#include "export/stages/named_parameters.hpp"
 #include "export/print/writer.hpp"
+#include "export/stages/named_parameters.hpp"
 
 namespace quadrel::recorded {
 namespace {
@@ -37,8 +37,7 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
         Folder(graph).run();
         const Locals locals(graph, outputs);
         Writer writer(graph, locals, dialect);
-        const std::string text =
-            writer.function(result.name, stage.inputs(), parameters.names());
+        const std::string text = writer.function(result.name, stage.inputs(), parameters.names());
         result.inputs = writer.inputs();
         result.outputs = writer.outputs();
         result.uniforms = graph.uniforms;

@@ -104,9 +104,9 @@ std::string with_named_values(const std::string& text) {
         const Head head = head_of(line);
         std::size_t end = 0;
         const std::string statement =
-            head.name.empty() ? ""
-                              : named_statement(text, at + head.length, head,
-                                                comments_before(text, at), end);
+            head.name.empty()
+                ? ""
+                : named_statement(text, at + head.length, head, comments_before(text, at), end);
         if (statement.empty()) {
             result += text.substr(at, line_end + 1 - at);
             at = line_end + 1;

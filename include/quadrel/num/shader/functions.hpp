@@ -141,8 +141,8 @@ requires std::same_as<F, Shader> vec<n, F> reflect(const vec<n, F>& i, const vec
     return recorded::vector<n>("reflect", {recorded::pack<n>(i), recorded::pack<n>(normal)});
 }
 template <int n, Number F>
-requires std::same_as<F, Shader>
-    vec<n, F> refract(const vec<n, F>& i, const vec<n, F>& normal, F eta) {
+requires std::same_as<F, Shader> vec<n, F> refract(const vec<n, F>& i, const vec<n, F>& normal,
+                                                   F eta) {
     return recorded::vector<n>("refract",
                                {recorded::pack<n>(i), recorded::pack<n>(normal), eta.node()});
 }

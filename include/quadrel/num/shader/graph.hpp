@@ -1,5 +1,5 @@
-// What a text on the number type Shader (shader.hpp) leaves behind: expressions in single-assignment
-// form, and around them the loops and blocks that they stand in.
+// What a text on the number type Shader (shader.hpp) leaves behind: expressions in
+// single-assignment form, and around them the loops and blocks that they stand in.
 #pragma once
 
 #include <cstdint>

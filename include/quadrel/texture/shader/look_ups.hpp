@@ -83,8 +83,8 @@ inline vec4<Shader> texture_bias(const SampledTexture& from, const SampleContext
 inline vec4<Shader> texture_gather(const SampledTexture& texture, const SampleContext<Shader>&,
                                    const vec2<Shader>& uv, int component = 0) {
     using namespace recorded;
-    return unpack<4>(look_up("textureGather", texture,
-                             {pack<2>(uv), literal(Type::integer, component)}));
+    return unpack<4>(
+        look_up("textureGather", texture, {pack<2>(uv), literal(Type::integer, component)}));
 }
 
 inline vec4<Shader> texture_cube(const SampledTexture& from, const SampleContext<Shader>&,
@@ -116,9 +116,9 @@ inline ShaderInt size_of_level(const TextureView& view, int axis, Node* level) {
 }  // namespace recorded
 
 template <Number F>
-requires std::same_as<F, Shader>
-    vec4<F> texel_fetch(const SampledTexture& texture, const SampleContext<F>&, ShaderInt x,
-                        ShaderInt y, ShaderInt level) {
+requires std::same_as<F, Shader> vec4<F> texel_fetch(const SampledTexture& texture,
+                                                     const SampleContext<F>&, ShaderInt x,
+                                                     ShaderInt y, ShaderInt level) {
     return recorded::unpack<4>(recorded::texel(texture.view, x, y, level.node()));
 }
 
