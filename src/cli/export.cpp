@@ -110,7 +110,7 @@ void add_export(CLI::App& app, Action& action) {
     const auto a = std::make_shared<ExportArguments>();
     verb->add_option("--stage", a->stage, "linear, or trace/linear");
     verb->add_option("--language", a->language, "of the function")
-        ->check(one_word_of(std::vector<std::string>{"glsl"}))
+        ->check(one_word_of(std::vector<std::string>{"glsl", "glsl-es", "hlsl"}))
         ->capture_default_str();
     verb->add_option("-D", a->parameters, "a parameter of the stage, in place of its default")
         ->type_name("NAME=VALUE");

@@ -67,9 +67,9 @@ void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
 
 extern "C" __attribute__((visibility("default"))) const quadrel::ExportTable*
 quadrel_export_table() {
-    static constexpr const char* languages[] = {"glsl", "c++"};
+    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl"};
     static constexpr quadrel::ExportTable table{
-        quadrel::export_magic, quadrel::export_abi_version, languages, 2, &quadrel::list_stages,
+        quadrel::export_magic, quadrel::export_abi_version, languages, 3, &quadrel::list_stages,
         &quadrel::write};
     return &table;
 }

@@ -75,14 +75,14 @@ struct Planted {
 };
 constexpr Planted all_planted[] = {
     {"linear", "h >= 1.0f - s", "h > 1.0f - s", "another comparison"},
-    {"linear", "dUVdx, dUVdy).x", "dUVdy, dUVdx).x", "swapped derivatives"},
+    {"linear", "uv + K * s", "uv - K * s", "the other direction"},
     {"linear", "i <= steps", "i < steps", "one step less"},
     {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
-    {"max-mip", "max(0.0f, max(", "max(max(", "a minimum dropped"},
+    {"max-mip", "max(0.0f, max(", "max(enters_x, max(", "a bound dropped"},
     {"max-mip", "<< level", ">> level", "the other shift"},
-    {"relief-binary", "break;", "", "a way out lost"},
-    {"frame-gram", " - ", " + ", "the sign of a difference"},
+    {"relief-binary", "break;", ";", "a way out lost"},
+    {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
     {"shade-lambert", "0.0f + light0_diffuse", "light0_diffuse", "0 + x taken for x"}};
 
 /// `text` with the first `right` as `wrong`; empty where it has none.

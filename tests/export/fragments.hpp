@@ -52,11 +52,9 @@ class RandomMaps {
             // Layers and tables go on behind the last level.
             texels.resize(slot < static_cast<int>(first_baked_slot) ? texels_of(map.view) : 400000);
             for (float& texel : texels) texel = static_cast<float>(random.uniform(0, 1));
-            if (nans)
-                for (int i = 0; i < 8; ++i)
-                    texels[random.below(4096)] = std::numeric_limits<float>::quiet_NaN();
             map.view.texels = texels.data();
         }
+        shape_heights(random, nans);
         raise_pyramid();
     }
 
@@ -68,6 +66,21 @@ class RandomMaps {
         return static_cast<std::size_t>(view.offset[last]) +
                static_cast<std::size_t>(view.channels * view.faces * view.width[last] *
                                         view.height[last]);
+    }
+    /// Columns at half the height, where rays meet the surface exactly at a sample; low ones, which
+    /// rays pass; of nothing, which they come to last; and any.
+    void shape_heights(test::Random& random, bool nans) {
+        const TextureView& view = maps_[static_cast<int>(TextureSlot::height)].view;
+        std::vector<float>& texels = texels_[static_cast<int>(TextureSlot::height)];
+        for (int level = 0; level < view.levels; ++level) {
+            const int side = view.width[level];
+            for (int i = 0; i < side * side; ++i) {
+                float& texel = texels[static_cast<std::size_t>(view.offset[level] + i)];
+                const int part = i % side * 4 / side;
+                texel = part == 0 ? 0.5f : part == 2 ? 0.0f : part == 1 ? 0.3f * texel : texel;
+                if (nans && random.chance(0.01)) texel = std::numeric_limits<float>::quiet_NaN();
+            }
+        }
     }
     /// Bounds that hold, so that searches come to the surface: level 0 over the cells, then up.
     void raise_pyramid() {
@@ -116,6 +129,9 @@ inline void fill_inputs(SlotArrays& arrays, test::Random& random) {
     for (int lane = 0; lane < batch_lanes; ++lane) {
         any(Value::P, 2)[lane] -= 2;
         any(Value::relief_depth, 0)[lane] = static_cast<float>(random.uniform(0.01, 1));
+        const float footprint = random.chance(0.1) ? 1.0f : 0.03f;
+        for (const Value gradient : {Value::dUVdx, Value::dUVdy})
+            for (int c = 0; c < 2; ++c) any(gradient, c)[lane] *= footprint;
         any(Value::r, 0)[lane] = static_cast<float>(random.uniform(0, 1));
         const double shift = random.chance(0.1) ? 5 : 0.4;
         for (int c = 0; c < 2; ++c) any(Value::K, c)[lane] *= static_cast<float>(shift);

@@ -54,13 +54,11 @@ struct TexelSize<Shader> {
 template <TextureSlot slot, int channels, class Stage, Interpolated what>
 class BakedLookUp<slot, channels, StageIo<Stage, Shader>, what> {
   public:
-    explicit BakedLookUp(const StageIo<Stage, Shader>& io) : map_(*io.template texture<slot>()) {
-        if (what == Interpolated::roots)
-            throw recorded::RecordingError("interpolates the roots of a map's channel");
-    }
+    explicit BakedLookUp(const StageIo<Stage, Shader>& io) : map_(*io.template texture<slot>()) {}
 
     Texel<channels, Shader> operator()(const ShaderMask&, const vec2<Shader>& uv) const {
         using namespace recorded;
+        if constexpr (what == Interpolated::roots) return interpolated_roots(uv);
         return texel(look_up("textureLod", map_, {pack<2>(uv), literal(Type::real, 0)}));
     }
     Texel<channels, Shader> operator()(const ShaderMask&, const vec2<Shader>& uv,
@@ -73,6 +71,21 @@ class BakedLookUp<slot, channels, StageIo<Stage, Shader>, what> {
     vec2<Shader> size() const { return TexelSize<Shader>(map_).texels; }
 
   private:
+    /// What no sampler does: texel by texel.
+    Texel<channels, Shader> interpolated_roots(const vec2<Shader>& uv) const {
+        const auto level = level_geometry<Shader>(map_.view, 0);
+        const Footprint<Shader> at = address(map_, level, uv, Filter::linear);
+        FourTaps<channels, Shader> taps;
+        for (int tap = 0; tap < 4; ++tap) {
+            const ShaderInt x = tap % 2 == 0 ? at.x.first : at.x.second;
+            const ShaderInt y = tap / 2 == 0 ? at.y.first : at.y.second;
+            taps.tap[tap] = texel(recorded::texel(map_.view, x, y, nullptr));
+            taps.tap[tap].channel[1] = sqrt(taps.tap[tap].channel[1]);
+        }
+        Texel<channels, Shader> result = blend(taps, at.x.weight, at.y.weight);
+        result.channel[1] = result.channel[1] * result.channel[1];
+        return result;
+    }
     static Texel<channels, Shader> texel(recorded::Node* value) {
         Texel<channels, Shader> result;
         for (int i = 0; i < channels; ++i)

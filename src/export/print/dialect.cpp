@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "export/print/hlsl.hpp"
+
 namespace quadrel::recorded {
 
 std::string Dialect::join(const std::vector<std::string>& parts) {
@@ -90,16 +92,13 @@ std::string Dialect::uniform(const Uniform& uniform) const {
     return "uniform " + uniform.type + " " + uniform.name + count + ";";
 }
 
-namespace {
-/// Whether `word` begins somewhere in the text.
-bool has_word(const std::string& text, const std::string& word) {
+bool Dialect::has_word(const std::string& text, const std::string& word) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
         if (at == 0 ||
             (std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0 && text[at - 1] != '_'))
             return true;
     return false;
 }
-}  // namespace
 
 std::string Dialect::prelude(const std::string& text) const {
     struct Part {
@@ -140,6 +139,18 @@ std::string Dialect::first_lines(const std::string& text) const {
 }
 
 namespace {
+
+/// GLSL ES 300, or 310 where it gathers.
+class EsDialect : public Dialect {
+  public:
+    std::string first_lines(const std::string& text) const override {
+        std::string lines =
+            has_word(text, "textureGather") ? "#version 310 es\n" : "#version 300 es\n";
+        for (const char* type : {"float", "int", "sampler2D", "sampler2DArray", "samplerCube"})
+            lines += std::string("precision highp ") + type + ";\n";
+        return lines;
+    }
+};
 
 /// C++ with the header of tests/export: what the tests compile to hold the text to the stage.
 class CppDialect : public Dialect {
@@ -182,7 +193,10 @@ template <class D>
 std::unique_ptr<Dialect> made() {
     return std::make_unique<D>();
 }
-const DialectRow dialects[] = {{"glsl", made<Dialect>}, {"c++", made<CppDialect>}};
+const DialectRow dialects[] = {{"glsl", made<Dialect>},
+                               {"glsl-es", made<EsDialect>},
+                               {"hlsl", made<HlslDialect>},
+                               {"c++", made<CppDialect>}};
 
 }  // namespace
 

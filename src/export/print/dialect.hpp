@@ -47,12 +47,15 @@ class Dialect {
     virtual std::string prelude(const std::string& text) const;
 
   protected:
+    /// Whether `word` begins somewhere in the text.
+    static bool has_word(const std::string& text, const std::string& word);
     static std::string join(const std::vector<std::string>& parts);
     /// The fewest digits that read back as `value`, as GLSL wants them: with a point.
     static std::string shortest(float value);
 };
 
-/// By its name on the command line: glsl; null where there is none of that name.
+/// By its name on the command line: glsl, glsl-es, hlsl, c++; null where there is none of that
+/// name.
 std::unique_ptr<Dialect> find_dialect(std::string_view name);
 /// Their names.
 std::vector<std::string> dialect_names();

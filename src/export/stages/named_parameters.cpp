@@ -82,12 +82,13 @@ NamedParameters::Params NamedParameters::with(int parameter, double value) const
     return params;
 }
 
-void NamedParameters::odd_values(int parameter, double (&odd)[2]) const {
+void NamedParameters::odd_values(int parameter, double (&odd)[odd_count]) const {
     const ParameterText& text = stage_.parameters[parameter];
     const double range = text.maximum - text.minimum;
-    const double part[2] = {0.30078125, 0.61328125};
-    for (int i = 0; i < 2; ++i) {
+    const double part[odd_count] = {0.30078125, 0.61328125, 0};
+    for (int i = 0; i < odd_count; ++i) {
         odd[i] = text.minimum + std::min(range, 4096.0) * part[i];
+        if (part[i] == 0) odd[i] += text.integer ? 2 : std::min(range, 4.0) * 0.0087890625;
         if (text.integer) odd[i] = std::floor(odd[i]);
         odd[i] = static_cast<float>(odd[i]);
     }
@@ -97,27 +98,36 @@ NamedParameters::Places NamedParameters::places_of(int parameter,
                                                    const std::vector<std::string>& tokens,
                                                    const Write& write) const {
     const ParameterText& text = stage_.parameters[parameter];
-    double odd[2];
+    double odd[odd_count];
     odd_values(parameter, odd);
     // A choice, and what has few values, is decided by branches.
     if (text.value_names != nullptr || std::fabs(odd[1] - odd[0]) < (text.integer ? 3 : 0))
         return {};
-    const auto a = tokens_of(write(with(parameter, odd[0]).data()));
-    const auto b = tokens_of(write(with(parameter, odd[1]).data()));
+    std::vector<std::string> changed[odd_count];
+    for (int k = 0; k < odd_count; ++k) {
+        changed[k] = tokens_of(write(with(parameter, odd[k]).data()));
+        if (changed[k].size() != tokens.size()) return {};
+    }
     Places places;
-    if (a.size() != tokens.size() || b.size() != tokens.size()) return {};
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (a[i] == b[i]) {
-            if (a[i] != tokens[i]) return {};
-            continue;
+        const auto offset = offset_from(changed[0][i], odd[0], text.integer);
+        int same = 0, fitting = 0;
+        for (int k = 0; k < odd_count; ++k) {
+            same += changed[k][i] == tokens[i];
+            fitting += offset && offset_from(changed[k][i], odd[k], text.integer) == offset;
         }
-        const auto offset = offset_from(a[i], odd[0], text.integer);
-        if (!offset || offset_from(b[i], odd[1], text.integer) != offset || !number_of(tokens[i]))
-            return {};
+        if (same == odd_count) continue;
+        const std::optional<double> number = number_of(tokens[i]);
+        if (fitting != odd_count || !number || !is_value(parameter, *number - *offset)) return {};
         places.tokens.push_back(i);
         places.offsets.push_back(*offset);
     }
     return places;
+}
+
+/// Whether the parameter has that value.
+bool NamedParameters::is_value(int parameter, double value) const {
+    return std::memcmp(with(parameter, value).data(), params_.data(), stage_.params_size) == 0;
 }
 
 std::string NamedParameters::written(const Write& write, const Dialect& dialect) const {

@@ -34,8 +34,10 @@ class NamedParameters {
     };
 
     Params with(int parameter, double value) const;
-    /// Two values that no default has.
-    void odd_values(int parameter, double (&odd)[2]) const;
+    /// Values that no default has, the last one below all of them.
+    static constexpr int odd_count = 3;
+    void odd_values(int parameter, double (&odd)[odd_count]) const;
+    bool is_value(int parameter, double value) const;
     Places places_of(int parameter, const std::vector<std::string>& tokens,
                      const Write& write) const;
 

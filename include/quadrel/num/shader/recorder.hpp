@@ -73,6 +73,10 @@ class Recorder {
     }
     Node* uniform(Type type, const Uniform& uniform, const std::string& text) {
         declare(graph_.uniforms, uniform, &Uniform::name);
+        // Whose size alone was asked for before may be an array.
+        for (Uniform& known : graph_.uniforms)
+            if (known.name == uniform.name && uniform.type != "sampler2D")
+                known.type = uniform.type;
         return symbol(type, text);
     }
     Node* uniform(Type type, const Uniform& of) { return uniform(type, of, of.name); }
