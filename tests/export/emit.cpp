@@ -1,4 +1,6 @@
-// Writes all stages that can be exported as C++, for the tests: emit OUTPUT.
+// Writes all stages that can be exported for the tests, as C++ and in each language as one shader:
+//
+//     quadrel-emit-functions OUTPUT.cpp FOLDER
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -79,7 +81,7 @@ constexpr Planted all_planted[] = {
     {"linear", "i <= steps", "i < steps", "one step less"},
     {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
-    {"max-mip", "max(0.0f, max(", "max(enters_x, max(", "a bound dropped"},
+    {"max-mip", ": INFINITY;", ": -INFINITY;", "an infinity of the other sign"},
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
@@ -155,16 +157,43 @@ void write_all(std::ostream& out) {
     emitter.finish();
 }
 
+/// All functions in one file, which a compiler of that language takes.
+void write_shader(std::ostream& out, const char* language, const char* main) {
+    const auto dialect = find_dialect(language);
+    const ShaderScene scene = plain_scene(exported_side, exported_lights);
+    FunctionText all;
+    for (const RecordedStage& stage : all_recorded_stages()) {
+        try {
+            const FunctionText function = write_stage(stage, scene, nullptr, {}, *dialect);
+            all.text += function.text + "\n";
+            for (const Uniform& uniform : function.uniforms)
+                if (std::none_of(all.uniforms.begin(), all.uniforms.end(),
+                                 [&](const Uniform& of) { return of.name == uniform.name; }))
+                    all.uniforms.push_back(uniform);
+        } catch (const RecordingError&) {  // the other program's table has it
+        }
+    }
+    out << whole_file(all, *dialect) << main;
+}
+
 }  // namespace
 }  // namespace quadrel::export_tests
 
 int main(int argc, char** argv) {
-    if (argc != 2) return 2;
+    if (argc != 3) return 2;
+    using namespace quadrel::export_tests;
+    const std::string folder = argv[2];
     std::ofstream out(argv[1]);
     out << "#include \"export/fragment_arrays.hpp\"\n#include \"export/glsl.hpp\"\n\n"
         << "namespace quadrel::glsl {\n\nusing namespace export_tests;\n\n";
     try {
-        quadrel::export_tests::write_all(out);
+        write_all(out);
+        std::ofstream glsl(folder + "/all.glsl.frag"), es(folder + "/all.es.frag"),
+            hlsl(folder + "/all.hlsl.frag");
+        write_shader(glsl, "glsl", "void main() {}\n");
+        write_shader(es, "glsl-es", "void main() {}\n");
+        write_shader(hlsl, "hlsl", "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n");
+        if (!glsl.flush() || !es.flush() || !hlsl.flush()) return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -140,8 +140,8 @@ inline void fill_inputs(SlotArrays& arrays, test::Random& random) {
             for (int c = 0; c < 3; ++c) any(Value::dPdy, c)[lane] = any(Value::dPdx, c)[lane];
         for (const Value status : {Value::frame_status, Value::hit_status})
             arrays.set(slot_of(status), lane, lane % 13 == 0 ? random.below(8) : 1);
-        if (lane % 61 == 0) any(Value::uv, 0)[lane] = std::numeric_limits<float>::quiet_NaN();
-        if (lane % 67 == 0) any(Value::K, 1)[lane] = std::numeric_limits<float>::infinity();
+        if (lane % 19 == 5) any(Value::uv, 0)[lane] = std::numeric_limits<float>::quiet_NaN();
+        if (lane % 23 == 9) any(Value::K, 1)[lane] = std::numeric_limits<float>::infinity();
     }
 }
 

@@ -4,17 +4,15 @@
 #include <cctype>
 #include <climits>
 #include <cmath>
-#include <cstring>
 
 #include "export/print/fold.hpp"
+#include "export/print/wrapped_line.hpp"
 
 namespace quadrel::recorded {
 
 using Kind = Node::Kind;
 
 namespace {
-
-constexpr std::size_t longest_line = 100;
 
 /// How weakly operators bind.
 constexpr int unary_level = 2, or_level = 13, choice_level = 14;
@@ -36,39 +34,7 @@ int level_of(const Node& node) {
     return or_level;
 }
 
-/// `line` may be broken behind position i.
-bool breaks_at(const std::string& line, std::size_t i) {
-    if (line[i] != ' ' || std::strchr(",=+-*/?:&|<>", line[i - 1]) == nullptr) return false;
-    return line[i - 1] != '&' || line[i - 2] == ' ' || line[i - 2] == '&';
-}
-
 }  // namespace
-
-std::string wrapped_line(const std::string& line) {
-    std::size_t lead = line.find_first_not_of(' ');
-    if (line.size() <= longest_line || lead == std::string::npos) return line;
-    const bool is_comment = line.compare(lead, 2, "//") == 0;
-    const std::string indent =
-        is_comment ? std::string(lead, ' ') + "// " : std::string(lead + 4, ' ');
-    std::string rest = line, result;
-    while (rest.size() > longest_line) {
-        int open = 0, fewest = INT_MAX;
-        std::size_t at = std::string::npos;
-        for (std::size_t i = lead + 1; i < longest_line; ++i) {
-            if (rest[i] == '(') ++open;
-            if (rest[i] == ')') --open;
-            if (i <= lead + 20 || open > fewest) continue;
-            if (is_comment ? rest[i] != ' ' : !breaks_at(rest, i)) continue;
-            fewest = open;
-            at = i;
-        }
-        if (at == std::string::npos) break;
-        result += rest.substr(0, at) + "\n";
-        rest = indent + rest.substr(at + 1);
-        lead = indent.size();
-    }
-    return result + rest;
-}
 
 std::string Writer::function(const std::string& name, const std::vector<std::string>& inputs,
                              const std::vector<std::string>& taken) {

@@ -70,7 +70,4 @@ class Writer {
     std::vector<Named> inputs_;
 };
 
-/// `line` in pieces of at most 100 characters, broken where the fewest parentheses are open.
-std::string wrapped_line(const std::string& line);
-
 }  // namespace quadrel::recorded

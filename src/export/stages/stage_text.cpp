@@ -3,6 +3,7 @@
 #include <cctype>
 
 #include "export/print/fold.hpp"
+#include "export/print/wrapped_line.hpp"
 #include "export/print/writer.hpp"
 #include "export/stages/named_parameters.hpp"
 
