@@ -1,6 +1,7 @@
 // Random fragments and maps for the exported functions, and the same stage run on them as it is.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -49,9 +50,15 @@ class RandomMaps {
             SampledTexture& map = maps_[slot];
             map = {recorded::plain_view(static_cast<TextureSlot>(slot), exported_side), {}};
             std::vector<float>& texels = texels_[slot];
-            // Layers and tables go on behind the last level.
-            texels.resize(slot < static_cast<int>(first_baked_slot) ? texels_of(map.view) : 400000);
-            for (float& texel : texels) texel = static_cast<float>(random.uniform(0, 1));
+            // Layers and tables go on behind the last level, where texels come again.
+            constexpr std::size_t most = 400000, different = 20011;
+            texels.resize(slot < static_cast<int>(first_baked_slot) ? texels_of(map.view) : most);
+            const std::size_t made = std::min(texels.size(), different);
+            for (std::size_t i = 0; i < made; ++i)
+                texels[i] = static_cast<float>(random.uniform(0, 1));
+            for (std::size_t i = made; i < texels.size(); i += made)
+                std::copy_n(texels.begin(), std::min(made, texels.size() - i),
+                            texels.begin() + static_cast<std::ptrdiff_t>(i));
             map.view.texels = texels.data();
         }
         shape_heights(random, nans);
