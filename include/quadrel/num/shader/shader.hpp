@@ -8,6 +8,10 @@
 #include "quadrel/num/packet.hpp"
 #include "quadrel/num/shader/recorder.hpp"
 
+#ifndef GLM_FORCE_XYZW_ONLY
+#error "Shader is no member of GLM's unions of components: define GLM_FORCE_XYZW_ONLY"
+#endif
+
 namespace quadrel {
 
 namespace recorded {
