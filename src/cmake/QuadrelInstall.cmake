@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Quadrel)
 list(TRANSFORM QUADREL_ISAS PREPEND quadrel-kernels- OUTPUT_VARIABLE kernel_modules)
-install(TARGETS ${kernel_modules} quadrel-oiio quadrel-ranges
+install(TARGETS ${kernel_modules} quadrel-oiio quadrel-ranges quadrel-shaders
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/quadrel)
 install(TARGETS quadrel quadrel_headers quadrel_values EXPORT QuadrelTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

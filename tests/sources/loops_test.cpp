@@ -7,11 +7,11 @@
 namespace quadrel::source_tests {
 namespace {
 
-/// What the words do, and what look-ups and interpolation are on ranges alone: no text.
+/// What the words do, and what look-ups and interpolation are on ranges and shaders alone: no text.
 bool is_behind_words(const std::string& path) {
     static const std::regex words(
         "relief/trace/search/(beam|course|height_ceiling|near_surface)\\.hpp$|"
-        "texture/range/|quad/range_interpolate\\.hpp$");
+        "texture/(range|shader)/|quad/(range_interpolate|shader_io)\\.hpp$|relief/shader_words");
     return std::regex_search(path, words);
 }
 

@@ -46,6 +46,8 @@ constexpr Example all[] = {
      "what is exact enough, cheapest first"},
     {"advise", "scene.json --error 1texel --angles 0..60 --budget 24",
      "with at most 24 look-ups a fragment"},
+    {"export", "--stage trace/linear -D steps=64 -o linear.glsl", "a search as a GLSL function"},
+    {"export", "--list", "which stages are written, and why others are not"},
 };
 
 }  // namespace

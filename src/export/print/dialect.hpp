@@ -1,0 +1,66 @@
+// What shading languages write differently. The base is GLSL 330.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quadrel/num/shader/graph.hpp"
+
+namespace quadrel::recorded {
+
+class Dialect {
+  public:
+    Dialect() = default;
+    Dialect(const Dialect&) = delete;
+    Dialect& operator=(const Dialect&) = delete;
+    virtual ~Dialect() = default;
+
+    virtual std::string type(Type type) const;
+    virtual std::string real(float value) const;
+    /// A call of `node`'s function, whose arguments are written.
+    virtual std::string call(const Node& node, const std::vector<std::string>& arguments) const;
+    virtual std::string choice(const std::string& condition, const std::string& a,
+                               const std::string& b) const;
+    /// The first components of a vector.
+    virtual std::string prefix(const std::string& vector, int components) const;
+
+    /// A local that keeps its value, and one that does not.
+    virtual std::string constant(Type type, const std::string& name,
+                                 const std::string& value) const;
+    virtual std::string variable(Type type, const std::string& name,
+                                 const std::string& value) const;
+    /// A constant that is known as the shader is compiled.
+    virtual std::string parameter(Type type, const std::string& name,
+                                  const std::string& value) const;
+    virtual std::string counted_loop(const std::string& index, const std::string& first,
+                                     const std::string& last) const;
+    virtual std::string endless_loop() const;
+
+    /// `void name(...)`, and what stands at the beginning and the end of its body.
+    virtual std::string head(const std::string& name, const std::vector<Named>& inputs,
+                             const std::vector<Named>& outputs) const;
+    virtual std::string uniform(const Uniform& uniform) const;
+    /// What `text` needs in front of it: the version, then constants and functions.
+    virtual std::string first_lines(const std::string& text) const;
+    virtual std::string prelude(const std::string& text) const;
+
+  protected:
+    /// Whether `word` begins somewhere in the text.
+    static bool has_word(const std::string& text, const std::string& word);
+    static std::string join(const std::vector<std::string>& parts);
+    /// The fewest digits that read back as `value`, as GLSL wants them: with a point.
+    static std::string shortest(float value);
+};
+
+/// By its name on the command line: glsl, glsl-es, hlsl, c++; null where there is none of that
+/// name.
+std::unique_ptr<Dialect> find_dialect(std::string_view name);
+/// Their names.
+std::vector<std::string> dialect_names();
+
+/// Words that no shading language leaves to names.
+bool is_reserved(const std::string& word);
+
+}  // namespace quadrel::recorded

@@ -1,0 +1,83 @@
+// Which expressions of a folded recording a shader needs, and which of them are locals: what is
+// used more than once, what the text has named, and what would be read after a loop has changed it.
+#pragma once
+
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "quadrel/num/shader/graph.hpp"
+
+namespace quadrel::recorded {
+
+class Locals {
+  public:
+    /// Outputs that are not in `wanted` are left out; all stay if that is empty. Events that nobody
+    /// needs are taken out of the graph.
+    Locals(Graph& graph, const std::set<std::string>& wanted);
+
+    bool is_needed(const Node* node) const { return find(node).needed; }
+    bool is_declared(const Node* node) const { return find(node).declared; }
+    bool is_needed(const Variable* variable) const { return variables_.count(variable) != 0; }
+    /// How often it is used.
+    std::size_t uses_of(const Node* node) const { return find(node).uses.size(); }
+    /// The loop's variable that a block's variable stands for; null where it is one of its own.
+    Variable* continued(const Variable* variable) const;
+    /// The variable that an assignment just before has given the condition to stay in a loop.
+    Variable* condition_of(const Event* leave) const;
+    /// Names of symbols that are read.
+    const std::set<std::string>& symbols() const { return symbols_; }
+
+  private:
+    struct Use {
+        const Node* node;  ///< null: of an event
+        int order;
+        const Region* region;
+    };
+    struct Info {
+        bool needed = false, declared = false;
+        std::vector<Use> uses;
+    };
+    struct Root {
+        Node* node;
+        int order;
+        const Region* region;
+        bool is_assigned;
+    };
+
+    const Info& find(const Node* node) const;
+
+    void drop_unwanted(const std::set<std::string>& wanted);
+    void want(Node* node);
+    void want_all();
+    void want_roots(Region& region);
+    void want_assignments(Region& region, const Variable* variable);
+
+    void collect_roots(Region& region);
+    void order_assignments(Event& event);
+    const std::set<const Variable*>& reads_of(const Node* node);
+
+    void count_uses();
+    void declare();
+    bool declare_difference(Node* node);
+    void declare_if_used_much(Node* node, const std::set<const Node*>& assigned);
+    void declare_vectors();
+    const Region* place_of(const Node* node) const;
+    void continue_variables(Region& region);
+    void declare_changed();
+    bool declare_changed_in(Node* node, int order, bool is_top);
+    bool is_stale(const Node* node, int order) const;
+
+    Graph& graph_;
+    std::unordered_map<const Node*, Info> info_;
+    std::set<const Variable*> variables_;
+    std::unordered_map<const Variable*, Variable*> continued_;
+    std::unordered_map<const Event*, Variable*> conditions_;
+    std::unordered_map<const Node*, std::set<const Variable*>> reads_;
+    std::set<std::string> symbols_;
+    std::vector<Node*> work_;
+    std::vector<Root> roots_;
+};
+
+}  // namespace quadrel::recorded

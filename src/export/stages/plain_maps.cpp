@@ -1,0 +1,94 @@
+#include "export/stages/plain_maps.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "quadrel/quad/value.hpp"
+
+namespace quadrel::recorded {
+
+std::string map_name(TextureSlot slot) {
+    static const char* const names[] = {"height",       "color",
+                                        "gloss",        "emissive",
+                                        "normal",       "environment",
+                                        "max_mip",      "min_max",
+                                        "texel_max",    "cone",
+                                        "cone_robust",  "cone_quick",
+                                        "cone_rabbid",  "cone_cell",
+                                        "relaxed_cone", "relaxed_cone_exact",
+                                        "quad_cone",    "aniso_cone",
+                                        "distance",     "distance_exact",
+                                        "horizon",      "horizon_sampled",
+                                        "rmq"};
+    static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
+    return std::string(names[static_cast<int>(slot)]) + "_map";
+}
+
+namespace {
+
+int channels_of(TextureSlot slot) {
+    switch (slot) {
+        case TextureSlot::height:
+        case TextureSlot::max_mip:
+        case TextureSlot::texel_max:
+        case TextureSlot::distance:
+        case TextureSlot::distance_exact:
+        case TextureSlot::horizon:
+        case TextureSlot::horizon_sampled:
+        case TextureSlot::rmq:
+            return 1;
+        case TextureSlot::color:
+        case TextureSlot::gloss:
+        case TextureSlot::emissive:
+        case TextureSlot::normal:
+        case TextureSlot::environment:
+        case TextureSlot::quad_cone:
+        case TextureSlot::aniso_cone:
+            return 4;
+        default:
+            return 2;
+    }
+}
+
+}  // namespace
+
+FrameUniforms plain_frame(int lights) {
+    FrameUniforms frame{};
+    frame.light_count = std::min(lights, max_lights);
+    for (int i = 0; i < frame.light_count; ++i) {
+        LightUniforms& light = frame.lights[i];
+        light.directional = i == 0 ? 1 : 0;
+        light.intensity = 1;
+        light.attenuation[0] = 1;
+        light.attenuation[2] = i == 0 ? 0.0f : 0.5f;
+    }
+    return frame;
+}
+
+TextureView plain_view(TextureSlot slot, int side) {
+    TextureView view{};
+    view.channels = channels_of(slot);
+    view.faces = slot == TextureSlot::environment ? 6 : 1;
+    const bool is_pyramid = slot == TextureSlot::max_mip || slot == TextureSlot::min_max ||
+                            slot == TextureSlot::texel_max;
+    view.levels = slot < first_baked_slot || is_pyramid ? full_mip_levels(side, side) : 1;
+    int offset = 0;
+    for (int level = 0; level < view.levels; ++level) {
+        view.width[level] = view.height[level] = std::max(side >> level, 1);
+        view.offset[level] = offset;
+        offset += view.channels * view.faces * view.width[level] * view.height[level];
+    }
+    return view;
+}
+
+MaterialUniforms plain_material() {
+    MaterialUniforms material{};
+    material.seat = 1;
+    material.depth = 0.1f;
+    material.shininess = 60;
+    for (float* color : {material.ambient, material.diffuse, material.specular})
+        std::fill_n(color, 3, 1.0f);
+    return material;
+}
+
+}  // namespace quadrel::recorded

@@ -1,0 +1,63 @@
+#include "export/stages/stage_text.hpp"
+
+#include <cctype>
+
+#include "export/print/fold.hpp"
+#include "export/print/wrapped_line.hpp"
+#include "export/print/writer.hpp"
+#include "export/stages/named_parameters.hpp"
+
+namespace quadrel::recorded {
+namespace {
+
+std::string function_name(const StageText& text) {
+    return as_word(std::string(text.room) + "_" + text.id);
+}
+
+std::string comment(const std::string& text) { return wrapped_line("// " + text) + "\n"; }
+
+}  // namespace
+
+std::string as_word(const std::string& text) {
+    std::string word;
+    for (const char c : text) {
+        const bool is_letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (is_letter || (!word.empty() && word.back() != '_')) word += is_letter ? c : '_';
+    }
+    return word;
+}
+
+FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
+                         const std::set<std::string>& outputs, const Dialect& dialect) {
+    FunctionText result;
+    result.name = function_name(*stage.text);
+    const NamedParameters parameters(stage, params);
+    const auto write = [&](const void* values) {
+        Graph graph;
+        stage.record(graph, scene, values);
+        Folder(graph).run();
+        const Locals locals(graph, outputs);
+        Writer writer(graph, locals, dialect);
+        const std::string text = writer.function(result.name, stage.inputs(), parameters.names());
+        result.inputs = writer.inputs();
+        result.outputs = writer.outputs();
+        result.uniforms = graph.uniforms;
+        return text;
+    };
+    const std::string function = parameters.written(write, dialect);
+    result.text = comment(std::string(stage.text->id) + ": " + stage.text->summary) +
+                  comment(std::string("Source: ") + stage.text->source) + function;
+    return result;
+}
+
+std::string whole_file(const FunctionText& function, const Dialect& dialect) {
+    std::string uniforms;
+    for (const Uniform& uniform : function.uniforms) uniforms += dialect.uniform(uniform) + "\n";
+    std::string file;
+    for (const std::string& part : {dialect.first_lines(function.text),
+                                    dialect.prelude(function.text), uniforms, function.text})
+        if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
+    return file;
+}
+
+}  // namespace quadrel::recorded

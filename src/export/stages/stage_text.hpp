@@ -1,0 +1,31 @@
+// A stage's function in a shading language: recorded, folded, written, its parameters by name.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "export/print/dialect.hpp"
+#include "export/stages/recorded_stage.hpp"
+
+namespace quadrel::recorded {
+
+struct FunctionText {
+    std::string name;
+    std::string text;  ///< comments and the function
+    std::vector<Named> inputs, outputs;
+    std::vector<Uniform> uniforms;
+};
+
+/// `params`: the stage's, or null for the defaults. `outputs`: those that are needed; all if empty.
+/// Throws RecordingError.
+FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
+                         const std::set<std::string>& outputs, const Dialect& dialect);
+
+/// The function with all that it needs: version, constants, uniforms.
+std::string whole_file(const FunctionText& function, const Dialect& dialect);
+
+/// A word of letters, digits and underscores.
+std::string as_word(const std::string& text);
+
+}  // namespace quadrel::recorded

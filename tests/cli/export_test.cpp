@@ -1,0 +1,59 @@
+// quadrel export as a command.
+#include <gtest/gtest.h>
+
+#include "cli/process.hpp"
+#include "film/films.hpp"
+
+namespace quadrel::cli_tests {
+namespace {
+
+using testing_films::file_bytes;
+using testing_films::TemporaryFolder;
+using Words = std::vector<std::string>;
+
+bool says(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(ExportCommand, WritesAFunctionWithItsParametersByName) {
+    const Outcome outcome = run({"export", "--stage", "trace/linear", "-D", "steps=64"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome.out, "#version 330 core\n"));
+    EXPECT_TRUE(says(outcome.out, "// Source: "));
+    EXPECT_TRUE(says(outcome.out, "uniform sampler2D height_map;\n"));
+    EXPECT_TRUE(says(outcome.out, "const int steps = 64;"));
+    EXPECT_TRUE(says(outcome.out, "for (int i = 0; i <= steps; ++i) {")) << outcome.out;
+    EXPECT_EQ(run({"export", "--stage", "linear", "-D", "steps=64"}).out, outcome.out);
+    const std::string hlsl = run({"export", "--stage", "linear", "--language", "hlsl"}).out;
+    EXPECT_TRUE(says(hlsl, "height_map.SampleGrad(height_map_sampler, ")) << hlsl;
+}
+
+TEST(ExportCommand, WritesAFile) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run({"export", "--stage", "pom", "-o", "pom.glsl"}, folder.path()).code, 0);
+    EXPECT_EQ(file_bytes(folder.path() / "pom.glsl"), run({"export", "--stage", "pom"}).out);
+}
+
+TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
+    const std::string list = run({"export", "--list"}).out;
+    EXPECT_TRUE(says(list, "trace/linear "));
+    EXPECT_TRUE(says(list, "no: asks which fragment of its quad it is")) << list;
+    const Outcome refused = run({"export", "--stage", "normal-mcguire@published"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(says(refused.err, "asks which fragment of its quad it is")) << refused.err;
+}
+
+TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
+    const Words wrong[] = {{"export"},
+                           {"export", "--stage", "trace/liner"},
+                           {"export", "--stage", "frame/linear"},
+                           {"export", "--stage", "linear", "-D", "steps=0"},
+                           {"export", "--stage", "linear", "-D", "steps"},
+                           {"export", "--stage", "linear", "-D", "pace=1"},
+                           {"export", "--stage", "linear", "--language", "metal"},
+                           {"export", "--stage", "linear", "--side", "0"}};
+    for (const Words& words : wrong) EXPECT_EQ(run(words).code, 2) << words.back();
+}
+
+}  // namespace
+}  // namespace quadrel::cli_tests

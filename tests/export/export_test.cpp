@@ -1,0 +1,147 @@
+// Exported functions against the stages that they were made of, bit for bit.
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "effort.hpp"
+#include "export/exported.hpp"
+#include "export/fragments.hpp"
+#include "export/glsl.hpp"
+#include "quadrel/relief/registry.hpp"
+
+namespace quadrel::export_tests {
+namespace {
+
+/// A part of a batch; what is odd among the inputs comes in each.
+constexpr int compared_lanes = test::sanitized ? 16 : 32;
+
+class Comparison {
+  public:
+    explicit Comparison(std::uint64_t seed)
+        : random_(seed),
+          material_(recorded::plain_material()),
+          maps_(random_, true),
+          frame_(random_frame(random_)) {
+        fill_inputs(inputs_, random_);
+        set_uniforms();
+    }
+
+    /// What differs first; empty if nothing does.
+    std::string difference(const ExportedFunction& function) {
+        bind_maps(function.uses_neighbours);
+        run_stage_itself(*find_stage(function.id));
+        for (int lane = 0; lane < compared_lanes; lane += 4) run_quad(function, lane);
+        return compared();
+    }
+
+  private:
+    /// Level 0 alone where a level follows from neighbours: in a loop they may have left it.
+    void bind_maps(bool uses_neighbours) {
+        for (int slot = 0; slot < texture_slot_count; ++slot) {
+            bound_[slot] = maps_.map(slot);
+            if (uses_neighbours) bound_[slot].sampler.mip = MipFilter::none;
+            glsl::samplers[slot]->map = &bound_[slot];
+        }
+        nearest_ = bound_[static_cast<int>(TextureSlot::height)];
+        nearest_.sampler.mag = nearest_.sampler.min = Filter::nearest;
+        glsl::height_map_nearest.map = &nearest_;
+    }
+
+    void run_stage_itself(const StageInfo& stage) {
+        std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
+        stage.set_defaults(params.data());
+        // Inputs first: a stage may store what others load.
+        for (int slot = 0; slot < slot_count; ++slot)
+            std::copy_n(inputs_.at(slot), batch_lanes, expected_.at(slot));
+        for (int slot = 0; slot < slot_count; ++slot)
+            std::copy_n(inputs_.at(slot), batch_lanes, found_.at(slot));
+        std::uint32_t active[batch_lanes];
+        std::fill_n(active, batch_lanes, 1u);
+        StageCall call{};
+        call.values = expected_.pointers();
+        call.active = active;
+        call.lanes = compared_lanes;
+        call.parameters = params.data();
+        call.material = &material_;
+        call.frame = &frame_;
+        for (int slot = 0; slot < texture_slot_count; ++slot) call.textures[slot] = &bound_[slot];
+        find_kernel(scalar_float_kernels(), stage.text.id)(&call);
+    }
+
+    void run_quad(const ExportedFunction& function, int first_lane) {
+        glsl::quad_run.forget();
+        for (int round = 0; round < (function.uses_neighbours ? 3 : 1); ++round) {
+            for (int lane = 0; lane < 4; ++lane) {
+                glsl::quad_run.begin(lane);
+                function.run({inputs_.pointers(), found_.pointers(), first_lane + lane});
+            }
+            glsl::quad_run.end_of_round();
+        }
+    }
+
+    std::string compared() const {
+        for (int v = 0; v < static_cast<int>(Value::count); ++v) {
+            const auto value = static_cast<Value>(v);
+            for (int slot = slot_of(value); slot < slot_of(value) + arrays_of(value); ++slot)
+                for (int lane = 0; lane < compared_lanes; ++lane)
+                    if (!is_same(value, slot, lane))
+                        return std::string(info(value).name) + " of lane " + std::to_string(lane) +
+                               ": " + std::to_string(found_.at(slot)[lane]) + " (" +
+                               std::to_string(found_.integer(slot, lane)) + "), the stage has " +
+                               std::to_string(expected_.at(slot)[lane]) + " (" +
+                               std::to_string(expected_.integer(slot, lane)) + ")";
+        }
+        return {};
+    }
+    bool is_same(Value value, int slot, int lane) const {
+        const float a = found_.at(slot)[lane], b = expected_.at(slot)[lane];
+        if (info(value).kind == ValueKind::real && a != a && b != b) return true;
+        return found_.integer(slot, lane) == expected_.integer(slot, lane);
+    }
+
+    void set_uniforms() const {
+        const auto vector = [](const float(&v)[3]) { return glsl::vec3(v[0], v[1], v[2]); };
+        glsl::eye = vector(frame_.eye);
+        std::copy_n(frame_.eye_to_world, 9, glsl::eye_to_world);
+        std::copy_n(frame_.projection, 16, glsl::projection);
+        glsl::depth_scale = frame_.depth_scale;
+        glsl::depth_offset = frame_.depth_offset;
+        const LightUniforms &a = frame_.lights[0], &b = frame_.lights[1];
+        glsl::light0_position = vector(a.position);
+        glsl::light0_ambient = vector(a.ambient);
+        glsl::light0_diffuse = vector(a.diffuse);
+        glsl::light0_specular = vector(a.specular);
+        glsl::light0_intensity = a.intensity;
+        glsl::light0_constant = a.attenuation[0];
+        glsl::light1_position = vector(b.position);
+        glsl::light1_ambient = vector(b.ambient);
+        glsl::light1_diffuse = vector(b.diffuse);
+        glsl::light1_specular = vector(b.specular);
+        glsl::light1_intensity = b.intensity;
+        glsl::light1_constant = b.attenuation[0];
+        glsl::light1_quadratic = b.attenuation[2];
+    }
+
+    test::Random random_;
+    MaterialUniforms material_;
+    RandomMaps maps_;
+    FrameUniforms frame_;
+    SlotArrays inputs_, expected_, found_;
+    SampledTexture bound_[texture_slot_count], nearest_;
+};
+
+TEST(Export, FunctionsHaveTheBitsOfTheirStages) {
+    Comparison comparison(1);
+    for (int i = 0; i < exported_count; ++i)
+        EXPECT_EQ(comparison.difference(exported_functions[i]), "") << exported_functions[i].id;
+}
+
+TEST(Export, ErrorsOfAPrinterAreFound) {
+    Comparison comparison(1);
+    for (int i = 0; i < planted_count; ++i)
+        EXPECT_NE(comparison.difference(planted_functions[i].function), "")
+            << planted_functions[i].function.id << ": " << planted_functions[i].what;
+}
+
+}  // namespace
+}  // namespace quadrel::export_tests

@@ -1,0 +1,42 @@
+// The functions that emit.cpp writes as C++ when the tests are built.
+#pragma once
+
+#include <cstdint>
+
+namespace quadrel::export_tests {
+
+/// A fragment's inputs and outputs: an array of floats, or of integers, for each slot.
+struct FragmentArrays {
+    const void* const* inputs;
+    void* const* outputs;
+    int lane;
+};
+
+struct ExportedFunction {
+    const char* id;
+    bool uses_neighbours;
+    void (*run)(const FragmentArrays& arrays);
+};
+extern const ExportedFunction exported_functions[];
+extern const int exported_count;
+
+/// Functions with an error planted into their text: `what` says which.
+struct PlantedFunction {
+    ExportedFunction function;
+    const char* what;
+};
+extern const PlantedFunction planted_functions[];
+extern const int planted_count;
+
+/// A stage that no function was made of, and why.
+struct NotExported {
+    const char* id;
+    const char* reason;
+};
+extern const NotExported not_exported[];
+extern const int not_exported_count;
+
+/// Side of the maps, and how many lights there are.
+inline constexpr int exported_side = 64, exported_lights = 2;
+
+}  // namespace quadrel::export_tests

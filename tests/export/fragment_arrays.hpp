@@ -1,0 +1,36 @@
+// How the exported functions get at a fragment's values.
+#pragma once
+
+#include "export/exported.hpp"
+#include "quadrel/num/vec.hpp"
+
+namespace quadrel::export_tests {
+
+inline float component(const FragmentArrays& arrays, int slot) {
+    return static_cast<const float*>(arrays.inputs[slot])[arrays.lane];
+}
+inline int load_int(const FragmentArrays& arrays, int slot) {
+    return static_cast<const std::int32_t*>(arrays.inputs[slot])[arrays.lane];
+}
+template <int n>
+auto load(const FragmentArrays& arrays, int slot) {
+    if constexpr (n == 1) {
+        return component(arrays, slot);
+    } else {
+        vec<n, float> result;
+        for (int i = 0; i < n; ++i) result[i] = component(arrays, slot + i);
+        return result;
+    }
+}
+inline void store(const FragmentArrays& arrays, int slot, int value) {
+    static_cast<std::int32_t*>(arrays.outputs[slot])[arrays.lane] = value;
+}
+inline void store(const FragmentArrays& arrays, int slot, float value) {
+    static_cast<float*>(arrays.outputs[slot])[arrays.lane] = value;
+}
+template <int n>
+void store(const FragmentArrays& arrays, int slot, const vec<n, float>& value) {
+    for (int i = 0; i < n; ++i) store(arrays, slot + i, value[i]);
+}
+
+}  // namespace quadrel::export_tests
