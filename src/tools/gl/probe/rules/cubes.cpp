@@ -110,9 +110,11 @@ Probe ties() {
     probe.not_modelled = "ties go to Z, Y, X, as Vulkan prefers";
     probe.words = [](const Values& values) {
         std::string faces;
-        for (std::size_t i = 0; i < 4; ++i)
-            faces += (i == 0 ? "" : " ") +
-                     std::string(1, "XXYYZZ"[static_cast<int>(answer(values, i)) / 4]);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const int face = to_int(answer(values, i)) / 4;
+            faces +=
+                (i == 0 ? "" : " ") + std::string(1, face < 0 || face > 5 ? '?' : "XXYYZZ"[face]);
+        }
         return faces;
     };
     return probe;
