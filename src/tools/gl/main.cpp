@@ -18,7 +18,7 @@ namespace quadrel::gl {
 namespace {
 
 struct Arguments {
-    bool info = false, probe = false, list = false, json = false, markdown = false;
+    bool info = false, probe = false, list = false, json = false, markdown = false, wide = false;
     bool planted = false, llvmpipe = false;
     std::string output, expected, renderer;
     std::vector<std::string> only;
@@ -97,7 +97,8 @@ bool run_probe(const Arguments& arguments) {
     if (arguments.json || std::string_view(arguments.output).ends_with(".json"))
         write(arguments, to_json(results).dump(2) + "\n");
     else
-        write(arguments, arguments.markdown ? to_markdown(results) : to_text(results));
+        write(arguments,
+              arguments.markdown ? to_markdown(results) : to_text(results, arguments.wide));
     return arguments.expected.empty() || judge(results, arguments.expected);
 }
 
@@ -144,6 +145,7 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--probe", a.probe, "what it does where it may choose, beside Quadrel's presets");
     app.add_flag("--list", a.list, "the probes: what is asked, and what is permitted");
     app.add_option("--only", a.only, "these probes alone")->type_name("ID");
+    app.add_flag("--wide", a.wide, "with what each preset does where it is not the same");
     app.add_flag("--json", a.json, "as JSON, with all that is known of each probe");
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
     app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");

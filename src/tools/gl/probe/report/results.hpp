@@ -46,8 +46,8 @@ Results run_probes(const std::vector<std::string>& only);
 /// The probes that the preset models and in which it does not agree.
 std::vector<const ProbeResult*> disagreements(const Results& results, const std::string& preset);
 
-/// For a terminal: what is seen, and what presets do that is not the same.
-std::string to_text(const Results& results);
+/// For a terminal: what is seen, and which presets do the same; or, wide, what they do instead.
+std::string to_text(const Results& results, bool wide);
 std::string to_markdown(const Results& results);
 nlohmann::ordered_json to_json(const Results& results);
 

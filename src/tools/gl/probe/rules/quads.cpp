@@ -111,6 +111,7 @@ Probe helper_lanes() {
         return corner(x, y, side, side, {static_cast<float>(3 * x + 5 * y)});
     };
     probe.question.triangles = {{at(1.25, 0.75), at(14.5, 3.25), at(5.75, 14.5)}};
+    probe.tolerance = 0x1p-10;  // what they hold is asked here, not how exactly
     probe.legal = [](const Values& values) {
         for (std::size_t i = 0; i < values.size() / 4; ++i)
             if (answer(values, i, 3) != 0 && (std::fabs(answer(values, i) - 3) > 1e-3f ||
