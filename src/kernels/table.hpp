@@ -13,7 +13,7 @@ namespace quadrel {
 inline constexpr std::uint32_t kernel_magic = 0x4b445251;  // "QRDK"
 /// Raised by hand when a meaning changes; a changed layout changes it by itself.
 inline constexpr std::uint32_t kernel_abi_version =
-    5u + (static_cast<std::uint32_t>(sizeof(StageCall)) << 8) + (slot_count << 20);
+    6u + (static_cast<std::uint32_t>(sizeof(StageCall)) << 8) + (slot_count << 20);
 
 struct KernelRow {
     const char* id;

@@ -25,20 +25,31 @@ HardwareModel vulkan_min() {
 // derivative is the fine one; float weights; exact rho^2 with a piecewise linear log2. Look-ups
 // with implicit derivatives take rho^2 from lane 0's differences alone (lp_build_rho: element 0 of
 // lp_build_packed_ddx_ddy_twocoord, packed or swizzled to its quad). Each lane's own are: dFdx, a
-// level, a bias or gradients that the shader gives, and cube maps (observed in Mesa 22.3.6).
+// level, a bias or gradients that the shader gives, and cube maps (observed in Mesa 22.3.6). The
+// nearest level is the CPU's rounding: half to even.
 HardwareModel llvmpipe() {
     return {.interpolation = Interpolation::llvmpipe,
             .lod_form = LodForm::linear_log2,
-            .quad_lod = true};
+            .quad_lod = true,
+            .level_rounding = LevelRounding::even};
 }
 
 // 8 bits from RoundInt, attribute planes from the same fixed positions; unqualified derivatives
-// are coarse; rho^4's bits read as an integer for log2; float texel weights on the
-// high-precision path.
+// are coarse; rho^4's bits read as an integer for log2, of lane 0's differences for the whole quad;
+// the nearest level half to even; float texel weights on the high-precision path.
 HardwareModel swiftshader() {
     return {.interpolation = Interpolation::swiftshader,
             .derivatives = DerivativeMode::coarse,
-            .lod_form = LodForm::quartic_log2};
+            .lod_form = LodForm::quartic_log2,
+            .quad_lod = true,
+            .level_rounding = LevelRounding::even};
+}
+
+// SwiftShader as Chromium builds it: with SWIFTSHADER_LEGACY_PRECISION, which is 4 sub-pixel bits.
+HardwareModel chromium() {
+    HardwareModel model = swiftshader();
+    model.subpixel_bits = 4;
+    return model;
 }
 
 }  // namespace
@@ -55,6 +66,8 @@ HardwareModel hardware_model(Hardware hardware) {
             return llvmpipe();
         case Hardware::swiftshader:
             return swiftshader();
+        case Hardware::chromium:
+            return chromium();
     }
     QUADREL_CHECK(false, static_cast<int>(hardware));
 }

@@ -16,7 +16,7 @@ testing::AssertionResult at_least(const HardwareModel& model, int subpixel, int 
 
 TEST(Hardware, MeetsTheRequiredLimits) {
     for (auto kind : {Hardware::exact, Hardware::d3d, Hardware::vulkan_min, Hardware::llvmpipe,
-                      Hardware::swiftshader})
+                      Hardware::swiftshader, Hardware::chromium})
         EXPECT_TRUE(at_least(hardware_model(kind), 4, 4, 4));  // Vulkan 1.0
     EXPECT_TRUE(at_least(hardware_model(Hardware::d3d), 8, 8, 8));
     EXPECT_FALSE(at_least(hardware_model(Hardware::vulkan_min), 8, 8, 8));
@@ -36,10 +36,14 @@ TEST(Hardware, RenderersDifferWhereTheirSourcesDo) {
     EXPECT_EQ(llvmpipe.lod_form, LodForm::linear_log2);
     EXPECT_EQ(llvmpipe.derivatives, DerivativeMode::fine);
     EXPECT_TRUE(llvmpipe.quad_lod);
+    EXPECT_EQ(llvmpipe.level_rounding, LevelRounding::even);
     const HardwareModel swiftshader = hardware_model(Hardware::swiftshader);
     EXPECT_EQ(swiftshader.interpolation, Interpolation::swiftshader);
     EXPECT_EQ(swiftshader.lod_form, LodForm::quartic_log2);
     EXPECT_EQ(swiftshader.derivatives, DerivativeMode::coarse);
+    EXPECT_TRUE(swiftshader.quad_lod);
+    EXPECT_EQ(swiftshader.level_rounding, LevelRounding::even);
+    EXPECT_EQ(hardware_model(Hardware::chromium).subpixel_bits, 4);
     EXPECT_EQ(hardware_model(Hardware::d3d).lod_form, LodForm::ellipse);
 }
 
@@ -52,6 +56,7 @@ TEST(Hardware, ExactIsExact) {
     EXPECT_EQ(model.lod_form, LodForm::sqrt_max);
     EXPECT_FALSE(model.scale_first);
     EXPECT_FALSE(model.quad_lod);
+    EXPECT_EQ(model.level_rounding, LevelRounding::finer);
 }
 
 }  // namespace

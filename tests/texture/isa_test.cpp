@@ -111,6 +111,7 @@ void choose_state(Sweep& s, int index) {
     state.lod_bits = index % 7 == 0 ? 8 : 0;
     state.scale_first = index % 2;
     state.quad_lod = index / 2 % 2;
+    state.level_rounding = static_cast<LevelRounding>(index / 4 % 2);
     state.border[0] = state.border[2] = -3;
     s.height.sampled.sampler = s.cube.sampled.sampler = state;
 }

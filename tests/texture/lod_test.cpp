@@ -127,6 +127,28 @@ TEST(Lod, NearestMip) {
     }));
 }
 
+/// 0, 2, 2, 4: as a CPU converts.
+testing::AssertionResult takes_even_at_half(const LevelFunction& select) {
+    RandomTexture texture(64, 64, 1);
+    texture.sampled.sampler.mip = MipFilter::nearest;
+    texture.sampled.sampler.level_rounding = LevelRounding::even;
+    for (int level = 0; level < 4; ++level) {
+        const double got = select(texture.sampled, level + 0.5).level;
+        if (got != level + level % 2)
+            return testing::AssertionFailure() << level << " gives " << got;
+        if (select(texture.sampled, level + 0.49).level != level)
+            return testing::AssertionFailure() << "not the nearest to " << level;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(Lod, NearestMipHalfToEven) {
+    EXPECT_TRUE(takes_even_at_half(level_for));
+    EXPECT_FALSE(takes_even_at_half([](const SampledTexture&, double lod) {
+        return Lod{0, lod, std::floor(lod + 0.5), 0, false};  // Planted::half_up_level
+    }));
+}
+
 TEST(Lod, Quantised) {
     RandomTexture texture(64, 64, 1);
     const auto level = [&](int bits) {

@@ -1,7 +1,7 @@
 // A frame that OpenGL draws: target, quad, textures, uniforms.
 #pragma once
 
-#include "llvmpipe/context.hpp"
+#include "gl/context/context.hpp"
 #include "llvmpipe/llvmpipe.hpp"
 
 namespace quadrel::peers {

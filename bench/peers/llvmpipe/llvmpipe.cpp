@@ -9,7 +9,8 @@ namespace {
 
 class MesaLlvmpipe : public Llvmpipe {
   public:
-    explicit MesaLlvmpipe(int threads) : context_(threads == 1 ? 0 : threads) {}
+    explicit MesaLlvmpipe(int threads)
+        : context_(gl::Context::llvmpipe(threads == 1 ? 0 : threads)) {}
 
     std::unique_ptr<ShadedFrame> frame(const Row& row, const Scene& scene,
                                        const std::vector<std::string>& defines) override {
@@ -18,7 +19,7 @@ class MesaLlvmpipe : public Llvmpipe {
     std::string description() const override { return context_.description(); }
 
   private:
-    Context context_;
+    gl::Context context_;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "gl/context/program.hpp"
+
 namespace quadrel::peers {
 namespace {
 
@@ -23,19 +25,6 @@ std::string head(const std::vector<std::string>& defines) {
     return text;
 }
 
-GLuint compiled(GLenum kind, const std::string& text, const std::string& what) {
-    const GLuint shader = glCreateShader(kind);
-    const char* const start = text.c_str();
-    glShaderSource(shader, 1, &start, nullptr);
-    glCompileShader(shader);
-    GLint ok = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (ok != 0) return shader;
-    char message[2000] = "";
-    glGetShaderInfoLog(shader, sizeof(message), nullptr, message);
-    throw std::runtime_error(fmt::format("shaders {}: {}", what, message));
-}
-
 }  // namespace
 
 GLuint make_program(const std::vector<std::string>& files,
@@ -43,14 +32,7 @@ GLuint make_program(const std::vector<std::string>& files,
     std::string fragment = head(defines);
     for (const std::string& file : files) fragment += text_of(file);
     const std::string what = fmt::format("{}", fmt::join(files, ", "));
-    const GLuint program = glCreateProgram();
-    glAttachShader(program, compiled(GL_VERTEX_SHADER, head({}) + text_of("vertex"), "vertex"));
-    glAttachShader(program, compiled(GL_FRAGMENT_SHADER, fragment, what));
-    glLinkProgram(program);
-    GLint ok = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &ok);
-    if (ok == 0) throw std::runtime_error("shaders " + what + " do not link");
-    return program;
+    return gl::make_program(head({}) + text_of("vertex"), fragment, what);
 }
 
 }  // namespace quadrel::peers

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gl/context/sampler.hpp"
+
 namespace quadrel::peers {
 namespace {
 
@@ -42,39 +44,6 @@ void upload(GLenum target, int level, const TextureView& view, const float* texe
                  view.height[level], 0, format.external, GL_FLOAT, texels);
 }
 
-GLint gl_wrap(Wrap wrap) {
-    switch (wrap) {
-        case Wrap::repeat:
-            return GL_REPEAT;
-        case Wrap::mirrored_repeat:
-            return GL_MIRRORED_REPEAT;
-        case Wrap::clamp_to_edge:
-            return GL_CLAMP_TO_EDGE;
-        case Wrap::mirror_once:
-            return GL_MIRROR_CLAMP_TO_EDGE;
-        case Wrap::clamp_to_border:
-            break;
-    }
-    return GL_CLAMP_TO_BORDER;
-}
-
-GLint gl_min(const SamplerState& sampler, int levels) {
-    const bool linear = sampler.min == Filter::linear;
-    if (levels == 1 || sampler.mip == MipFilter::none) return linear ? GL_LINEAR : GL_NEAREST;
-    if (sampler.mip == MipFilter::nearest)
-        return linear ? GL_LINEAR_MIPMAP_NEAREST : GL_NEAREST_MIPMAP_NEAREST;
-    return linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_LINEAR;
-}
-
-void set_sampler(GLenum target, const SamplerState& sampler, int levels) {
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, levels - 1);
-    glTexParameteri(target, GL_TEXTURE_WRAP_S, gl_wrap(sampler.wrap_u));
-    glTexParameteri(target, GL_TEXTURE_WRAP_T, gl_wrap(sampler.wrap_v));
-    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, gl_min(sampler, levels));
-    glTexParameteri(target, GL_TEXTURE_MAG_FILTER,
-                    sampler.mag == Filter::linear ? GL_LINEAR : GL_NEAREST);
-}
-
 GLuint made(GLenum target, const Texture& texture, const SamplerState& sampler) {
     GLuint name = 0;
     glGenTextures(1, &name);
@@ -87,7 +56,7 @@ GLuint made(GLenum target, const Texture& texture, const SamplerState& sampler) 
                        ? target
                        : GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
                    level, view, texture.level_texels(level, face));
-    set_sampler(target, sampler, view.levels);
+    gl::set_sampler(target, sampler, view.levels);
     return name;
 }
 
@@ -142,7 +111,7 @@ GLuint max_pyramid(const Scene& scene) {
     SamplerState nearest;
     nearest.min = nearest.mag = Filter::nearest;
     nearest.mip = MipFilter::nearest;
-    set_sampler(GL_TEXTURE_2D, nearest, level + 1);
+    gl::set_sampler(GL_TEXTURE_2D, nearest, level + 1);
     return name;
 }
 

@@ -14,7 +14,7 @@ enum class Conventions : std::int32_t { gl, vulkan, d3d };
 
 /// Whose freedoms within the specifications to imitate (facts of the software rasterizers are from
 /// their sources).
-enum class Hardware : std::int32_t { exact, d3d, vulkan_min, llvmpipe, swiftshader };
+enum class Hardware : std::int32_t { exact, d3d, vulkan_min, llvmpipe, swiftshader, chromium };
 
 /// How attributes get from the vertices to the fragments: within a rounding of the exact value
 /// (interpolation.hpp), or in the float arithmetic of an implementation (planes.hpp).
@@ -33,6 +33,7 @@ struct HardwareModel {
     int lod_bits = 0;     ///< 0: exact
     bool scale_first = false;
     bool quad_lod = false;  ///< implicit look-ups: lane 0's level of detail for the whole quad
+    LevelRounding level_rounding = LevelRounding::finer;
 };
 
 /// The model of each kind.

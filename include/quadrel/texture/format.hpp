@@ -34,6 +34,10 @@ enum class LodForm : std::int32_t {
     quartic_log2,  ///< rho^4's bits read as an integer (SwiftShader)
 };
 
+/// The level that nearest filtering of levels takes half-way between two: the finer one (OpenGL;
+/// Vulkan's preference), or the even one (Vulkan permits either).
+enum class LevelRounding : std::int32_t { finer, even };
+
 /// How a texture is sampled. Plain data; passed to kernels as is.
 struct SamplerState {
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
@@ -48,6 +52,7 @@ struct SamplerState {
     std::int32_t scale_first = 0;  ///< 1: repeat and mirror do not reduce the coordinate first
     /// 1: look-ups with implicit derivatives take lane 0's level of detail in all lanes of a quad.
     std::int32_t quad_lod = 0;
+    LevelRounding level_rounding = LevelRounding::finer;  ///< with MipFilter::nearest
 };
 
 }  // namespace quadrel

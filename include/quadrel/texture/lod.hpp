@@ -98,6 +98,12 @@ F round_lod(F x, std::int32_t bits) {
     return round_even(x * F(scale)) * F(1 / scale);
 }
 
+/// The level that is nearest to d.
+template <Number F>
+F nearest_level(F d, LevelRounding rounding) {
+    return rounding == LevelRounding::even ? round_even(d) : ceil(d + F(0.5f)) - F(1);
+}
+
 /// Fills level, frac and magnified of a record whose lambda is known.
 template <Number F>
 LodRecord<F> select_level(const SampledTexture& texture, F rho, F lambda) {
@@ -106,10 +112,8 @@ LodRecord<F> select_level(const SampledTexture& texture, F rho, F lambda) {
     const Mask<F> magnified = clamped <= F(0);
     if (s.mip == MipFilter::none) return {rho, lambda, F(0), F(0), magnified};
     const F d = clamp_lod(clamped, 0, static_cast<float>(texture.view.levels - 1));
-    // Halves go to the finer level, the Vulkan specification's preferred rounding.
-    if (s.mip == MipFilter::nearest) {
-        return {rho, lambda, ceil(d + F(0.5f)) - F(1), F(0), magnified};
-    }
+    if (s.mip == MipFilter::nearest)
+        return {rho, lambda, nearest_level(d, s.level_rounding), F(0), magnified};
     return {rho, lambda, d, d - floor(d), magnified};
 }
 

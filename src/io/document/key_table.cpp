@@ -12,9 +12,10 @@ constexpr SceneKey keys[] = {
     {"scene", "shade_at", "`center` `centroid`", "`center`",
      "where a partly covered pixel is shaded when it has several samples"},
     {"scene", "conventions", "`gl` `vulkan` `d3d`", "`gl`", "axes, depth range, facing"},
-    {"scene", "hardware", "`exact` `d3d` `vulkan-min` `llvmpipe` `swiftshader`", "`exact`",
-     "whose precision and formulas to imitate (`llvmpipe`: also one level of detail a quad for "
-     "implicit look-ups)"},
+    {"scene", "hardware", "`exact` `d3d` `vulkan-min` `llvmpipe` `swiftshader` `chromium`",
+     "`exact`",
+     "whose precision and formulas to imitate (`chromium`: its build of SwiftShader; this and "
+     "the two before: one level of detail a quad for implicit look-ups, too)"},
     {"scene", "derivatives", "`fine` `coarse`", "the hardware's",
      "which differences `dFdx` and `dFdy` take"},
     {"scene", "background", "3 or 4 numbers", "`[0, 0, 0, 0]`", "colour of uncovered pixels"},

@@ -16,6 +16,7 @@ inline constexpr std::pair<std::string_view, Hardware> hardware_words[] = {
     {"d3d", Hardware::d3d},
     {"vulkan-min", Hardware::vulkan_min},
     {"llvmpipe", Hardware::llvmpipe},
-    {"swiftshader", Hardware::swiftshader}};
+    {"swiftshader", Hardware::swiftshader},
+    {"chromium", Hardware::chromium}};
 
 }  // namespace quadrel

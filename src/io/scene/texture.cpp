@@ -1,5 +1,6 @@
 #include "file/read_file.hpp"
 #include "io/scene/read.hpp"
+#include "quadrel/scene/hardware_sampler.hpp"
 #include "texture/swizzle.hpp"
 #include "texture/texel_format.hpp"
 
@@ -48,12 +49,7 @@ void read_sampler(Fields& fields, Hardware hardware, SamplerState& sampler) {
     fields.read("lod_max", sampler.lod_max);
     if (sampler.lod_min > sampler.lod_max)
         fields.value().fail("lod_min above lod_max", "lod_min <= lod_max");
-    const HardwareModel model = hardware_model(hardware);
-    sampler.lod_form = model.lod_form;
-    sampler.weight_bits = model.weight_bits;
-    sampler.lod_bits = model.lod_bits;
-    sampler.scale_first = model.scale_first ? 1 : 0;
-    sampler.quad_lod = model.quad_lod ? 1 : 0;
+    sampler = on_hardware(sampler, hardware_model(hardware));
 }
 
 /// A part is named, or counted from 0.

@@ -1,0 +1,77 @@
+// quadrel-gl: what it says on bad command lines, its lists, and, where there is an implementation
+// to ask, what it finds.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace quadrel::tools_tests {
+namespace {
+
+struct GlOutcome {
+    int code = -1;
+    std::string out;
+};
+
+/// Runs `quadrel-gl arguments`; both streams. What Mesa never frees is no concern of ours.
+GlOutcome run_gl(const std::string& arguments) {
+    const std::string command = "ASAN_OPTIONS=detect_leaks=0 " QUADREL_GL " " + arguments + " 2>&1";
+    GlOutcome outcome;
+    FILE* const pipe = popen(command.c_str(), "r");
+    char bytes[4096];
+    for (std::size_t got; (got = fread(bytes, 1, sizeof bytes, pipe)) > 0;)
+        outcome.out.append(bytes, got);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000;
+    return outcome;
+}
+
+TEST(Gl, SaysWhatIsWrongWithACommand) {
+    EXPECT_EQ(run_gl("").code, 2);
+    EXPECT_EQ(run_gl("--probe --expect nobody").code, 2);
+    EXPECT_EQ(run_gl("--planted").code, 2);
+    const GlOutcome unknown = run_gl("--probe --only derivative");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.out.find("no probe is called derivative"), std::string::npos);
+    EXPECT_EQ(run_gl("--list -o /nowhere/list.txt").code, 5);
+}
+
+TEST(Gl, ListsWhatIsAskedAndWhatIsPermitted) {
+    const GlOutcome list = run_gl("--list");
+    EXPECT_EQ(list.code, 0);
+    for (const char* id : {"quads", "fill-fans", "lod-formula", "gather", "cube-corners", "fma"})
+        EXPECT_NE(("\n" + list.out).find("\n" + std::string(id) + ": "), std::string::npos) << id;
+}
+
+TEST(Gl, AnswersComeAsJson) {
+    const GlOutcome outcome =
+        run_gl("--llvmpipe --probe --json --only derivatives quad-lod min-nan");
+    if (outcome.code == 3) GTEST_SKIP() << outcome.out;
+    ASSERT_EQ(outcome.code, 0) << outcome.out;
+    const std::size_t begin = outcome.out.find('{'), end = outcome.out.rfind('}');  // Mesa may warn
+    const auto json = nlohmann::json::parse(outcome.out.substr(begin, end + 1 - begin));
+    EXPECT_NE(json["renderer"].get<std::string>().find("llvmpipe"), std::string::npos);
+    ASSERT_EQ(json["probes"].size(), 3u);
+    const auto& derivatives = json["probes"][0];
+    EXPECT_EQ(derivatives["seen"], "fine");
+    EXPECT_EQ(derivatives["permitted"], true);
+    EXPECT_EQ(derivatives["presets"]["llvmpipe"]["agrees"], true);
+    const auto& swiftshader = derivatives["presets"]["swiftshader"];
+    EXPECT_EQ(swiftshader["does"], "coarse");
+    EXPECT_EQ(swiftshader["agrees"], false);
+    EXPECT_EQ(swiftshader["first"]["pixel"], 1);  // its dFdy is not that of column 0
+}
+
+TEST(Gl, APresetThatDoesOtherwiseIsNamed) {
+    const GlOutcome outcome =
+        run_gl("--llvmpipe --probe --only derivatives nearest-level --expect d3d -o /dev/null");
+    if (outcome.code == 3) GTEST_SKIP() << outcome.out;
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.out.find("nearest-level: seen 0 2 2 4, expected 0 1 2 3"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("derivatives:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrel::tools_tests
