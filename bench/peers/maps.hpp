@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/vec2.hpp>
+#include <string>
 
 namespace quadrel::peers {
 
@@ -23,5 +25,11 @@ class TemporaryFolder {
 /// Writes height.exr, color.exr and gloss.exr, `side` texels a side, a power of two; above 1024 the
 /// wall of 1024 texels, interpolated. Where `heights_alone`, only the first.
 void write_wall(const std::filesystem::path& folder, int side, bool heights_alone = false);
+
+/// The same of any width and height up to 1024.
+void write_wall(const std::filesystem::path& folder, glm::ivec2 size);
+
+/// Writes heights alone: of a kind that `quadrel sweep` makes, with the kind's usual parameters.
+void write_heights(const std::filesystem::path& file, const std::string& kind, int side);
 
 }  // namespace quadrel::peers

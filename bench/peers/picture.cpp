@@ -69,8 +69,9 @@ Scene wall_scene(const std::filesystem::path& maps, double angle, int size,
     return load_scene(file, overrides);
 }
 
-Picture::Picture(Scene scene, const std::string& isa, std::vector<std::string> channels)
+Picture::Picture(Scene scene, const std::string& isa, std::vector<std::string> channels, bool skip)
     : scene_(std::move(scene)) {
+    options_.skip = skip;
     options_.channels = std::move(channels);
     options_.isa = isa;
 }
@@ -93,6 +94,16 @@ Time Picture::render_counting(int threads, Counting counting) {
     options.stats = counting == Counting::nothing ? nullptr : &stats;
     options.touched = counting == Counting::touched;
     return time_of([&] { render_into(film_, scene_, options); });
+}
+
+std::map<std::string, std::uint64_t> Picture::look_ups() {
+    RenderStats stats;
+    RenderOptions options = options_;
+    options.threads = 1;
+    options.summary = nullptr;
+    options.stats = &stats;
+    render_into(film_, scene_, options);
+    return stats.fetches_by_kind;
 }
 
 }  // namespace quadrel::peers

@@ -1,7 +1,9 @@
 // One row at one angle: the scene that both sides take, and how Quadrel draws it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,7 +25,9 @@ struct Time {
 /// Quadrel's drawing of a scene, again and again into one film.
 class Picture {
   public:
-    Picture(Scene scene, const std::string& isa, std::vector<std::string> channels);
+    /// `skip`: that of RenderOptions.
+    Picture(Scene scene, const std::string& isa, std::vector<std::string> channels,
+            bool skip = true);
 
     /// Draws on so many threads; what drawing alone took, without planning and loading.
     Time draw(int threads);
@@ -31,6 +35,9 @@ class Picture {
     /// Renders with so much of statistics; what all of it took, planning and counting included.
     enum class Counting { nothing, stats, touched };
     Time render_counting(int threads, Counting counting);
+
+    /// By texture slot, of a frame drawn on one thread with all shortcuts.
+    std::map<std::string, std::uint64_t> look_ups();
 
     const Scene& scene() const { return scene_; }
     const Film& film() const { return film_; }

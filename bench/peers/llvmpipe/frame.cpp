@@ -31,7 +31,8 @@ GlFrame::GlFrame(const Row& row, const Scene& scene, const std::vector<std::stri
       program_(make_program(row.shaders, all_defines(row, defines))) {
     glUseProgram(program_);
     make_target();
-    make_quad(scene);
+    make_depth(scene);
+    make_mesh(scene);
     bind_textures(scene);
     set_uniforms(scene);
     if (glGetError() != GL_NO_ERROR)
@@ -41,9 +42,10 @@ GlFrame::GlFrame(const Row& row, const Scene& scene, const std::vector<std::stri
 GlFrame::~GlFrame() {
     glDeleteFramebuffers(1, &target_);
     glDeleteTextures(1, &color_);
+    glDeleteRenderbuffers(1, &depth_);
     glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
     glDeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
-    glDeleteVertexArrays(1, &quad_);
+    glDeleteVertexArrays(1, &mesh_);
     glDeleteProgram(program_);
 }
 
@@ -55,6 +57,17 @@ void GlFrame::make_target() {
     glBindFramebuffer(GL_FRAMEBUFFER, target_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
     glViewport(0, 0, width_, height_);
+}
+
+/// For meshes that may lie in front of themselves.
+void GlFrame::make_depth(const Scene& scene) {
+    glDisable(GL_DEPTH_TEST);
+    if (scene.meshes.at(scene.objects.at(0).mesh).triangles.size() <= 2) return;
+    glGenRenderbuffers(1, &depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width_, height_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    glEnable(GL_DEPTH_TEST);
 }
 
 void GlFrame::attribute(const char* name, int components, const void* values, std::size_t bytes) {
@@ -70,10 +83,10 @@ void GlFrame::attribute(const char* name, int components, const void* values, st
     glEnableVertexAttribArray(index);
 }
 
-void GlFrame::make_quad(const Scene& scene) {
+void GlFrame::make_mesh(const Scene& scene) {
     const Mesh& mesh = scene.meshes.at(scene.objects.at(0).mesh);
-    glGenVertexArrays(1, &quad_);
-    glBindVertexArray(quad_);
+    glGenVertexArrays(1, &mesh_);
+    glBindVertexArray(mesh_);
     attribute("position", 3, mesh.positions.data(), bytes_of(mesh.positions));
     attribute("normal", 3, mesh.normals.data(), bytes_of(mesh.normals));
     attribute("mesh_uv", 2, mesh.uvs.data(), bytes_of(mesh.uvs));
@@ -128,7 +141,7 @@ void GlFrame::set_uniforms(const Scene& scene) {
 
 void GlFrame::draw() {
     glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
     glFinish();
 }

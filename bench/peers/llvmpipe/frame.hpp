@@ -17,14 +17,15 @@ class GlFrame : public ShadedFrame {
 
   private:
     void make_target();
-    void make_quad(const Scene& scene);
+    void make_depth(const Scene& scene);
+    void make_mesh(const Scene& scene);
     void bind_textures(const Scene& scene);
     void set_uniforms(const Scene& scene);
     void attribute(const char* name, int components, const void* values, std::size_t bytes);
     GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
 
     int width_, height_, indices_ = 0;
-    GLuint program_ = 0, target_ = 0, color_ = 0, quad_ = 0;
+    GLuint program_ = 0, target_ = 0, color_ = 0, depth_ = 0, mesh_ = 0;
     std::vector<GLuint> textures_, buffers_;
 };
 

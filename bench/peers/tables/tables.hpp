@@ -52,6 +52,11 @@ Table file_table(Run& run);
 Table map_table(Run& run);
 Table frame_table(Run& run);
 Table thread_table(Run& run);
+/// Quadrel beside llvmpipe, and beside itself without shortcuts, on maps and meshes of many kinds.
+Table other_map_table(Run& run);
+/// What look-ups, film, loading and packing alone take, and how far drawing is from it.
+Table floor_table(Run& run);
+Table file_floor_table(Run& run);
 /// What --stats adds to a render.
 Table stats_table(Run& run);
 

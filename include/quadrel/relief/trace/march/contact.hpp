@@ -28,7 +28,9 @@ struct Contact : HeightSearch {
         parameter<&Params::fine_steps>("fine_steps", "1", "steps within the last of those", 1,
                                        most_steps, 16),
         choice<&Params::interpolate>("interpolate", "the chord of the last heights", off_on, 0)};
-    static std::int32_t lattice_steps(const Params& params) { return params.steps; }
+    static std::int32_t lattice_steps(const Params& params) {
+        return std::max(params.steps, params.fine_steps);
+    }
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
@@ -38,17 +40,31 @@ struct Contact : HeightSearch {
         const auto height = tested_heights(io, heights);
         const F n(static_cast<Scalar<F>>(params.steps));
         auto bracket = first_bracket(height, ray, n, params.steps);
-        refine(height, ray, params.fine_steps, bracket);
-        store_search(io, ray,
-                     params.interpolate != 0 ? result_on_chord(bracket) : result_of(bracket));
+        const bool on_chord = params.interpolate != 0;
+        refine(height, ray, params.fine_steps, on_chord ? Before::needed : Before::not_needed,
+               bracket);
+        store_search(io, ray, on_chord ? result_on_chord(bracket) : result_of(bracket));
     }
 
   private:
+    /// The samples between the ends of the brackets, whose last one is part of a chord.
+    template <class F>
+    static LatticeRays<F> fine_samples(const SearchRay<F>& ray, const Bracket<F>& bracket, int n,
+                                       Before before) {
+        const F part = (bracket.s_below - bracket.s_above) / number<F>(n);
+        const F last = before == Before::needed ? number<F>(n - 1)
+                                                : F(std::numeric_limits<Scalar<F>>::infinity());
+        return {ray.at(bracket.s_above), ray.K * part, F(1) - bracket.s_above, -part, ray.K, last};
+    }
+
     template <class Height, class F>
-    static void refine(const Height& height, const SearchRay<F>& ray, int n, Bracket<F>& bracket) {
+    static void refine(const Height& height, const SearchRay<F>& ray, int n, Before before,
+                       Bracket<F>& bracket) {
         const F start = bracket.s_above, length = bracket.s_below - bracket.s_above;
+        const LatticeRays<F> samples = fine_samples(ray, bracket, n, before);
         Mask<F> active = bracket.found & (length > F(0));
-        for (const auto k : steps<F>(1, n - 1)) {
+        for (const auto k : steps_near_surface<F>(height, samples, active, 1, n - 1, before)) {
+            active = active & (number<F>(k) <= number<F>(n - 1));
             if (none(active)) break;
             const F part = number<F>(k) / number<F>(n);
             const F s = start + length * part;
