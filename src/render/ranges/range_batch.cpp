@@ -105,7 +105,15 @@ void RangeBatch::run_stages(const MaterialPlan& plan) {
         stage.run(&call_);
         if (context_->too_many) return;
         ++stages_run_;
+        if (stores(stage, Value::hit_uv)) name_place();
     }
+}
+
+/// What reads maps beside the hit reads them at places that move together.
+void RangeBatch::name_place() {
+    const auto slot = static_cast<std::size_t>(slot_of(Value::hit_uv));
+    if (values_[slot] != nullptr && values_[slot + 1] != nullptr)
+        plan_.table->name_place(values_[slot], values_[slot + 1]);
 }
 
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {

@@ -38,6 +38,7 @@ class RangeBatch {
   private:
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
+    void name_place();
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
     void follow(const MaterialPlan& plan, int quad, int lane);
     bool follow_ways(const MaterialPlan& plan, int quad, int lane, int most);

@@ -67,11 +67,26 @@ struct RangeContext {
     std::int32_t questions = 0, questions_of_lane = 0;
     std::int32_t shared_errors = 0;  ///< groups of named errors so far
     std::int32_t unit_vectors = 0;   ///< likewise
+    /// The groups of the coordinates of the place that is shaded, a lane each; 0: none yet.
+    std::int32_t places = 0;
+    /// The level of detail of look-ups there, and of which map: what they share.
+    struct PlaceLevel {
+        std::int32_t place;
+        const float* texels;
+        RealInterval level;
+    };
+    PlaceLevel place_level[4] = {};
+
+    bool is_place(std::int32_t group) const {
+        return places > 0 && group >= places && group < places + 4;
+    }
+
     /// Before the stages run.
     void begin_run() {
         open = answers = questions = 0;
         joined = 0;
-        shared_errors = unit_vectors = alternatives = 0;
+        shared_errors = unit_vectors = alternatives = places = 0;
+        for (PlaceLevel& level : place_level) level.place = 0;
         ++run;
     }
     /// Before the first run of a lane (none if negative).
