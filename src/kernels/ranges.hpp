@@ -15,6 +15,9 @@ struct RangeTable {
     RangeContext* (*context)();  ///< the calling thread's
     /// All that element `lane` of an array of values may be, under the calling thread's context.
     void (*ends)(const void* values, std::int32_t lane, double* low, double* high);
+    /// Names what the coordinates u and v of each lane may be off by, so that what is computed from
+    /// them is known to move with them.
+    void (*name_place)(void* u, void* v);
 };
 
 inline constexpr const char* range_symbol = "quadrel_range_table";

@@ -333,6 +333,41 @@ TEST(RangeWays, OfFloorAreItsIntegers) {
     for (const RealInterval& way : ways) EXPECT_TRUE(way.is_point());
 }
 
+/// The first step at or below a surface that may be at 1.5 to 3.5; 9 if there is none.
+Ranges first_step_below_surface(int* steps) {
+    const Ranges surface(Ranged(1.5, 3.5));
+    Ranges found(9);
+    RangeMask active(true);
+    int k = 0;
+    for (; k < 9 && any(active); ++k) {
+        const RangeMask below = active & (Ranges(k) >= surface);
+        found = select(below, Ranges(k), found);
+        active = active & !below;
+    }
+    *steps = k;
+    return found;
+}
+
+/// Where both sides are taken together, a search ends at the step that is certain, and what it
+/// began with is not among its results.
+TEST(RangeWays, OfSearchesEndTogetherWhereTheyMust) {
+    range_context().budget = ErrorBudget();
+    range_context().kind = Undecided::hit;
+    int steps = 0;
+    const auto apart = ways_of(0, [&] { return first_step_below_surface(&steps); });
+    EXPECT_EQ(apart.size(), 3u);
+    for (const bool followed : {false, true}) {
+        range_context().together = true;
+        const auto together =
+            ways_of(followed ? 0 : -1, [&] { return first_step_below_surface(&steps); });
+        range_context().together = false;
+        ASSERT_EQ(together.size(), 1u);
+        EXPECT_EQ(together[0].lo, 2);
+        EXPECT_EQ(together[0].hi, 4);
+        EXPECT_EQ(steps, 5);
+    }
+}
+
 TEST(RangeWays, OverTheLimitAreSaid) {
     range_context().budget = ErrorBudget();
     ways_of(0, [] {

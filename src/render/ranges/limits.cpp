@@ -96,7 +96,7 @@ void apply_setting(ErrorBudget& budget, const std::string& text) {
     if (place == nullptr || equals == std::string::npos)
         throw UsageError(
             fmt::format("--limits: found \"{}\", expected plane=, snapping=, evaluation=, "
-                        "filtered=, address= or lod= and a number",
+                        "filtered=, address= or lod= and a number, or rho=exact",
                         text));
     const char* const first = text.data() + equals + 1;
     const char* const last = text.data() + text.size();
@@ -107,6 +107,9 @@ void apply_setting(ErrorBudget& budget, const std::string& text) {
             fmt::format("--limits: found \"{}\", expected a number from 0 to 1", text));
     *place = value;
 }
+
+/// "rho=exact" is no number: the level of detail is made of the sampler's own form.
+bool is_exact_rho(const std::string& text) { return text == "rho=exact"; }
 
 }  // namespace
 
@@ -126,7 +129,12 @@ ErrorBudget budget_of_limits(const std::string& text) {
     else
         throw UsageError(
             fmt::format("--limits: found \"{}\", expected vulkan, d3d, gl or webgpu", part));
-    while (std::getline(parts, part, ',')) apply_setting(budget, part);
+    while (std::getline(parts, part, ',')) {
+        if (is_exact_rho(part))
+            budget.lod_freedom = LodFreedom::exact;
+        else
+            apply_setting(budget, part);
+    }
     return budget;
 }
 

@@ -20,6 +20,14 @@ std::uint32_t kind_of(const StageInfo& stage) {
     return room == "trace" || room == "clip" ? Undecided::hit : Undecided::branch;
 }
 
+/// How many stages have run when the last of them has written an array.
+std::size_t stages_until_written(const MaterialPlan& plan, int slot) {
+    for (std::size_t k = plan.stages.size(); k > 0; --k)
+        for (const Value value : plan.stages[k - 1].info->outputs)
+            if (slot >= slot_of(value) && slot < slot_of(value) + arrays_of(value)) return k;
+    return 0;
+}
+
 /// Ranges that meet become one; what is left is disjoint.
 FragmentRange joined(std::vector<FragmentRange>& ways) {
     std::ranges::sort(ways, {}, &FragmentRange::low);
@@ -39,6 +47,7 @@ RangeBatch::RangeBatch(const RangePlan& plan)
       values_(slot_count, nullptr),
       results_(plan.slots.size() * batch_lanes),
       ways_(plan.slots.size()),
+      through_(plan.slots.size()),
       undecided_(batch_lanes) {}
 
 void RangeBatch::prepare(const MaterialPlan& plan) {
@@ -59,6 +68,8 @@ void RangeBatch::prepare(const MaterialPlan& plan) {
                 std::fill_n(reinterpret_cast<Ranged*>(next), quad_lanes, Ranged(0.0, 0.0));
         }
     }
+    for (std::size_t s = 0; s < plan_.slots.size(); ++s)
+        through_[s] = stages_until_written(plan, plan_.slots[s]);
 }
 
 void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch& drawn,
@@ -86,22 +97,32 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
 
 void RangeBatch::run_stages(const MaterialPlan& plan) {
     context_->begin_run();
+    stages_run_ = 0;
     for (const PlannedStage& stage : plan.stages) {
         context_->kind = kind_of(*stage.info);
         call_.parameters = stage.params.data();
         call_.light = stage.light;
         stage.run(&call_);
+        if (context_->too_many) return;
+        ++stages_run_;
+        if (stores(stage, Value::hit_uv)) name_place();
     }
+}
+
+/// What reads maps beside the hit reads them at places that move together.
+void RangeBatch::name_place() {
+    const auto slot = static_cast<std::size_t>(slot_of(Value::hit_uv));
+    if (values_[slot] != nullptr && values_[slot + 1] != nullptr)
+        plan_.table->name_place(values_[slot], values_[slot + 1]);
 }
 
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {
     std::fill_n(context_->undecided, quad_lanes, 0u);
     context_->begin_lane(-1);
     run_stages(plan);
+    for (int lane = 0; lane < quad_lanes; ++lane) record(quad, lane);
     if (context_->too_many) return give_up(quad);
     const std::uint32_t several = context_->joined;
-    for (int lane = 0; lane < quad_lanes; ++lane)
-        if ((several >> lane & 1) == 0) record(quad, lane);
     for (int lane = 0; lane < quad_lanes; ++lane)
         if ((several >> lane & 1) != 0 && coverage.samples[static_cast<std::size_t>(lane)] != 0)
             follow(plan, quad, lane);
@@ -109,10 +130,11 @@ void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
 }
 
-/// Nothing is known of a quad.
+/// Of what stages write that the last run has not got through, nothing is known.
 void RangeBatch::give_up(int quad) {
     for (std::size_t s = 0; s < plan_.slots.size(); ++s)
-        for (int lane = 0; lane < quad_lanes; ++lane) result(s, quad_lanes * quad + lane) = unknown;
+        for (int lane = 0; through_[s] > stages_run_ && lane < quad_lanes; ++lane)
+            result(s, quad_lanes * quad + lane) = unknown;
     for (int lane = 0; lane < quad_lanes; ++lane)
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
 }
@@ -130,18 +152,29 @@ void RangeBatch::record(int quad, int lane) {
     }
 }
 
-void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane) {
+/// One way after another, if they are no more than `most`.
+bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int most) {
     for (auto& ways : ways_) ways.clear();
     context_->begin_lane(lane);
     int count = 0;
     do {
         run_stages(plan);
         record(quad, lane);
-    } while (!context_->too_many && ++count < most_ways && context_->next_way());
-    const bool all = !context_->too_many && (count < most_ways || !context_->next_way());
-    for (std::size_t s = 0; s < plan_.slots.size(); ++s) {
-        result(s, quad_lanes * quad + lane) = all ? joined(ways_[s]) : unknown;
+    } while (!context_->too_many && ++count < most && context_->next_way());
+    return !context_->too_many && (count < most || !context_->next_way());
+}
+
+/// Where a lane has too many ways, the sides of its decisions are taken together, but for those
+/// between constants; where that is too many as well, all are, as they are already.
+void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane) {
+    bool all = follow_ways(plan, quad, lane, most_ways);
+    if (!all) {
+        context_->together = true;
+        all = follow_ways(plan, quad, lane, most_ways);
+        context_->together = false;
     }
+    for (std::size_t s = 0; all && s < plan_.slots.size(); ++s)
+        result(s, quad_lanes * quad + lane) = joined(ways_[s]);
 }
 
 const FragmentRange& RangeBatch::range(const ChannelSource& channel, int lane) const {

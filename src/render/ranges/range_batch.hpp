@@ -21,7 +21,7 @@ struct FragmentRange {
 class RangeBatch {
   public:
     /// Ways of a lane that are followed.
-    static constexpr int most_ways = 64;
+    static constexpr int most_ways = 16;
 
     explicit RangeBatch(const RangePlan& plan);
 
@@ -38,8 +38,10 @@ class RangeBatch {
   private:
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
+    void name_place();
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
     void follow(const MaterialPlan& plan, int quad, int lane);
+    bool follow_ways(const MaterialPlan& plan, int quad, int lane, int most);
     void record(int quad, int lane);
     void give_up(int quad);
     FragmentRange& result(std::size_t slot, int lane) {
@@ -55,6 +57,8 @@ class RangeBatch {
     std::vector<void*> values_;
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]
     std::vector<std::vector<FragmentRange>> ways_;  ///< of the followed lane: [slot of the plan]
+    std::vector<std::size_t> through_;  ///< stages until it is written: [slot of the plan]
+    std::size_t stages_run_ = 0;        ///< of the last run, until there were too many ways
     std::vector<std::uint32_t> undecided_;
 };
 

@@ -5,12 +5,14 @@
 // until something depends on it; then one answer is taken, the other one is left for the next run
 // of the same stages. In every other lane, and where no lane is followed, it stays a "maybe", of
 // which both sides are taken together: no more is known of those lanes, and all that is said of
-// them is true.
+// them is true. A lane of too many ways can be treated likewise (`together`).
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "quadrel/num/range/error_budget.hpp"
+#include "quadrel/num/range/interval.hpp"
 
 namespace quadrel {
 
@@ -20,9 +22,16 @@ struct Undecided {
                                    branch = 32;
 };
 
+/// What is known of a number that a decision has chosen: it is in `rest` where a boolean (a
+/// literal, see RangeContext) is true, in `taken` where it is not.
+struct RangeAlternative {
+    std::int32_t literal;
+    RealInterval taken, rest;
+};
+
 struct RangeContext {
-    /// Open comparisons of one run, and answers that one run may need.
-    static constexpr int most_open = 4096, most_answers = 64;
+    /// Undecided booleans of one run, alternatives, and answers that one run may need.
+    static constexpr int most_open = 8192, most_alternatives = 4096, most_answers = 64;
     /// Questions whether any lane goes on, of one run and of all runs of a lane: an undecided lane
     /// may never be through with a loop.
     static constexpr int most_questions = 8192, most_questions_of_lane = 65536;
@@ -36,21 +45,49 @@ struct RangeContext {
     std::uint32_t joined = 0;
     std::uint32_t undecided[4] = {};  ///< kinds, a lane
     bool too_many = false;            ///< the limits above were not enough
+    bool together = false;            ///< the followed lane takes both sides together, too
 
-    std::int32_t open = 0;          ///< comparisons that were left open in this run
+    std::int32_t open = 0;          ///< undecided booleans of this run
     std::int8_t answer[most_open];  ///< theirs: -1 none yet
-    std::int32_t answers = 0;       ///< taken in this run
-    std::int32_t given = 0;         ///< how many of them are what the way says
+    /// A boolean or its contrary is a literal: twice its number, and 1 for the contrary. Those
+    /// that are "both a and b" have these two; others, negative numbers.
+    std::int32_t parts[most_open][2];
+    /// Where the number of "both a and b" is found: a hash table, a run's.
+    struct Conjunction {
+        std::int32_t a, b, number;
+        std::uint32_t run;
+    };
+    Conjunction conjunctions[most_open];
+    std::uint32_t run = 0;
+    std::int32_t alternatives = 0;  ///< in use; number 0 is none
+    RangeAlternative alternative[most_alternatives];
+    std::int32_t answers = 0;  ///< taken in this run
+    std::int32_t given = 0;    ///< how many of them are what the way says
     std::int8_t way[most_answers];
     std::int32_t questions = 0, questions_of_lane = 0;
     std::int32_t shared_errors = 0;  ///< groups of named errors so far
     std::int32_t unit_vectors = 0;   ///< likewise
+    /// The groups of the coordinates of the place that is shaded, a lane each; 0: none yet.
+    std::int32_t places = 0;
+    /// The level of detail of look-ups there, and of which map: what they share.
+    struct PlaceLevel {
+        std::int32_t place;
+        const float* texels;
+        RealInterval level;
+    };
+    PlaceLevel place_level[4] = {};
+
+    bool is_place(std::int32_t group) const {
+        return places > 0 && group >= places && group < places + 4;
+    }
 
     /// Before the stages run.
     void begin_run() {
         open = answers = questions = 0;
         joined = 0;
-        shared_errors = unit_vectors = 0;
+        shared_errors = unit_vectors = alternatives = places = 0;
+        for (PlaceLevel& level : place_level) level.place = 0;
+        ++run;
     }
     /// Before the first run of a lane (none if negative).
     void begin_lane(std::int32_t lane) {
@@ -68,14 +105,41 @@ struct RangeContext {
         return true;
     }
 
-    /// A comparison that is left open; negative where no more can be.
-    std::int32_t leave_open() {
-        if (open == most_open) {
-            too_many = true;
-            return -1;
-        }
+    /// The number of a boolean that nothing is known of; negative where there are no more.
+    std::int32_t new_boolean() {
+        if (open == most_open) return -1;
         answer[open] = -1;
+        parts[open][0] = parts[open][1] = -1;
         return open++;
+    }
+    /// Of a comparison that is left open; negative where no more can be.
+    std::int32_t leave_open() {
+        const std::int32_t number = new_boolean();
+        too_many |= number < 0;
+        return number;
+    }
+    /// The number of "both a and b", of literals: the same one each time.
+    std::int32_t conjunction(std::int32_t a, std::int32_t b) {
+        if (a > b) std::swap(a, b);
+        const auto hash = static_cast<std::uint32_t>(a) * 0x9e3779b1u ^
+                          static_cast<std::uint32_t>(b) * 0x85ebca6bu;
+        Conjunction& entry = conjunctions[(hash >> 13) % most_open];
+        if (entry.run == run && entry.a == a && entry.b == b) return entry.number;
+        const std::int32_t number = new_boolean();
+        if (number < 0) return number;
+        parts[number][0] = a;
+        parts[number][1] = b;
+        entry = {a, b, number, run};
+        return number;
+    }
+    bool is_part(std::int32_t literal, std::int32_t of) const {
+        return (of & 1) == 0 && (parts[of >> 1][0] == literal || parts[of >> 1][1] == literal);
+    }
+    /// The number of an alternative; 0 where there are no more.
+    std::int32_t keep(const RangeAlternative& what) {
+        if (alternatives + 1 >= most_alternatives) return 0;
+        alternative[++alternatives] = what;
+        return alternatives;
     }
     /// The answer to an open comparison. "Yes" is tried first.
     bool decide(std::int32_t comparison) {

@@ -56,8 +56,8 @@ inline Ranged copysign(const Ranged& a, const Ranged& b) {
 inline Ranged join(const Ranged& a, const Ranged& b) { return hull(a.range(), b.range()); }
 inline bool same(const Ranged& a, const Ranged& b) {
     return a.lo == b.lo && a.hi == b.hi && a.terms == b.terms && a.mass == b.mass &&
-           a.named == b.named && a.part[0] == b.part[0] && a.part[1] == b.part[1] &&
-           a.part[2] == b.part[2];
+           a.named == b.named && a.alternative == b.alternative && a.part[0] == b.part[0] &&
+           a.part[1] == b.part[1] && a.part[2] == b.part[2];
 }
 
 // ---- Roots --------------------------------------------------------------------------------------

@@ -9,11 +9,13 @@
 
 namespace quadrel {
 
-/// A boolean of one lane: no, yes, perhaps, or an open comparison of the followed lane.
+/// A boolean of one lane: no, yes, perhaps, or an open comparison of the followed lane. Those that
+/// are not decided have numbers (RangeContext), so that "both a and not a" is known to be no: a
+/// search that has certainly ended by a step ends there, whichever step it ended at.
 struct RangeTruth {
     enum State : std::int8_t { no, yes, perhaps, open };
     State state = no;
-    bool negated = false;  ///< of an open one
+    bool negated = false;  ///< of one that has a number
     std::int32_t comparison = -1;
 
     RangeTruth() = default;
@@ -23,14 +25,26 @@ struct RangeTruth {
     static RangeTruth undecided(int lane) {
         RangeContext& context = range_context();
         RangeTruth truth(perhaps);
-        if (context.followed != lane) return truth;
+        if (context.followed != lane || context.together) {
+            truth.comparison = context.new_boolean();
+            return truth;
+        }
         truth.comparison = context.leave_open();
         if (truth.comparison >= 0) truth.state = open;
         return truth;
     }
+    /// What a literal says.
+    static RangeTruth of_literal(std::int32_t literal) {
+        RangeTruth truth(perhaps);
+        truth.comparison = literal >> 1;
+        truth.negated = (literal & 1) != 0;
+        return truth.known();
+    }
+    bool has_number() const { return comparison >= 0 && (state == perhaps || state == open); }
+    std::int32_t literal() const { return 2 * comparison + (negated ? 1 : 0); }
     /// Answered, where an answer has been given.
     RangeTruth known() const {
-        if (state != open) return *this;
+        if (!has_number()) return *this;
         const std::int8_t answer = range_context().answer[comparison];
         return answer < 0 ? *this : RangeTruth((answer != 0) != negated);
     }
@@ -40,12 +54,24 @@ struct RangeTruth {
     }
     RangeTruth operator!() const {
         RangeTruth truth = *this;
-        if (state == open) truth.negated = !negated;
+        if (has_number()) truth.negated = !negated;
         if (state == no) truth.state = yes;
         if (state == yes) truth.state = no;
         return truth;
     }
 };
+
+/// Of two that may be either and have numbers.
+inline RangeTruth both_undecided(const RangeTruth& x, const RangeTruth& y) {
+    RangeContext& context = range_context();
+    const std::int32_t a = x.literal(), b = y.literal();
+    if (a == b || context.is_part(b, a)) return x;
+    if (context.is_part(a, b)) return y;
+    if (a == (b ^ 1) || context.is_part(b ^ 1, a) || context.is_part(a ^ 1, b)) return false;
+    RangeTruth truth(RangeTruth::perhaps);
+    truth.comparison = context.conjunction(a, b);
+    return truth.known();
+}
 
 inline RangeTruth both(const RangeTruth& a, const RangeTruth& b) {
     const RangeTruth x = a.known(), y = b.known();
@@ -56,7 +82,8 @@ inline RangeTruth both(const RangeTruth& a, const RangeTruth& b) {
         if (x.comparison == y.comparison) return x.negated == y.negated ? x : RangeTruth(false);
         return x.settled().state == RangeTruth::yes ? y.known() : RangeTruth(false);
     }
-    return RangeTruth::perhaps;
+    if (!x.has_number() || !y.has_number()) return RangeTruth::perhaps;
+    return both_undecided(x, y);
 }
 
 struct RangeMask {
@@ -85,7 +112,7 @@ inline bool any(const RangeMask& m) {
     }
     if (perhaps) {
         // Such a lane's ranges grow from step to step: it is not waited for as long.
-        range_context().questions += 15;
+        range_context().questions += 3;
         return true;
     }
     if (!open) return false;
@@ -109,19 +136,24 @@ inline void store(std::uint32_t* to, const RangeMask& m) {
         to[i] = m.lane[i].known().state != RangeTruth::no ? 0xffffffffu : 0u;
 }
 
-/// result.lane[i] of a mask's lane: `yes` or `no`, or what `together` makes of them.
-template <class Result, class Packet, class Same, class Join>
+/// result.lane[i] of a mask's lane: `yes` or `no`, or what `together` makes of them. `apart`:
+/// whether the two are worth a way of their own in a lane that takes both sides together.
+template <class Result, class Packet, class Same, class Apart, class Join>
 Result choose_lanes(const RangeMask& m, const Packet& a, const Packet& b, const Same& same_lane,
-                    const Join& together) {
+                    const Apart& apart, const Join& together) {
     Result result;
+    RangeContext& context = range_context();
     for (int i = 0; i < 4; ++i) {
         RangeTruth truth = m.lane[i].known();
         const bool matters = truth.state == RangeTruth::perhaps || truth.state == RangeTruth::open;
         if (matters && same_lane(a.lane[i], b.lane[i])) truth = true;
+        if (context.together && context.followed == i && truth.has_number() &&
+            apart(a.lane[i], b.lane[i]))
+            truth = context.decide(truth.comparison) != truth.negated;
         truth = truth.settled();
         if (truth.state == RangeTruth::perhaps) {
-            range_context().join(i);
-            result.lane[i] = together(a.lane[i], b.lane[i]);
+            context.join(i);
+            result.lane[i] = together(truth, a.lane[i], b.lane[i]);
         } else {
             result.lane[i] = truth.state == RangeTruth::yes ? a.lane[i] : b.lane[i];
         }
@@ -238,7 +270,8 @@ inline RangeInt select(const RangeMask& m, const RangeInt& a, const RangeInt& b)
     using Lane = RangeInt::Lane;
     return choose_lanes<RangeInt>(
         m, a, b, [](Lane x, Lane y) { return x.lo == y.lo && x.hi == y.hi; },
-        [](Lane x, Lane y) {
+        [](Lane, Lane) { return false; },
+        [](const RangeTruth&, Lane x, Lane y) {
             return Lane{std::min(x.lo, y.lo), std::max(x.hi, y.hi)};
         });
 }

@@ -11,6 +11,8 @@
 //     lanes. They are named, up to three to a value, each within [-1, 1], and cancel in
 //     differences.
 //   * A number that may be NaN, or infinite, or was never bounded, is `anything`.
+// And of a number that an undecided select has chosen, which part of the range is that of what was
+// not chosen yet, until it is used by anything else: a later select may rule it out.
 // With a budget of 0 all this is interval arithmetic in double (interval.hpp).
 #pragma once
 
@@ -20,12 +22,13 @@
 namespace quadrel {
 
 struct Ranged {
-    double lo, hi;       ///< of the sum so far, without its errors and the named ones
-    double mass;         ///< sum of the magnitudes of its terms
-    double terms;        ///< 1: no sum
-    double part[3];      ///< of the named errors
-    std::int32_t named;  ///< their group; 0: none
-    std::int32_t unit;   ///< which component of which unit vector (geometry.hpp); 0: of none
+    double lo, hi;             ///< of the sum so far, without its errors and the named ones
+    double mass;               ///< sum of the magnitudes of its terms
+    double terms;              ///< 1: no sum
+    double part[3];            ///< of the named errors
+    std::int32_t named;        ///< their group; 0: none
+    std::int32_t unit;         ///< which component of which unit vector (geometry.hpp); 0: of none
+    std::int32_t alternative;  ///< RangeContext's, of this run; 0: none
 
     Ranged() = default;
     /// A constant or an input: where arithmetic is float32's, rounded to it.
@@ -38,7 +41,8 @@ struct Ranged {
           terms(1),
           part{},
           named(0),
-          unit(0) {
+          unit(0),
+          alternative(0) {
         if (!(low <= high) || !(mass < std::numeric_limits<double>::infinity())) *this = anything();
     }
     Ranged(const RealInterval& range) : Ranged(range.lo, range.hi) {}
@@ -50,7 +54,7 @@ struct Ranged {
         result.mass = result.hi;
         result.terms = 1;
         result.part[0] = result.part[1] = result.part[2] = 0;
-        result.named = result.unit = 0;
+        result.named = result.unit = result.alternative = 0;
         return result;
     }
     bool is_bounded() const {
@@ -140,6 +144,7 @@ inline Ranged sum(const Ranged& a, Ranged b) {
 
 inline Ranged negated(const Ranged& a) {
     Ranged result = a;
+    result.alternative = 0;
     result.lo = -a.hi;
     result.hi = -a.lo;
     for (double& part : result.part) part = -part;
@@ -150,6 +155,7 @@ inline Ranged negated(const Ranged& a) {
 inline Ranged scaled(const Ranged& a, double factor) {
     Ranged result = factor < 0 ? negated(a) : a;
     if (std::fabs(factor) != 1) result.unit = 0;
+    result.alternative = 0;
     const double by = std::fabs(factor);
     result.lo *= by;
     result.hi *= by;

@@ -161,14 +161,58 @@ struct WideOps<Ranges> {
     static Ranges narrow(const Ranges& a) { return a; }
 };
 
+/// Without alternatives, which are a run's.
 inline void store(Ranged* to, const Ranges& a) {
-    for (int i = 0; i < 4; ++i) to[i] = a.lane[i];
+    for (int i = 0; i < 4; ++i) {
+        to[i] = a.lane[i];
+        to[i].alternative = 0;
+    }
 }
+
+namespace range_detail {
+
+/// One of two constants depends on the decision, beyond a search.
+inline bool are_apart(const Ranged& a, const Ranged& b) {
+    return a.lo == a.hi && b.lo == b.hi && a.named == 0 && b.named == 0 &&
+           range_context().kind != Undecided::hit;
+}
+
+/// A number's range under an assumption, as far as it is known.
+inline RealInterval under(const Ranged& x, const RangeTruth& assumed) {
+    if (x.alternative == 0) return x.range();
+    const RangeAlternative& known = range_context().alternative[x.alternative];
+    if (known.literal == assumed.literal()) return known.rest;
+    return known.literal == (assumed.literal() ^ 1) ? known.taken : x.range();
+}
+
+/// m ? a : b, of an undecided m. What of it is still b's rest, if b has an alternative, or else b
+/// itself, is kept apart.
+inline Ranged chosen(const RangeTruth& m, const Ranged& a, const Ranged& b) {
+    if (!m.has_number() || !a.is_bounded() || !b.is_bounded()) return join(a, b);
+    RangeContext& context = range_context();
+    RealInterval taken = under(a, m), rest = under(b, !m);
+    RangeTruth open = !m;
+    if (b.alternative != 0) {
+        const RangeAlternative known = context.alternative[b.alternative];
+        open = both(RangeTruth::of_literal(known.literal), !m);
+        taken = hull(taken, known.taken);
+        rest = known.rest;
+        if (open.state == RangeTruth::no) return Ranged(taken);
+    }
+    Ranged result(hull(taken, rest));
+    if (open.has_number()) result.alternative = context.keep({open.literal(), taken, rest});
+    return result;
+}
+
+}  // namespace range_detail
 
 inline Ranges select(const RangeMask& m, const Ranges& a, const Ranges& b) {
     return choose_lanes<Ranges>(
         m, a, b, [](const Ranged& x, const Ranged& y) { return same(x, y); },
-        [](const Ranged& x, const Ranged& y) { return join(x, y); });
+        range_detail::are_apart,
+        [](const RangeTruth& truth, const Ranged& x, const Ranged& y) {
+            return range_detail::chosen(truth, x, y);
+        });
 }
 
 // ---- Rounding to integers -----------------------------------------------------------------------

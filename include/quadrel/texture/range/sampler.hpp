@@ -5,7 +5,7 @@
 #pragma once
 
 #include "quadrel/texture/height_sampler.hpp"
-#include "quadrel/texture/range/footprint.hpp"
+#include "quadrel/texture/range/linear_form.hpp"
 
 namespace quadrel {
 
@@ -139,6 +139,42 @@ TexelRange look_up(const SampledTexture& texture, int lane, const Ranged& lambda
                                       [&](int level) { return of(level, filter); }));
     }
     return filtered(range);
+}
+
+/// The named error that a level of detail moves with in look-ups beside a place: the same gradients
+/// have the same level. -1 where the look-up is none of these.
+inline int error_of_level(const SampledTexture& texture, const Ranged& u, const Ranged& v,
+                          const RealInterval& d) {
+    RangeContext& context = range_context();
+    constexpr int level_error = 2;
+    if (!context.is_place(u.named) || u.part[level_error] != 0 || v.part[level_error] != 0)
+        return -1;
+    RangeContext::PlaceLevel& level = context.place_level[(u.named - 1) % 4];
+    if (level.place != u.named) level = {u.named, texture.view.texels, d};
+    const bool same =
+        level.texels == texture.view.texels && level.level.lo == d.lo && level.level.hi == d.hi;
+    return same ? level_error : -1;
+}
+
+/// A look-up beside a place as a linear form; false elsewhere, and where filters or levels do not
+/// allow for one.
+inline bool form_of_look_up(LinearForm& form, const SampledTexture& texture, const Ranged& u,
+                            const Ranged& v, const Ranged& lambda) {
+    const SamplerState& s = texture.sampler;
+    if (!range_context().is_place(u.named) || u.named != v.named || s.mag != Filter::linear ||
+        s.min != Filter::linear)
+        return false;
+    const bool mips = s.mip != MipFilter::none && texture.view.levels > 1;
+    const RealInterval d = mips ? level_of(texture, clamped_lambda(s, lambda)) : RealInterval(0);
+    const double first = std::floor(d.lo);
+    if ((mips && s.mip == MipFilter::nearest && d.hi > 0) || d.hi > first + 1) return false;
+    const int level = static_cast<int>(first);
+    if (!linear_form(form, LevelTexels(texture, level), u, v)) return false;
+    if (d.hi == first) return true;
+    LinearForm coarse;
+    if (!linear_form(coarse, LevelTexels(texture, level + 1), u, v)) return false;
+    form = blended(form, coarse, {d.lo - first, d.hi - first}, error_of_level(texture, u, v, d));
+    return true;
 }
 
 inline vec4<Ranges> packet_of(const TexelRange (&lanes)[4]) {
@@ -282,7 +318,16 @@ inline vec4<Ranges> sample_expanded(const SampledTexture& texture,
                                                                      uv.x.lane[i], uv.y.lane[i]);
                                               })
                                     : unasked();
-    return packet_of(lanes);
+    vec4<Ranges> result = packet_of(lanes);
+    for (int i = 0; i < 4; ++i) {
+        const Ranged &u = uv.x.lane[i], &v = uv.y.lane[i];
+        LinearForm form;
+        if (!asks(context, i) || !form_of_look_up(form, texture, u, v, lod.lambda.lane[i]))
+            continue;
+        for (int c = 0; c < 4; ++c)
+            result[c].lane[i] = narrower(form, c, u.named, lanes[i].channel[c]);
+    }
+    return result;
 }
 inline vec4<Ranges> sample_expanded(const SampledTexture& texture,
                                     const SampleContext<Ranges>& context, const vec2<Ranges>& uv,
