@@ -24,5 +24,7 @@ void add_errors(CLI::App& app, Action& action);
 void add_explain(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_advise(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 
 }  // namespace quadrel::cli

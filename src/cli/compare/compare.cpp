@@ -13,6 +13,7 @@
 #include "cli/compare/against.hpp"
 #include "cli/compare/arguments.hpp"
 #include "cli/compare/blame.hpp"
+#include "cli/compare/decode.hpp"
 #include "cli/compare/images.hpp"
 #include "cli/compare/legal.hpp"
 #include "cli/compare/region.hpp"
@@ -49,7 +50,7 @@ constexpr const char* details =
 
 struct CompareArguments {
     std::string reference, test, channels, heatmap, encode, blame, ignored_flags, against;
-    std::vector<std::string> mappings, overrides, plugins;
+    std::vector<std::string> mappings, overrides, plugins, decode;
     ToleranceArguments tolerances;
     ImageSelection selection, reference_selection;
     RegionArguments region;
@@ -86,7 +87,8 @@ void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& l
 
 /// What need be read, where that is known beforehand.
 std::optional<Window> wanted_part(const CompareArguments& arguments) {
-    if (arguments.region.window.empty() || arguments.flip_y) return std::nullopt;
+    if (arguments.region.window.empty() || arguments.flip_y || !arguments.decode.empty())
+        return std::nullopt;
     return parse_window("--window", arguments.region.window);
 }
 
@@ -100,12 +102,14 @@ Images read_images(const CompareArguments& arguments) {
                   {},
                   {}};
     ComparableImage &reference = images.reference, &test = images.test;
+    decode_test(arguments.decode, arguments.legal.wanted, images);
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
     const auto region = keep_region(arguments.region, reference.film, test.film);
     images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
-    images.preparation = {arguments.reference, arguments.test, "", "",    encoding,
-                          arguments.flip_y,    mappings,       {}, region};
+    images.preparation = {reference.file.string(), test.file.string(), "", "",    encoding,
+                          arguments.flip_y,        mappings,           {}, region};
+    images.preparation.decoded = decoded_channels(arguments.decode, test.file.string());
     return images;
 }
 
@@ -116,6 +120,7 @@ void refuse_beside_against(const CompareArguments& a) {
         {"--rel", !t.rel.empty()},
         {"--ulp", !t.ulp.empty()},
         {"--encode", !a.encode.empty()},
+        {"--decode", !a.decode.empty()},
         {"--blame", !a.blame.empty()},
         {"--heatmap", !a.heatmap.empty()},
         {"--ignore-flags", !a.ignored_flags.empty()},
@@ -245,6 +250,11 @@ void add_tolerances(CLI::App& verb, ToleranceArguments& tolerances) {
 void add_preparation(CLI::App& verb, CompareArguments& a) {
     verb.add_option("--encode", a.encode, "round both to what 8 bits or half can hold")
         ->type_name("srgb8|unorm8|half");
+    verb.add_option("--decode", a.decode,
+                    "one image carries this channel's 32 bits as codes, as the snippets of "
+                    "`export --snippets` pack them: bits:hit.U; repeatable")
+        ->type_name("LAYOUT:CHANNEL[,CHANNEL...][=FILE]")
+        ->allow_extra_args(false);
     verb.add_flag("--flip-y", a.flip_y, "the test image's first row is its bottom");
     verb.add_option("--map", a.mappings, "the test image's channel or group for a reference's")
         ->type_name("REF=TEST")
