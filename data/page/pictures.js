@@ -15,7 +15,8 @@ const ramps = {
   signed: [[33, 102, 220], [120, 170, 240], [245, 245, 245], [240, 150, 110], [200, 30, 40]],
   heat: [[0, 0, 60], [60, 0, 120], [180, 20, 80], [240, 90, 20], [255, 190, 60], [255, 255, 240]],
 };
-const classColours = [[38, 110, 62], [240, 190, 40], [120, 125, 140], [225, 30, 50]];
+/* As the heat map of compare --legal. */
+const classColours = [[0, 114, 178], [240, 228, 66], [160, 160, 160], [213, 94, 0]];
 /* A table of 1024 colours is quicker than a blend each. */
 const tables = Object.fromEntries(Object.entries(ramps).map(([name, stops]) =>
   [name, Array.from({ length: 1024 }, (_, k) => between(stops, k / 1023))]));

@@ -69,12 +69,10 @@ void check_values(const std::vector<page::ViewSource>& sources) {
 std::vector<page::ViewSource> read_sources(const ViewArguments& arguments) {
     std::optional<Window> part;
     if (!arguments.window.empty()) part = parse_window("--window", arguments.window);
-    std::vector<page::ViewSource> sources;
+    std::vector<ComparableImage> images;
     for (const std::string& file : arguments.images)
-        sources.push_back({std::filesystem::path(file).filename().string(),
-                           read_comparable(file, arguments.selection, part)});
-    if (sources.size() > 1 && sources[0].name == sources[1].name)
-        for (std::size_t i = 0; i < sources.size(); ++i) sources[i].name = arguments.images[i];
+        images.push_back(read_comparable(file, arguments.selection, part));
+    std::vector<page::ViewSource> sources = named_sources(std::move(images));
     keep_channels(arguments.channels, sources);
     keep_window(arguments.window, sources);
     return sources;
@@ -110,6 +108,18 @@ void write_view(const std::filesystem::path& output, const std::vector<page::Vie
     file.write(page.data(), page.size());
     file.commit();
     say_written(output);
+}
+
+std::vector<page::ViewSource> named_sources(std::vector<ComparableImage> images) {
+    std::set<std::filesystem::path> names;
+    for (const ComparableImage& image : images) names.insert(image.file.filename());
+    std::vector<page::ViewSource> sources;
+    for (ComparableImage& image : images) {
+        const std::filesystem::path name =
+            names.size() == images.size() ? image.file.filename() : image.file;
+        sources.push_back({name.string(), std::move(image)});
+    }
+    return sources;
 }
 
 void add_view(CLI::App& app, Action& action) {

@@ -12,4 +12,7 @@ namespace quadrel::cli {
 /// than a browser holds, OutputError.
 void write_view(const std::filesystem::path& output, const std::vector<page::ViewSource>& sources);
 
+/// Images under the names of their files, or under paths where these are the same.
+std::vector<page::ViewSource> named_sources(std::vector<ComparableImage> images);
+
 }  // namespace quadrel::cli

@@ -18,6 +18,7 @@
 #include "cli/compare/legal.hpp"
 #include "cli/compare/region.hpp"
 #include "cli/verbs.hpp"
+#include "cli/view.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/heatmap.hpp"
 #include "quadrel/film/preview.hpp"
@@ -49,7 +50,7 @@ constexpr const char* details =
     "no channel has more ambiguous or unconstrained pixels than it may.";
 
 struct CompareArguments {
-    std::string reference, test, channels, heatmap, encode, blame, ignored_flags, against;
+    std::string reference, test, channels, heatmap, page, encode, blame, ignored_flags, against;
     std::vector<std::string> mappings, overrides, plugins, decode;
     ToleranceArguments tolerances;
     ImageSelection selection, reference_selection;
@@ -123,6 +124,7 @@ void refuse_beside_against(const CompareArguments& a) {
         {"--decode", !a.decode.empty()},
         {"--blame", !a.blame.empty()},
         {"--heatmap", !a.heatmap.empty()},
+        {"--page", !a.page.empty()},
         {"--ignore-flags", !a.ignored_flags.empty()},
         {"--overlap", a.region.overlap},
         {"--reference-layer", !a.reference_selection.layer.empty()},
@@ -182,10 +184,17 @@ void check_combinations(const CompareArguments& arguments) {
                              ": not with --legal, whose reference says what is permitted");
 }
 
+void write_page(const std::string& file, Images images) {
+    if (file.empty()) return;
+    write_view(file, named_sources({std::move(images.reference), std::move(images.test)}));
+}
+
 ExitCode run_legal(const CompareArguments& arguments, const CommandFiles& files) {
     const LegalRules rules = legal_rules(arguments.legal);
-    LegalJudgement judgement = judge_legal(rules, read_images(arguments), arguments.channels);
+    Images images = read_images(arguments);
+    LegalJudgement judgement = judge_legal(rules, images, arguments.channels);
     files.check();
+    write_page(arguments.page, std::move(images));
     LegalReport& report = judgement.report;
     print_report(report, arguments.json);
     if (!arguments.heatmap.empty()) {
@@ -205,8 +214,10 @@ ExitCode run_compare(const CompareArguments& arguments) {
     CommandFiles files;
     for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
     files.add_output("--heatmap", arguments.heatmap);
+    files.add_output("--page", arguments.page);
     files.check_writable();
-    check_output_kinds({{"--heatmap", ".png", arguments.heatmap}});
+    check_output_kinds(
+        {{"--heatmap", ".png", arguments.heatmap}, {"--page", ".html", arguments.page}});
     if (arguments.legal.wanted) return run_legal(arguments, files);
     load_plugins(arguments.plugins);
     Images images = prepare(arguments);
@@ -232,6 +243,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
             say("quadrel: no heat map: the windows differ");
         }
     }
+    write_page(arguments.page, std::move(images));
     return report.equal() ? ExitCode::ok : ExitCode::difference;
 }
 
@@ -308,6 +320,8 @@ void add_compare(CLI::App& app, Action& action) {
             "write a PNG of the largest differences, a panel for each kind of channel; with "
             "--legal of the verdicts")
         ->type_name("OUT.png");
+    verb->add_option("--page", a->page, "write both images as `view` does, as they were compared")
+        ->type_name("OUT.html");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });
 }
