@@ -1,6 +1,6 @@
 /* Panels: pictures that zoom and pan together. */
 
-const sight = { x: 0, y: 0, zoom: 0 };  /* the middle, in pixels of the frame; zoom 0: all of it */
+const sight = { x: 0, y: 0, zoom: 0 };  /* the middle, in pixels of the frame; zoom 0: all of each picture */
 const panels = [];
 let chosenPixel = null;
 
@@ -9,28 +9,25 @@ function fitZoom(panel) {
   return Math.min(canvas.width / picture.width, canvas.height / picture.height);
 }
 const zoomOf = (panel) => sight.zoom || fitZoom(panel);
+const middleOf = ({ source }) => (sight.zoom ? sight : { x: (source.x0 + source.x1) / 2, y: (source.y0 + source.y1) / 2 });
 /* From a place in the window of the browser to one in the frame. */
 function placeOf(panel, clientX, clientY) {
   const box = panel.canvas.getBoundingClientRect(), ratio = panel.canvas.width / box.width, zoom = zoomOf(panel);
-  return { x: sight.x + ((clientX - box.left) * ratio - panel.canvas.width / 2) / zoom,
-           y: sight.y + ((clientY - box.top) * ratio - panel.canvas.height / 2) / zoom };
+  const middle = middleOf(panel);
+  return { x: middle.x + ((clientX - box.left) * ratio - panel.canvas.width / 2) / zoom,
+           y: middle.y + ((clientY - box.top) * ratio - panel.canvas.height / 2) / zoom };
 }
-function centre(source) {
-  sight.zoom = 0;
-  sight.x = (source.x0 + source.x1) / 2;
-  sight.y = (source.y0 + source.y1) / 2;
-}
-
 function drawPanel(panel) {
   const { canvas, picture, source } = panel, context = canvas.getContext("2d"), zoom = zoomOf(panel);
-  const left = canvas.width / 2 + (source.x0 - sight.x) * zoom, top = canvas.height / 2 + (source.y0 - sight.y) * zoom;
+  const middle = middleOf(panel), atX = (x) => canvas.width / 2 + (x - middle.x) * zoom, atY = (y) => canvas.height / 2 + (y - middle.y) * zoom;
+  const left = atX(source.x0), top = atY(source.y0);
   context.clearRect(0, 0, canvas.width, canvas.height);
   context.imageSmoothingEnabled = zoom < 1;
   context.imageSmoothingQuality = "high";
   context.drawImage(picture, left, top, picture.width * zoom, picture.height * zoom);
   canvas.style.touchAction = sight.zoom ? "none" : "pan-y";
   if (!chosenPixel || source.index(chosenPixel.x, chosenPixel.y) < 0) return;
-  const x = canvas.width / 2 + (chosenPixel.x - sight.x) * zoom, y = canvas.height / 2 + (chosenPixel.y - sight.y) * zoom;
+  const x = atX(chosenPixel.x), y = atY(chosenPixel.y);
   const room = Math.max(0, (9 - zoom) / 2), side = zoom + 2 * room;
   for (const [colour, width] of [["#000", 4], ["#fff", 2]]) {
     context.strokeStyle = colour;
@@ -58,9 +55,9 @@ function zoomBy(factor, panel, clientX, clientY) {
   const at = [clientX ?? box.left + box.width / 2, clientY ?? box.top + box.height / 2];
   const before = placeOf(panel, ...at), least = fitZoom(panel), most = Math.max(64, 16 * least) * devicePixelRatio;
   const zoom = Math.min(zoomOf(panel) * factor, most);
-  if (zoom <= least) centre(panel.source);
+  if (zoom <= least) sight.zoom = 0;
   else {
-    sight.zoom = zoom;
+    Object.assign(sight, middleOf(panel), { zoom });
     const after = placeOf(panel, ...at);
     sight.x += before.x - after.x;
     sight.y += before.y - after.y;

@@ -67,7 +67,9 @@ function pictureOf(source, choice, how) {
   if (channels.length < choice.names.length) return paint(source, () => missing);
   const gain = 2 ** how.exposure;
   if (how.colours === "colour" || how.colours === "vector") {
-    const code = how.colours === "colour" ? (v) => srgbCode(v * gain) : (v) => 127.5 + 127.5 * v * gain;
+    // Codes of a picture of 8 bits are for the screen as they are.
+    const curve = channels[0].stored === "unorm8" ? (v) => 255 * v : srgbCode;
+    const code = how.colours === "colour" ? (v) => curve(v * gain) : (v) => 127.5 + 127.5 * v * gain;
     const [r, g, b] = channels.map((c) => c.values);
     return paint(source, (i) => special(r[i]) || special(g[i]) || (b && special(b[i])) ||
       [code(r[i]), code(g[i]), b ? code(b[i]) : 0]);

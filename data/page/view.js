@@ -77,7 +77,7 @@ function shownPanels() {
   };
   if (!b()) return [single(a())];
   switch (state.view) {
-    case "both": return [single(a()), single(b()), judged() || heat()];
+    case "both": return [single(a()), single(b()), ...(a().fits(b()) ? [judged() || heat()] : [])];
     case "b": return [single(b())];
     case "difference":
       return [isOneChannel() ? { caption: `${b().name} less ${a().name}`, source: a(),
@@ -123,7 +123,7 @@ function showLegend() {
   if (!b() || ["both", "a", "b"].includes(state.view)) items = legendOfValues();
   if (b() && single) items = [rampText("signed", short(-differenceExtent()), short(differenceExtent()))];
   if (b() && (state.view === "classes" || state.view === "both") && found) items.push(...legendOfClasses(found));
-  else if (b() && (["both", "heat", "classes"].includes(state.view) || (state.view === "difference" && !single))) items.push(...legendOfHeat());
+  else if (b() && a().fits(b()) && (["both", "heat", "classes"].includes(state.view) || (state.view === "difference" && !single))) items.push(...legendOfHeat());
   byId("legend").replaceChildren(...items);
 }
 
@@ -189,7 +189,7 @@ function showWorst() {
   const pairs = state.choice.names.map((name) => [a().channels.get(name), b().channels.get(name)]).filter(([x, y]) => x && y);
   const lead = byId("worst-lead"), table = byId("worst");
   table.parentElement.hidden = true;
-  if (!a().fits(b())) { lead.textContent = "The images have other windows; pixels are compared one at a time only."; return; }
+  if (!a().fits(b())) { lead.textContent = "The images have different windows; pixels are compared one at a time only."; return; }
   if (pairs.length === 0) { lead.textContent = "One of the images lacks this channel."; return; }
   const worst = worstPixels(pairs, 12);
   lead.textContent = worst.length ? `Of ${state.choice.label}, by the absolute difference. Click one to see it.` : `${state.choice.label} is equal, bit for bit.`;
@@ -236,7 +236,7 @@ function showStatistics() {
   head.push(html("tr", {}, ...["Channel", ...sources.flatMap(() => of), ...(b() ? ["Pixels apart", "Most apart", "Most ulp"] : [])].map((text) => html("th", { scope: "col" }, text))));
   table.tHead.replaceChildren(...head);
   table.tBodies[0].replaceChildren(...channelNames().map(statisticsRow));
-  byId("statistics-lead").textContent = b() && !a().fits(b()) ? "The images have other windows; they are not compared here." : "Of finite values. Click a channel to see it.";
+  byId("statistics-lead").textContent = b() && !a().fits(b()) ? "The images have different windows; they are not compared here." : "Of finite values. Click a channel to see it.";
 }
 function showAttributes() {
   byId("attributes-section").hidden = sources.every((source) => Object.keys(source.attributes).length === 0);
@@ -326,7 +326,7 @@ function recall() {
 }
 const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 function onKey(event) {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input:not([type=radio]), select")) return;
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest?.("input:not([type=radio]), select")) return;
   const { key } = event, step = steps[key];
   if (step && event.target.type === "radio") return;
   if (step && state.kept) choose({ x: state.kept.x + step[0], y: state.kept.y + step[1] });
@@ -341,7 +341,7 @@ function onKey(event) {
   event.preventDefault();
 }
 function fit() {
-  centre(a());
+  sight.zoom = 0;
   drawPanels();
 }
 
@@ -368,7 +368,6 @@ async function start() {
   sources = await embeddedSources();
   choices = makeChoices();
   makeControls();
-  centre(a());
   recall();
   showSummary();
   showStatistics();

@@ -5,8 +5,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "browser.hpp"
 #include "page/planted.hpp"
+#include "quadrel/film/legal.hpp"
 #include "quadrel/texture/image.hpp"
 
 namespace quadrel::page_tests {
@@ -39,6 +43,30 @@ class View : public testing::Test {
         other = film;
         other.find("hit.P.X")->bits[other.index(5, 4)] ^= 1u;  // PageError::wrong_value
         other.find("hit.steps")->bits[other.index(6, 4)] += 3;
+        add_ranges();
+    }
+    /// A channel that `film` holds ranges of, with values of each class.
+    void add_ranges() {
+        Plane value{"Q", ChannelType::float32, {}};
+        for (std::size_t i = 0; i < film.window.area(); ++i)
+            value.bits.push_back(testing_films::bits(static_cast<float>(i)));
+        const auto add = [&](const char* name) -> Plane& {
+            film.planes.push_back(value);
+            film.planes.back().name = name;
+            return film.planes.back();
+        };
+        other.planes.push_back(value);
+        add("Q");
+        add("gpu.lo.Q").bits[8] = testing_films::bits(-INFINITY);
+        add("gpu.hi.Q").bits[9] = testing_films::bits(NAN);
+        Plane& paths = add("gpu.paths.Q");
+        paths.type = ChannelType::uint32;
+        std::ranges::fill(paths.bits, 1u);
+        paths.bits[5] = 0;
+        paths.bits[6] = paths.bits[7] = 2;
+        for (const int i : {10, 11, 12})
+            other.planes.back().bits[static_cast<std::size_t>(i)] =
+                testing_films::bits(i == 10 ? NAN : -1);
     }
     void SetUp() override {
         if (testing_browser::browser().empty()) GTEST_SKIP() << testing_browser::no_browser;
@@ -65,23 +93,45 @@ std::string value_mark(int source, const Film& film, const std::string& channel,
                        film.find(channel)->bits[film.index(x, y)]);
 }
 
-TEST_F(View, ShowsTheBitsOfBothImages) {
-    write_two();
-    const std::string text = dom("#channel=hit.P.X&view=difference&pixel=5,4");
-    EXPECT_NE(text.find(fmt::format("data-ready=\"{}\"", film.planes.size())), std::string::npos);
-    const auto has = [&](const std::string& mark) { return text.find(mark) != std::string::npos; };
+/// Whether the page has every value of a pixel of one of its images, and all bits by their hash.
+testing::AssertionResult shows(const std::string& dom, int source, const Film& film, int x, int y) {
     for (const Plane& plane : film.planes) {
-        EXPECT_TRUE(has(value_mark(0, film, plane.name, 5, 4))) << plane.name;
-        EXPECT_TRUE(has(value_mark(1, other, plane.name, 5, 4))) << plane.name;
-        for (const Film* each : {&film, &other})
-            EXPECT_TRUE(has(fmt::format("data-hash=\"{} {} {:#010x}\"", each == &other ? 1 : 0,
-                                        plane.name, hash_of(each->find(plane.name)->bits))))
-                << plane.name;
+        const std::string hash =
+            fmt::format("data-hash=\"{} {} {:#010x}\"", source, plane.name, hash_of(plane.bits));
+        if (dom.find(value_mark(source, film, plane.name, x, y)) == std::string::npos)
+            return testing::AssertionFailure() << plane.name << " of the pixel";
+        if (dom.find(hash) == std::string::npos)
+            return testing::AssertionFailure() << plane.name << " as a whole";
     }
-    EXPECT_NE(value_mark(0, film, "hit.P.X", 5, 4).substr(10),
-              value_mark(1, other, "hit.P.X", 5, 4).substr(10));
-    EXPECT_TRUE(has("2 of 8 shared channels differ.")) << static_cast<int>(PageError::wrong_value);
-    EXPECT_TRUE(has("1 ulp"));
+    return testing::AssertionSuccess();
+}
+
+/// Verdicts are those of compare --legal.
+testing::AssertionResult counts_verdicts(const std::string& dom, const Film& film,
+                                         const Film& other) {
+    const LegalReport report = judge(take_apart(film, ""), other, {});
+    for (const LegalVerdict verdict : {LegalVerdict::pass, LegalVerdict::ambiguous,
+                                       LegalVerdict::unconstrained, LegalVerdict::fail}) {
+        const auto count = report.channels.at(0).count(verdict);
+        const std::string line = fmt::format("{}: {}</span>", legal_verdict_name(verdict), count);
+        if (count == 0 || dom.find(line) == std::string::npos)
+            return testing::AssertionFailure() << line;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST_F(View, ShowsTheBitsOfBothImagesAndVerdicts) {
+    write_two();
+    const std::string text = dom("#channel=Q&view=classes&pixel=5,4");
+    EXPECT_NE(text.find(fmt::format("data-ready=\"{}\"", film.planes.size())), std::string::npos);
+    EXPECT_TRUE(shows(text, 0, film, 5, 4));
+    EXPECT_TRUE(shows(text, 1, other, 5, 4));
+    EXPECT_FALSE(shows(text, 1, film, 5, 4)) << static_cast<int>(PageError::wrong_value);
+    EXPECT_NE(text.find("3 of 9 shared channels differ."), std::string::npos);
+    EXPECT_NE(text.find("1 ulp"), std::string::npos);
+    EXPECT_TRUE(counts_verdicts(text, film, other));
+    other.find("Q")->bits[20] = testing_films::bits(-1);
+    EXPECT_FALSE(counts_verdicts(text, film, other)) << static_cast<int>(PageError::wrong_verdict);
 }
 
 TEST_F(View, NoticesDamage) {
