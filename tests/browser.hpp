@@ -24,8 +24,7 @@ inline constexpr const char* no_browser = "no chromium, chromium-browser or goog
 inline bool browse(const testing_films::TemporaryFolder& folder, const std::string& page,
                    const std::string& options, const std::string& out) {
     const std::string line = "cd '" + folder.path().string() + "' && HOME=. timeout 60 " +
-                             browser() +
-                             " --headless --no-sandbox --hide-scrollbars " + options +
+                             browser() + " --headless --no-sandbox --hide-scrollbars " + options +
                              " 'file://" + (folder / page).string() + "' >" + out + " 2>err";
     return std::system(line.c_str()) == 0;
 }
