@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -128,6 +129,37 @@ TEST(Snippets, BringEveryBitBackFromABrowser) {
         EXPECT_FALSE(come_back(codes, bits)) << static_cast<int>(PageError::wrong_code);
     }
     if (run == 0) GTEST_SKIP() << "the browser has neither WebGL 2 nor WebGPU";
+}
+
+/// By glslang, which knows HLSL, too.
+bool compiles(const std::string& options, const std::string& source) {
+    const TemporaryFolder folder;
+    testing_films::write_bytes(folder / "shader.frag", source);
+    const std::string line = "cd '" + folder.path().string() + "' && glslangValidator " + options +
+                             " shader.frag >log 2>&1";
+    return std::system(line.c_str()) == 0;
+}
+
+TEST(Snippets, Compile) {
+    if (std::system("command -v glslangValidator >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "no glslangValidator on PATH";
+    const std::string uses =
+        "pack_rgba8(b) + pack_rgb8(b, b & 1u) + pack_rg16(b) + "
+        "pack_rgb10a2(b) * float(pack_rg16ui(b).x + pattern_bits(b, b))";
+    const std::string main =
+        "in float x; out vec4 color; void main() { uint b = value_bits(x); color = " + uses +
+        "; }\n";
+    const std::string glsl = page::page_part("snippets/pack.glsl") + main;
+    EXPECT_TRUE(compiles("", "#version 330 core\n" + glsl));
+    EXPECT_TRUE(
+        compiles("", "#version 300 es\nprecision highp float; precision highp int;\n" + glsl));
+    const std::string hlsl =
+        page::page_part("snippets/pack.hlsl") +
+        "float4 main(float x : TEXCOORD0) : SV_Target0 { uint b = value_bits(x); return " + uses +
+        "; }\n";
+    EXPECT_TRUE(compiles("-D -V -S frag -e main", hlsl));
+    EXPECT_FALSE(compiles("-D -V -S frag -e main", glsl))
+        << static_cast<int>(PageError::wrong_language);
 }
 
 }  // namespace
