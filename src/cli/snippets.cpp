@@ -1,5 +1,6 @@
 #include "cli/snippets.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,8 +19,6 @@ namespace {
 std::string snippet(const std::string& file) {
     return read_whole_file(find_data_file(std::filesystem::path("snippets") / file));
 }
-
-}  // namespace
 
 ExitCode print_snippets(const std::string& language) {
     const std::vector<std::string> languages = {"glsl", "hlsl", "wgsl", "glsl-es"};
@@ -54,6 +53,24 @@ ExitCode write_pattern(const std::string& size, const std::string& output) {
     write_exr(output, film, {});
     say_written(output);
     return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_snippet_options(CLI::App& verb, SnippetArguments& arguments) {
+    verb.add_flag("--snippets", arguments.snippets,
+                  "print functions that pack a float's 32 bits into codes of 8, 10 or 16 bits, for "
+                  "compare --decode");
+    verb.add_option("--pattern", arguments.pattern,
+                    "write what pattern_bits of the snippets gives, as an EXR of this size")
+        ->type_name("WxH");
+}
+
+ExitCode run_snippets(const SnippetArguments& arguments, const std::string& language,
+                      const std::string& output) {
+    if (arguments.snippets && !arguments.pattern.empty())
+        throw UsageError("export: found --snippets and --pattern, expected one of them");
+    return arguments.snippets ? print_snippets(language) : write_pattern(arguments.pattern, output);
 }
 
 }  // namespace quadrel::cli

@@ -3,19 +3,25 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <filesystem>
 #include <string>
 
 #include "quadrel/error.hpp"
 
 namespace quadrel::cli {
 
-/// Of `language`, "glsl", "glsl-es", "hlsl" or "wgsl"; empty: of all, each under its file's name.
-/// Throws UsageError for another one.
-ExitCode print_snippets(const std::string& language);
+struct SnippetArguments {
+    bool snippets = false;  ///< --snippets
+    std::string pattern;    ///< --pattern: a size as in "640x480"
 
-/// An EXR with the channel `pattern`, uint32, as pattern_bits of the snippets has it; `size` as in
-/// "640x480". Throws UsageError and OutputError.
-ExitCode write_pattern(const std::string& size, const std::string& output);
+    bool given() const { return snippets || !pattern.empty(); }
+};
+
+void add_snippet_options(CLI::App& verb, SnippetArguments& arguments);
+
+/// Prints the snippets of `language`, "glsl", "glsl-es", "hlsl" or "wgsl", or of all, each under
+/// its file's name, if that is empty; or writes the pattern to `output`, an EXR with the channel
+/// `pattern`, uint32, as pattern_bits of the snippets has it. Throws UsageError and OutputError.
+ExitCode run_snippets(const SnippetArguments& arguments, const std::string& language,
+                      const std::string& output);
 
 }  // namespace quadrel::cli
