@@ -1,5 +1,8 @@
 #include "page/template.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "file/data_path.hpp"
 #include "file/read_file.hpp"
 #include "quadrel/error.hpp"

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
 #include <map>
 
 #include "film/bits/codes.hpp"

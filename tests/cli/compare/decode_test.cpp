@@ -1,6 +1,7 @@
 // compare --decode on files, and what export gives to pack them with.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/process.hpp"
