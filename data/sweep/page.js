@@ -1,7 +1,5 @@
-"use strict";
 const results = JSON.parse(document.getElementById("results-data").textContent);
 const pictures = JSON.parse(document.getElementById("pictures-data").textContent);
-const byId = (id) => document.getElementById(id);
 
 /* Runs */
 
@@ -81,12 +79,6 @@ function frontOf(points) {
 
 /* Elements */
 
-function html(name, attributes = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, v] of Object.entries(attributes)) key in made && key !== "list" ? (made[key] = v) : made.setAttribute(key, v);
-  made.append(...children);
-  return made;
-}
 function svg(name, attributes = {}, text = null) {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
   for (const [key, v] of Object.entries(attributes)) made.setAttribute(key, v);

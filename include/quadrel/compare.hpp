@@ -100,6 +100,7 @@ struct Preparation {
     std::vector<ChannelMapping> mappings;
     std::vector<std::string> by_value{};  ///< integers on one side, floats on the other
     std::optional<Window> window{};       ///< the only pixels that were compared, where asked for
+    std::vector<std::string> decoded{};   ///< one line each: channels that were codes of an image
 };
 
 struct CompareReport {

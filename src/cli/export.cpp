@@ -1,4 +1,4 @@
-// quadrel export: a stage as a shader's function.
+// quadrel export: what other programs take over: stages as functions of shaders, snippets.
 #include "export/export.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "cli/common/console.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/validators.hpp"
+#include "cli/snippets.hpp"
 #include "cli/verbs.hpp"
 #include "file/atomic_file.hpp"
 #include "io/document/stage_parameters.hpp"
@@ -21,7 +22,8 @@ namespace quadrel::cli {
 namespace {
 
 struct ExportArguments {
-    std::string stage, language = "glsl", output;
+    SnippetArguments snippets;
+    std::string stage, language, output;
     std::vector<std::string> parameters;
     int side = 1024, lights = 2;
     bool list = false;
@@ -81,7 +83,12 @@ void set_parameter(const StageInfo& stage, const std::string& text, void* params
 
 ExitCode run_export(const ExportArguments& arguments) {
     if (arguments.list) return list_stages();
-    if (arguments.stage.empty()) throw UsageError("export: expected --stage ID, or --list");
+    if (arguments.snippets.given())
+        return run_snippets(arguments.snippets, arguments.language, arguments.output);
+    if (arguments.stage.empty())
+        throw UsageError("export: expected --stage ID, --list, --snippets or --pattern");
+    if (arguments.language == "wgsl")
+        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a stage");
     CommandFiles files;
     files.add_output("-o", arguments.output);
     files.check_writable();
@@ -89,8 +96,9 @@ ExitCode run_export(const ExportArguments& arguments) {
     std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
     stage.set_defaults(params.data());
     for (const std::string& text : arguments.parameters) set_parameter(stage, text, params.data());
-    const std::string text = export_stage(
-        stage.text.id, {arguments.language, params.data(), arguments.side, arguments.lights});
+    const std::string text =
+        export_stage(stage.text.id, {arguments.language.empty() ? "glsl" : arguments.language,
+                                     params.data(), arguments.side, arguments.lights});
     if (arguments.output.empty()) {
         print(text);
         return ExitCode::ok;
@@ -105,13 +113,15 @@ ExitCode run_export(const ExportArguments& arguments) {
 }  // namespace
 
 void add_export(CLI::App& app, Action& action) {
-    CLI::App* verb =
-        app.add_subcommand("export", "write a stage as a shader's function, out of its own text");
+    CLI::App* verb = app.add_subcommand(
+        "export",
+        "stages as shader functions, out of their own texts, and exact values out of an engine");
     const auto a = std::make_shared<ExportArguments>();
     verb->add_option("--stage", a->stage, "linear, or trace/linear");
-    verb->add_option("--language", a->language, "of the function")
-        ->check(one_word_of(std::vector<std::string>{"glsl", "glsl-es", "hlsl"}))
-        ->capture_default_str();
+    add_snippet_options(*verb, a->snippets);
+    verb->add_option("--language", a->language,
+                     "of the function (default: glsl), of the snippets (default: all)")
+        ->check(one_word_of(std::vector<std::string>{"glsl", "glsl-es", "hlsl", "wgsl"}));
     verb->add_option("-D", a->parameters, "a parameter of the stage, in place of its default")
         ->type_name("NAME=VALUE");
     verb->add_option("--side", a->side, "of the maps in texels, which searches of cells know")

@@ -52,7 +52,7 @@ constexpr Verb verbs[] = {
     {"info", add_info},     {"probe", add_probe},     {"sheet", add_sheet},
     {"mips", add_mips},     {"bake", add_bake},       {"explain", add_explain},
     {"sweep", add_sweep},   {"advise", add_advise},   {"errors", add_errors},
-    {"export", add_export}};
+    {"export", add_export}, {"view", add_view}};
 
 /// All verbs, since help and a mistake name them; but where the command line begins with one, that
 /// alone: to describe the options of all takes most of the time of starting.

@@ -25,5 +25,6 @@ void add_explain(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_advise(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 
 }  // namespace quadrel::cli

@@ -17,9 +17,9 @@ using testing::AssertionSuccess;
 using testing_films::TemporaryFolder;
 using Words = std::vector<std::string>;
 
-constexpr const char* verbs[] = {"render", "compare", "list",  "info", "explain",
-                                 "probe",  "sheet",   "mips",  "bake", "sweep",
-                                 "advise", "errors",  "export"};
+constexpr const char* verbs[] = {"render", "compare", "list",   "info", "explain",
+                                 "probe",  "sheet",   "mips",   "bake", "sweep",
+                                 "advise", "errors",  "export", "view"};
 
 Words split(const std::string& line) {
     std::istringstream stream(line);

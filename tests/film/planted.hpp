@@ -51,6 +51,9 @@ enum class FilmError {
     legal_window_shifted,    ///< pixels are matched by their place in the window
     legal_first_ten,         ///< the first ten that fail instead of the worst ten
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve
+    bits_as_srgb,            ///< codes that carry bits went through a transfer function
+    bits_dithered,           ///< they were scaled, and some are one off
+    bits_inverted,           ///< they are counted from the other end
 };
 
 }  // namespace quadrel::planted

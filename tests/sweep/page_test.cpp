@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "browser.hpp"
 #include "quadrel/texture/image.hpp"
 #include "sweep/plan_files.hpp"
 #include "sweep/report/results.hpp"
@@ -17,28 +18,14 @@ using namespace quadrel::sweep;
 using testing_films::file_bytes;
 using testing_films::TemporaryFolder;
 
-/// A browser's name; empty where there is none.
-std::string browser() {
-    for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
-        if (std::system((std::string("command -v ") + name + " >/dev/null 2>&1").c_str()) == 0)
-            return name;
-    return "";
-}
-
-/// Runs the browser on the page in `folder`, which is its home, too.
 bool browse(const TemporaryFolder& folder, const std::string& options, const std::string& out) {
-    const std::string line =
-        "cd '" + folder.path().string() + "' && HOME=. timeout 60 " + browser() +
-        " --headless --no-sandbox --disable-gpu --hide-scrollbars " + options + " 'file://" +
-        (folder / "out" / "page.html").string() + "' >" + out + " 2>err";
-    return std::system(line.c_str()) == 0;
+    return testing_browser::browse(folder, "out/page.html", "--disable-gpu " + options, out);
 }
 
 class Page : public testing::Test {
   protected:
     void SetUp() override {
-        if (browser().empty())
-            GTEST_SKIP() << "no chromium, chromium-browser or google-chrome on PATH";
+        if (testing_browser::browser().empty()) GTEST_SKIP() << testing_browser::no_browser;
         const Plan plan = plan_of(folder, small_plan());
         write_results(folder / "out", "A test",
                       run_sweep(plan, {folder / "out", 1, 1, "test", {}}).records);

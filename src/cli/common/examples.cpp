@@ -18,6 +18,8 @@ constexpr Example all[] = {
      "against a picture of 8 bits, a code apart at most"},
     {"compare", "bricks-45 port.exr --against oracle",
      "how far what a port drew of a scene is from the truth"},
+    {"compare", "shot.png bricks.exr --decode bits:hit.U",
+     "a screenshot that carries a float's bits, exactly"},
     {"compare", "ranges.exr port.exr --legal --heatmap verdicts.png",
      "by what the reference says that a value may be"},
     {"list", "algorithms cone", "stages whose texts have the word cone"},
@@ -48,6 +50,12 @@ constexpr Example all[] = {
      "with at most 24 look-ups a fragment"},
     {"export", "--stage trace/linear -D steps=64 -o linear.glsl", "a search as a GLSL function"},
     {"export", "--list", "which stages are written, and why others are not"},
+    {"export", "--snippets --language hlsl", "functions that pack a float into RGBA8"},
+    {"export", "--pattern 640x480 -o pattern.exr",
+     "what a screenshot must come back as if no bit gets lost"},
+    {"view", "bricks.exr -o view.html", "a page to look at every value, in any browser"},
+    {"view", "bricks.exr port.exr --channels R,G,B,hit,N -o view.html",
+     "two images side by side, and where they differ"},
 };
 
 }  // namespace

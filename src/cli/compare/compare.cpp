@@ -13,10 +13,12 @@
 #include "cli/compare/against.hpp"
 #include "cli/compare/arguments.hpp"
 #include "cli/compare/blame.hpp"
+#include "cli/compare/decode.hpp"
 #include "cli/compare/images.hpp"
 #include "cli/compare/legal.hpp"
 #include "cli/compare/region.hpp"
 #include "cli/verbs.hpp"
+#include "cli/view.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/heatmap.hpp"
 #include "quadrel/film/preview.hpp"
@@ -48,8 +50,8 @@ constexpr const char* details =
     "no channel has more ambiguous or unconstrained pixels than it may.";
 
 struct CompareArguments {
-    std::string reference, test, channels, heatmap, encode, blame, ignored_flags, against;
-    std::vector<std::string> mappings, overrides, plugins;
+    std::string reference, test, channels, heatmap, page, encode, blame, ignored_flags, against;
+    std::vector<std::string> mappings, overrides, plugins, decode;
     ToleranceArguments tolerances;
     ImageSelection selection, reference_selection;
     RegionArguments region;
@@ -86,7 +88,8 @@ void fill_left_out(const Film& reference, Film& test, const std::vector<bool>& l
 
 /// What need be read, where that is known beforehand.
 std::optional<Window> wanted_part(const CompareArguments& arguments) {
-    if (arguments.region.window.empty() || arguments.flip_y) return std::nullopt;
+    if (arguments.region.window.empty() || arguments.flip_y || !arguments.decode.empty())
+        return std::nullopt;
     return parse_window("--window", arguments.region.window);
 }
 
@@ -100,12 +103,14 @@ Images read_images(const CompareArguments& arguments) {
                   {},
                   {}};
     ComparableImage &reference = images.reference, &test = images.test;
+    decode_test(arguments.decode, arguments.legal.wanted, images);
     if (arguments.flip_y) flip_y(test.film);
     map_channels(test, mappings);
     const auto region = keep_region(arguments.region, reference.film, test.film);
     images.rules.left_out = left_out(arguments.ignored_flags, reference.film);
-    images.preparation = {arguments.reference, arguments.test, "", "",    encoding,
-                          arguments.flip_y,    mappings,       {}, region};
+    images.preparation = {reference.file.string(), test.file.string(), "", "",    encoding,
+                          arguments.flip_y,        mappings,           {}, region};
+    images.preparation.decoded = decoded_channels(arguments.decode, test.file.string());
     return images;
 }
 
@@ -116,8 +121,10 @@ void refuse_beside_against(const CompareArguments& a) {
         {"--rel", !t.rel.empty()},
         {"--ulp", !t.ulp.empty()},
         {"--encode", !a.encode.empty()},
+        {"--decode", !a.decode.empty()},
         {"--blame", !a.blame.empty()},
         {"--heatmap", !a.heatmap.empty()},
+        {"--page", !a.page.empty()},
         {"--ignore-flags", !a.ignored_flags.empty()},
         {"--overlap", a.region.overlap},
         {"--reference-layer", !a.reference_selection.layer.empty()},
@@ -177,10 +184,17 @@ void check_combinations(const CompareArguments& arguments) {
                              ": not with --legal, whose reference says what is permitted");
 }
 
+void write_page(const std::string& file, Images images) {
+    if (file.empty()) return;
+    write_view(file, named_sources({std::move(images.reference), std::move(images.test)}));
+}
+
 ExitCode run_legal(const CompareArguments& arguments, const CommandFiles& files) {
     const LegalRules rules = legal_rules(arguments.legal);
-    LegalJudgement judgement = judge_legal(rules, read_images(arguments), arguments.channels);
+    Images images = read_images(arguments);
+    LegalJudgement judgement = judge_legal(rules, images, arguments.channels);
     files.check();
+    write_page(arguments.page, std::move(images));
     LegalReport& report = judgement.report;
     print_report(report, arguments.json);
     if (!arguments.heatmap.empty()) {
@@ -200,8 +214,10 @@ ExitCode run_compare(const CompareArguments& arguments) {
     CommandFiles files;
     for (const std::string& image : {arguments.reference, arguments.test}) files.add_input(image);
     files.add_output("--heatmap", arguments.heatmap);
+    files.add_output("--page", arguments.page);
     files.check_writable();
-    check_output_kinds({{"--heatmap", ".png", arguments.heatmap}});
+    check_output_kinds(
+        {{"--heatmap", ".png", arguments.heatmap}, {"--page", ".html", arguments.page}});
     if (arguments.legal.wanted) return run_legal(arguments, files);
     load_plugins(arguments.plugins);
     Images images = prepare(arguments);
@@ -227,6 +243,7 @@ ExitCode run_compare(const CompareArguments& arguments) {
             say("quadrel: no heat map: the windows differ");
         }
     }
+    write_page(arguments.page, std::move(images));
     return report.equal() ? ExitCode::ok : ExitCode::difference;
 }
 
@@ -245,6 +262,11 @@ void add_tolerances(CLI::App& verb, ToleranceArguments& tolerances) {
 void add_preparation(CLI::App& verb, CompareArguments& a) {
     verb.add_option("--encode", a.encode, "round both to what 8 bits or half can hold")
         ->type_name("srgb8|unorm8|half");
+    verb.add_option("--decode", a.decode,
+                    "one image carries this channel's 32 bits as codes, as the snippets of "
+                    "`export --snippets` pack them: bits:hit.U; repeatable")
+        ->type_name("LAYOUT:CHANNEL[,CHANNEL...][=FILE]")
+        ->allow_extra_args(false);
     verb.add_flag("--flip-y", a.flip_y, "the test image's first row is its bottom");
     verb.add_option("--map", a.mappings, "the test image's channel or group for a reference's")
         ->type_name("REF=TEST")
@@ -298,6 +320,8 @@ void add_compare(CLI::App& app, Action& action) {
             "write a PNG of the largest differences, a panel for each kind of channel; with "
             "--legal of the verdicts")
         ->type_name("OUT.png");
+    verb->add_option("--page", a->page, "write both images as `view` does, as they were compared")
+        ->type_name("OUT.html");
     verb->add_flag("--json", a->json, "machine-readable, on standard output");
     verb->callback([a, &action] { action = [a] { return run_compare(*a); }; });
 }

@@ -102,6 +102,7 @@ Json preparation_json(const Preparation& preparation) {
             {"reference_storage", preparation.reference_storage},
             {"test_storage", preparation.test_storage},
             {"encode", encoding_name(preparation.encoding)},
+            {"decoded", preparation.decoded},
             {"flip_y", preparation.flip_y},
             {"map", map},
             {"by_value", preparation.by_value},

@@ -93,6 +93,8 @@ std::string preparation_text(const Preparation& preparation) {
                     preparation.reference_storage, preparation.test_file, preparation.test_storage);
     if (preparation.encoding != Encoding::none)
         text += fmt::format("encoded as {}\n", encoding_name(preparation.encoding));
+    for (const std::string& line : preparation.decoded)
+        text += fmt::format("decoded {}\n", printable(line));
     if (preparation.flip_y) text += "test flipped in y\n";
     for (const auto& [reference, test] : preparation.mappings)
         text +=

@@ -9,7 +9,8 @@
 namespace quadrel::sweep {
 
 /// `results` as results_json gives them; pictures are taken from `records`. The template lies in
-/// the data directory: sweep/page.html, page.css, page.js. Throws InputError if it does not.
+/// the data directory: sweep/page.html, page.css, page.js, and page/base.*. Throws InputError if it
+/// does not.
 std::string page_html(const Json& results, const std::vector<Json>& records);
 
 }  // namespace quadrel::sweep

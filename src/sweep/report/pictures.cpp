@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/image/png_encode.hpp"
+#include "page/template.hpp"
 #include "quadrel/num/math.hpp"
 
 namespace quadrel::sweep {
@@ -125,19 +126,7 @@ Picture error_thumbnail(const RunError& error, int width, int height, int side) 
 }
 
 std::string data_uri(const Picture& picture) {
-    static constexpr char digits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const std::string bytes = encode_png("thumbnail", picture);
-    std::string text = "data:image/png;base64,";
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
+    return "data:image/png;base64," + page::base64(encode_png("thumbnail", picture));
 }
 
 }  // namespace quadrel::sweep

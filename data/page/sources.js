@@ -1,0 +1,70 @@
+/* Sources: named images whose channels are arrays of bits. What draws and compares knows nothing
+   of where they come from. */
+
+function bytesOf(base64) {
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i += 1) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
+async function inflated(bytes) {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+/* What packed_bits (src/page/bits.hpp) did, undone. */
+async function unpackedBits(base64, count, earlier) {
+  const bytes = await inflated(bytesOf(base64));
+  if (bytes.length !== 4 * count) throw new Error(`${bytes.length} bytes instead of ${4 * count}`);
+  const bits = new Uint32Array(count);
+  let last = 0, at = 0;
+  for (let shift = 0; shift < 32; shift += 8)
+    for (let i = 0; i < count; i += 1) {
+      last = (last + bytes[at++]) & 255;
+      bits[i] |= last << shift;
+    }
+  if (earlier) for (let i = 0; i < count; i += 1) bits[i] ^= earlier[i];
+  return bits;
+}
+
+/* A channel: `values` are numbers; bits tell what numbers don't. */
+function channelOf(name, type, stored, bits) {
+  return { name, type, stored, bits, values: type === "uint32" ? bits : new Float32Array(bits.buffer) };
+}
+class Source {
+  constructor(name, frame, window, attributes = {}) {
+    this.name = name;
+    this.frame = frame;
+    [this.x0, this.y0, this.x1, this.y1] = window;
+    this.width = this.x1 - this.x0;
+    this.height = this.y1 - this.y0;
+    this.attributes = attributes;
+    this.channels = new Map();
+  }
+  /* -1 where the image has no such pixel. */
+  index(x, y) {
+    const inside = x >= this.x0 && x < this.x1 && y >= this.y0 && y < this.y1;
+    return inside ? (y - this.y0) * this.width + x - this.x0 : -1;
+  }
+  fits(other) {
+    return ["x0", "y0", "x1", "y1"].every((key) => this[key] === other[key]);
+  }
+}
+async function embeddedSource(described, earlier) {
+  const source = new Source(described.name, described.frame, described.window, described.attributes);
+  for (const { name, type, stored, against, bits } of described.channels)
+    try {
+      const before = against ? earlier.channels.get(name).bits : null;
+      source.channels.set(name, channelOf(name, type, stored,
+        await unpackedBits(bits, source.width * source.height, before)));
+    } catch (error) {
+      throw new Error(`${described.name}: the data of channel ${name} are damaged (${error.message})`);
+    }
+  return source;
+}
+async function embeddedSources() {
+  if (typeof DecompressionStream === "undefined")
+    throw new Error("this browser cannot unpack the values: it lacks DecompressionStream, which Chrome 80, Firefox 113 and Safari 16.4 have");
+  const sources = [];
+  for (const described of JSON.parse(byId("sources-data").textContent).sources)
+    sources.push(await embeddedSource(described, sources.at(-1)));
+  return sources;
+}
