@@ -169,6 +169,13 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
     }
 }
 
+/// Of a file that a scene names, the scene and where it does so, too.
+[[noreturn]] void rethrow_named(const Scene& scene, const InputError& error) {
+    if (scene.file.empty() || error.key.empty()) throw InputError(error);
+    throw InputError(scene.file.string(), error.key,
+                     fmt::format("{} in {}", error.found, error.file), error.expected);
+}
+
 }  // namespace
 
 std::string height_swizzle(const TextureReference& reference) {
@@ -185,7 +192,11 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
     tbb::parallel_invoke(
         [&] { error.run(0, [&] { loaded = load_all(needs, cache); }); },
         [&] { error.run(1, [&] { load_environment(scene, slots, cache, textures); }); });
-    error.rethrow();
+    try {
+        error.rethrow();
+    } catch (const InputError& unreadable) {
+        rethrow_named(scene, unreadable);
+    }
     cache.files().forget();
     for (std::size_t n = 0; n < needs.size(); ++n) {
         const Need& need = needs[n];

@@ -2,7 +2,9 @@
 // lane and way by way.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "quadrel/raster/coverage.hpp"
@@ -34,6 +36,8 @@ class RangeBatch {
     const FragmentRange& range(const ChannelSource& channel, int lane) const;
     /// A set of Undecided's bits.
     std::uint32_t undecided(int lane) const { return undecided_[static_cast<std::size_t>(lane)]; }
+    /// Why a pixel is not certified; `proven` if it is.
+    Uncertified uncertified(int lane) const { return uncertified_[static_cast<std::size_t>(lane)]; }
 
   private:
     void prepare(const MaterialPlan& plan);
@@ -42,6 +46,9 @@ class RangeBatch {
     void follow(const MaterialPlan& plan, int quad, int lane);
     void record(int quad, int lane);
     void give_up(int quad);
+    void mark_coverage(const QuadCoverage& coverage);
+    void mark_cells();
+    Uncertified certify(std::uint32_t material, const Batch& drawn, int lane) const;
     FragmentRange& result(std::size_t slot, int lane) {
         return results_[slot * batch_lanes + static_cast<std::size_t>(lane)];
     }
@@ -56,6 +63,9 @@ class RangeBatch {
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]
     std::vector<std::vector<FragmentRange>> ways_;  ///< of the followed lane: [slot of the plan]
     std::vector<std::uint32_t> undecided_;
+    std::vector<Uncertified> uncertified_;
+    std::optional<oracle::Surface> surface_;            ///< of the material that runs
+    std::array<std::array<FragmentRange, 2>, 4> hits_;  ///< of the quad's lanes: hit.uv, all ways
 };
 
 }  // namespace quadrel

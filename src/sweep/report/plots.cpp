@@ -26,7 +26,8 @@ double error_of(const Json& record) {
 
 bool is_measured(const Json& record) {
     return !record.contains("failed") && record.contains("trace_ms") &&
-           record["trace_ms"].get<double>() > 0 && record.contains("texels_p99");
+           record["trace_ms"].get<double>() > 0 && record.contains("texels_p99") &&
+           record["texels_p99"].is_number();
 }
 
 /// Geometric means over runs.
