@@ -245,6 +245,8 @@ function drawDots(points, front) {
       return row;
     })));
 }
+/* So many dots all have names; of more those of the front. */
+const fewDots = 16;
 const names = (points) => new Set(points.map((p) => p.key));
 
 function drawFront() {
@@ -252,7 +254,7 @@ function drawFront() {
   const front = frontOf(points), onFront = names(front);
   drawDots(points, front);
   drawChart(byId("front"), {
-    dots: true, x: timeAxis(), y: errorAxis(), front: front.map((p) => ({ x: p.t, y: p.e })), labelled: (s) => onFront.has(s.name),
+    dots: true, x: timeAxis(), y: errorAxis(), front: front.map((p) => ({ x: p.t, y: p.e })), labelled: (s) => points.length <= fewDots || onFront.has(s.name),
     series: points.map((p) => ({ name: p.key, family: p.run.family, points: [{ x: p.t, y: p.e,
       about: `${p.key}: ${short(p.t)} ${value("time")}; ${short(p.e)} ${value("error")}${p.n > 1 ? ` (mean of ${p.n} runs)` : ""}` }] })),
   });
