@@ -105,8 +105,8 @@ std::string front_chart(const Group& group, const std::string& view, const std::
     chart.series.push_back(line);
     std::map<std::string, ChartSeries> families;
     for (const auto& [name, mean] : means) {
-        const bool labelled = means.size() <= few_dots ||
-                              std::find(front.begin(), front.end(), name) != front.end();
+        const bool labelled =
+            means.size() <= few_dots || std::find(front.begin(), front.end(), name) != front.end();
         ChartSeries& series = families[mean.family()];
         series.family = mean.family();
         series.points.push_back(

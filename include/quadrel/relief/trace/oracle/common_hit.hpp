@@ -7,8 +7,8 @@
 
 namespace quadrel::oracle {
 
-/// What certified.pixel.reason has beside Uncertified's: a pixel's exact ray may hit or miss, or hit
-/// either of two cells; or it does not end where the drawn one does. Part of the file format.
+/// What certified.pixel.reason has beside Uncertified's: a pixel's exact ray may hit or miss, or
+/// hit either of two cells; or it does not end where the drawn one does. Part of the file format.
 inline constexpr Uncertified pixel_open{7}, pixel_apart{8};
 
 /// Every ray with numbers of these ranges; bounded, each as first_hit.hpp has it.
