@@ -169,13 +169,6 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
     }
 }
 
-/// Of a file that a scene names, the scene and where it does so, too.
-[[noreturn]] void rethrow_named(const Scene& scene, const InputError& error) {
-    if (scene.file.empty() || error.key.empty()) throw InputError(error);
-    throw InputError(scene.file.string(), error.key,
-                     fmt::format("{} in {}", error.found, error.file), error.expected);
-}
-
 }  // namespace
 
 std::string height_swizzle(const TextureReference& reference) {
@@ -192,11 +185,7 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
     tbb::parallel_invoke(
         [&] { error.run(0, [&] { loaded = load_all(needs, cache); }); },
         [&] { error.run(1, [&] { load_environment(scene, slots, cache, textures); }); });
-    try {
-        error.rethrow();
-    } catch (const InputError& unreadable) {
-        rethrow_named(scene, unreadable);
-    }
+    error.rethrow();
     cache.files().forget();
     for (std::size_t n = 0; n < needs.size(); ++n) {
         const Need& need = needs[n];
