@@ -3,25 +3,28 @@ const pictures = JSON.parse(document.getElementById("pictures-data").textContent
 
 /* Runs */
 
+const percent = (share) => typeof share === "number" ? 100 * share : null;
 const nsPerPixel = (run) => run.fragments ? 1e6 * run.trace_ms / run.fragments : null;
 const times = {
   "search, ns a pixel": nsPerPixel,
   "stages, ms a frame": (run) => run.kernel_ms,
   "drawing, ms a frame": (run) => run.draw_ms,
-  "look-ups a pixel": (run) => run.search_look_ups,
-  "look-ups in lockstep": (run) => run.lockstep_look_ups,
-  "cache lines": (run) => run.lines_touched,
+  "look-ups of the search, a pixel": (run) => run.search_look_ups,
+  "look-ups in lockstep, a pixel": (run) => run.lockstep_look_ups,
+  "cache lines that are read, a frame": (run) => run.lines_touched,
 };
 const errors = {
-  "texels, 99 %": (run) => run.texels_p99,
-  "texels, median": (run) => run.texels_median,
-  "texels, 90 %": (run) => run.texels_p90,
-  "texels, greatest": (run) => run.texels_max,
-  "depth, 99 % (thicknesses)": (run) => run.s_p99,
-  "depth, median (thicknesses)": (run) => run.s_median,
-  "wrong rays, %": (run) => 100 * run.wrong,
-  "late rays, %": (run) => 100 * run.late,
-  "early rays, %": (run) => 100 * run.early,
+  "texels from the true hit, 99 % of rays": (run) => run.texels_p99,
+  "texels from the true hit, median": (run) => run.texels_median,
+  "texels from the true hit, 90 % of rays": (run) => run.texels_p90,
+  "texels from the true hit, greatest": (run) => run.texels_max,
+  "texels as drawn, with the frame's error, 99 %": (run) => run.drawn_texels_p99,
+  "depth from the true hit, 99 % of rays, thicknesses": (run) => run.s_p99,
+  "depth from the true hit, median, thicknesses": (run) => run.s_median,
+  "wrong rays, %": (run) => percent(run.wrong),
+  "late rays, %": (run) => percent(run.late),
+  "early rays, %": (run) => percent(run.early),
+  "rays that end on another surface, %": (run) => percent(run.other_surface),
 };
 /* Exact hits have no error, and a logarithm ends nowhere: this is drawn in place of less. */
 const leastError = 1e-3;
@@ -220,11 +223,30 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
 const errorAxis = () => ({ title: value("error"), log: true, floor: true });
 const timeAxis = () => ({ title: value("time"), log: true });
 
+/* What each dot is: those of the front first, then by error. */
+function drawDots(points, front) {
+  const rest = points.filter((p) => !front.includes(p)).sort((a, b) => a.e - b.e || a.t - b.t);
+  byId("dots-summary").textContent = `The ${points.length} dots as a table, the ${front.length} that the dashed line joins first`;
+  byId("dots").replaceChildren(html("thead", {}, html("tr", {}, ...["search", "family", value("time"), value("error"), "runs"].map((text) => html("th", {}, text)))),
+    html("tbody", {}, ...[...front, ...rest].map((p) => {
+      const first = html("td", { className: "word", title: p.key }, html("span", { className: `swatch ${p.run.family}` }), " ", names(front).has(p.key) ? html("b", {}, p.key) : p.key);
+      const error = p.e <= leastError * 1.001 ? `≤${short(leastError)}` : short(p.e);
+      const row = html("tr", { className: state.chosen.has(p.key) ? "chosen" : "" }, first, html("td", { className: "word" }, p.run.family),
+        html("td", {}, short(p.t)), html("td", {}, error), html("td", {}, String(p.n)));
+      row.addEventListener("click", () => choose(p.key));
+      return row;
+    })));
+}
+/* So many dots all have names; of more those of the front. */
+const fewDots = 16;
+const names = (points) => new Set(points.map((p) => p.key));
+
 function drawFront() {
   const points = pointsBy(chosenRuns(), (run) => run.algorithm);
-  const front = frontOf(points), names = new Set(front.map((p) => p.key));
+  const front = frontOf(points), onFront = names(front);
+  drawDots(points, front);
   drawChart(byId("front"), {
-    dots: true, x: timeAxis(), y: errorAxis(), front: front.map((p) => ({ x: p.t, y: p.e })), labelled: (s) => names.has(s.name),
+    dots: true, x: timeAxis(), y: errorAxis(), front: front.map((p) => ({ x: p.t, y: p.e })), labelled: (s) => points.length <= fewDots || onFront.has(s.name),
     series: points.map((p) => ({ name: p.key, family: p.run.family, points: [{ x: p.t, y: p.e,
       about: `${p.key}: ${short(p.t)} ${value("time")}; ${short(p.e)} ${value("error")}${p.n > 1 ? ` (mean of ${p.n} runs)` : ""}` }] })),
   });
@@ -328,7 +350,8 @@ function showScale() {
   const box = (colour) => { const made = html("span", { className: "box" }); made.style.background = colour; return made; };
   byId("scale").append(
     html("span", {}, "early, 100 to 0.01 texels ", ramp("#78f0ff, #1450c8, #000")), html("span", {}, ramp("#000, #be460a, #fff078"), " late, 0.01 to 100 texels"),
-    html("span", {}, box("rgb(230 40 200)"), " hit for miss or miss for hit"), html("span", {}, box("#fff"), " NaN"), html("span", {}, box("#6e6e6e"), " no ray"));
+    html("span", {}, ramp("#000, #147832, #82ff96"), " on another surface"),
+    html("span", {}, box("rgb(230 40 200)"), " hit for miss or miss for hit"), html("span", {}, box("#fff"), " NaN"), html("span", {}, box("#6e6e6e"), " not judged"));
 }
 function drawGallery() {
   const runs = chosenRuns().filter((run) => pictures[run.key]);
@@ -361,9 +384,9 @@ const tableColumns = [
   ["draw_ms", "frame ms"], ["kernel_ms", "stages ms"], ["trace_ms", "search ms"], ["fps", "frames/s"], ["published_fps", "published"],
   ["search_look_ups", "look-ups"], ["lockstep_look_ups", "in lockstep"], ["steps", "steps"], ["texels_touched", "distinct texels"], ["lines_touched", "cache lines"],
   ["s_p99", "depth 99 %"], ["texels_median", "texels median"], ["texels_p99", "texels 99 %"], ["texels_max", "texels greatest"],
-  ["wrong", "wrong %"], ["late", "late %"], ["early", "early %"],
+  ["wrong", "wrong %"], ["late", "late %"], ["early", "early %"], ["other_surface", "other surface %"], ["missed", "missed %"], ["invented", "invented %"],
 ];
-const isShare = (key) => ["wrong", "late", "early"].includes(key);
+const isShare = (key) => ["wrong", "late", "early", "other_surface", "missed", "invented"].includes(key);
 function drawTable() {
   const runs = chosenRuns(), key = state.sort, way = state.down ? -1 : 1;
   runs.sort((a, b) => {

@@ -14,6 +14,7 @@
 
 namespace quadrel {
 
+class KnownTruths;     // of the library's own, for sweeps
 struct RenderStats;    // stats.hpp
 struct RenderSummary;  // stats.hpp
 
@@ -42,6 +43,9 @@ struct RenderOptions {
     /// What err.* channels judge in the place of what is drawn: a film of the same window, which
     /// must stay as long as the render (errors.hpp says which channels of it).
     const Film* judged = nullptr;
+    /// What the judge has found in renders before this one, which may differ in material.trace and
+    /// what that alone reads: it gets what this one finds. For err.* channels.
+    KnownTruths* truths = nullptr;
     RenderStats* stats = nullptr;  ///< receives what the render did and took
     /// `stats` also tells what look-ups touched and how many steps searches made: by a second pass,
     /// which takes three to four times as long as drawing.

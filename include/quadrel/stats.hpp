@@ -59,7 +59,7 @@ struct MaximaStats {
 struct CertifiedStats {
     bool drawn = false;  ///< else nothing was asked
     std::uint64_t by_bounds = 0, exactly = 0, not_proven = 0;
-    std::uint64_t without_ray = 0;  ///< have no frame, and so nothing to prove
+    std::uint64_t without_ray = 0;  ///< have no frame or no heights, and so nothing to prove
 
     /// Of the lanes with a ray, those whose hit is proven; 1 where there are none.
     double share() const {

@@ -132,6 +132,12 @@ void add_oracle(Table& table) {
                      "why not: 0 proven, 1 no frame, 2 the ray is not finite, 3 a height on the "
                      "way is not, 4 too many cells, 5 no rational arithmetic in this build, 6 no "
                      "height map"});
+    table.push_back({"certified.pixel", integer, "code",
+                     "whether the pixel's ray by exact arithmetic on the same inputs meets the "
+                     "field first in the cell of oracle.*, or nothing as that: 1 proven, 0 not"});
+    table.push_back({"certified.pixel.reason", integer, "code",
+                     "why not: as certified.reason, 7 hit or miss or the cell is open, 8 it ends "
+                     "elsewhere"});
 }
 
 /// What is drawn less what the judge has; `part` is "", "search." or "frame.".
@@ -219,9 +225,10 @@ void add_ranges(Table& table) {
                      "least value by exact arithmetic on the same inputs"});
     table.push_back({"bound.hi." + any, real, "the channel's",
                      "greatest value by exact arithmetic on the same inputs"});
-    table.push_back({"undecided", integer, "bits",
-                     "what a GPU may decide either way: 1 coverage, 2 hit or miss, 4 cell, "
-                     "8 mip level, 16 cube face, 32 branch"});
+    table.push_back(
+        {"undecided", integer, "bits",
+         "what a GPU may decide either way: 1 coverage, 2 hit or miss, 4 cell of the hit, "
+         "8 mip level, 16 cube face, 32 branch"});
 }
 
 Table make_table() {

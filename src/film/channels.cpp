@@ -116,7 +116,8 @@ bool has_range(const std::string& channel) {
 }
 
 bool needs_ranges(const std::string& name) {
-    return name == "undecided" || is_below(name, "gpu") || is_below(name, "bound");
+    return name == "undecided" || name == "certified.pixel" || is_below(name, "gpu") ||
+           is_below(name, "bound") || is_below(name, "certified.pixel");
 }
 
 bool is_integral_channel(const std::string& name) { return is_below(name, "integral"); }

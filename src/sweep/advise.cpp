@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "file/temporary_folder.hpp"
 #include "io/document/stage_parameters.hpp"
@@ -109,19 +111,17 @@ class Adviser {
         const Run run{0, 0, view, 0, question_.number, "auto", 0};
         const JudgedRun judged = scenes_.judge(scenes_.scene_of(run), run);
         const RunError& error = judged.error;
-        if (error.rays == 0) throw UsageError("no ray meets its surface");
+        if (error.judged == 0) throw UsageError("no ray can be judged");
         const double look_ups = search_cost(judged.film).lockstep;
         candidate.look_ups += look_ups;
         candidate.most_look_ups = std::max(candidate.most_look_ups, look_ups);
-        const double texels = error.texels.at(question_.percent);
+        const double known = error.texels_at(question_.percent);
+        const double texels = std::isnan(known) ? std::numeric_limits<double>::infinity() : known;
+        candidate.nan = std::max(candidate.nan, error.nan);
         if (view != 0 && texels <= candidate.texels) return;
         candidate.texels = texels;
         candidate.worst_angle = *plan_.views[view].angle;
-        candidate.late = error.late;
-        candidate.early = error.early;
-        candidate.hit_of_miss = error.hit_of_miss;
-        candidate.miss_of_hit = error.miss_of_hit;
-        candidate.nan = error.nan;
+        candidate.wrong = error.wrong_kinds;
     }
 
     const Question& question_;
@@ -148,10 +148,8 @@ std::string misses(const Candidate& c) {
     const auto add = [&text](double share, const char* what) {
         if (share > 0) text += (text.empty() ? "" : ", ") + percent(share) + " % " + what;
     };
-    add(c.late, "late");
-    add(c.early, "early");
-    add(c.miss_of_hit, "through the surface");
-    add(c.hit_of_miss, "hits where there is none");
+    for (std::size_t kind = 0; kind < c.wrong.size(); ++kind)
+        add(c.wrong[kind], error_kind_name(static_cast<ErrorKind>(kind)));
     add(c.nan, "NaN");
     return text.empty() ? "nothing" : text;
 }

@@ -1,12 +1,14 @@
 // Which search is exact enough on a scene's map, and what it costs.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "quadrel/errors.hpp"
 #include "sweep/plan/plan.hpp"
 
 namespace quadrel::sweep {
@@ -31,10 +33,11 @@ struct Candidate {
     double most_look_ups = 0;  ///< at the dearest angle
     double texels = 0;         ///< the percentile at the worst angle
     double worst_angle = 0;    ///< where that is
-    double late = 0, early = 0, hit_of_miss = 0, miss_of_hit = 0, nan = 0;  ///< shares there
-    std::string failed;         ///< why it could not be judged
-    bool is_good = false;       ///< keeps the error
-    bool is_affordable = true;  ///< keeps the budget
+    std::array<double, error_kinds> wrong{};  ///< shares that are beyond the error there, by kind
+    double nan = 0;                           ///< share without a finite distance there
+    std::string failed;                       ///< why it could not be judged
+    bool is_good = false;                     ///< keeps the error
+    bool is_affordable = true;                ///< keeps the budget
 };
 
 /// All corrected rows, those that count steps with a ladder of 4 to 1024. Of a ladder no more is

@@ -17,13 +17,24 @@ namespace {
 
 std::uint32_t bits(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
+/// Whether the file holds this film: it may have been cut short since it was written.
+bool holds(const std::filesystem::path& file, const Film& film) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return false;
+    try {
+        return film_hash(read_exr(file).film) == film_hash(film);
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 std::filesystem::path write_by_content(const std::filesystem::path& folder, const std::string& name,
                                        const Film& film) {
     make_folder(folder);
     const std::filesystem::path file =
         folder /
         fmt::format("{}-{}-{}.exr", name, film.window.width(), film_hash(film).substr(0, 12));
-    if (!std::filesystem::exists(file)) write_exr(file, film, {}, {ExrCompression::zip, 1});
+    if (!holds(file, film)) write_exr(file, film, {}, {ExrCompression::zip, 1});
     return file;
 }
 

@@ -8,7 +8,7 @@
 namespace quadrel::sweep {
 
 /// Writes a map that is made, and returns its name: folder/KIND-SIZE-HASH.exr by its content, so
-/// that what is there need not be written. Throws OutputError.
+/// that what is there need not be written, unless it is damaged. Throws OutputError.
 std::filesystem::path write_made_map(const std::filesystem::path& folder, const PlannedMap& map);
 
 /// The tangent-space normals of a height map for a relief `depth` tiles thick, coded from 0 to 1,

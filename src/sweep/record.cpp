@@ -17,11 +17,20 @@ Json json_of(const ParameterValue& value) {
     return value.name() ? Json(*value.name()) : Json(*value.number());
 }
 
+/// Columns of the shares of kinds.
+constexpr std::pair<const char*, ErrorKind> share_columns[] = {
+    {"same", ErrorKind::same},     {"late", ErrorKind::late},
+    {"early", ErrorKind::early},   {"other_surface", ErrorKind::other_surface},
+    {"missed", ErrorKind::missed}, {"invented", ErrorKind::invented}};
+
 /// Six digits are more than any of it is good for.
 double rounded(double value) {
     if (value == 0 || !std::isfinite(value)) return value;
     return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
 }
+
+/// JSON has no NaN: what has no value is null.
+Json measured(double value) { return std::isfinite(value) ? Json(rounded(value)) : Json(); }
 
 /// The parameter that a ladder of step counts goes over: what is given and counts steps, but not
 /// the least of them nor those of a refinement.
@@ -122,21 +131,29 @@ void add_counts(Json& record, const RunCounts& counts, const SearchCost& cost) {
 }
 
 void add_error(Json& record, const RunError& error) {
-    record["rays"] = error.rays;
-    record["s_median"] = rounded(error.s.median);
-    record["s_p99"] = rounded(error.s.p99);
-    record["s_max"] = rounded(error.s.most);
-    record["texels_mean"] = rounded(error.texels.mean);
-    record["texels_median"] = rounded(error.texels.median);
-    record["texels_p90"] = rounded(error.texels.p90);
-    record["texels_p99"] = rounded(error.texels.p99);
-    record["texels_max"] = rounded(error.texels.most);
-    record["wrong"] = rounded(error.wrong());
-    record["late"] = rounded(error.late);
-    record["early"] = rounded(error.early);
-    record["hit_of_miss"] = rounded(error.hit_of_miss);
-    record["miss_of_hit"] = rounded(error.miss_of_hit);
-    record["nan"] = rounded(error.nan);
+    const double judged = static_cast<double>(std::max<std::uint64_t>(1, error.judged));
+    record["rays"] = error.judged;
+    record["certified"] = measured(static_cast<double>(error.certified) / judged);
+    const ErrorSpread &s = spread_of(error.search, "s"), &uv = spread_of(error.search, "uv"),
+                      &drawn = spread_of(error.whole, "uv");
+    record["s_median"] = measured(s.p50);
+    record["s_p99"] = measured(s.p99);
+    record["s_max"] = measured(s.most);
+    record["texels_mean"] = measured(error.mean_texels);
+    record["texels_median"] = measured(uv.p50);
+    record["texels_p90"] = measured(uv.p90);
+    record["texels_p99"] = measured(uv.p99);
+    record["texels_p999"] = measured(uv.p999);
+    record["texels_max"] = measured(uv.most);
+    record["drawn_texels_median"] = measured(drawn.p50);
+    record["drawn_texels_p99"] = measured(drawn.p99);
+    record["drawn_texels_max"] = measured(drawn.most);
+    record["wrong"] = measured(error.wrong);
+    for (const auto& [name, kind] : share_columns)
+        record[name] = measured(error.search.share(kind));
+    record["other_cell"] =
+        rounded(static_cast<double>(error.search.other_cell.value_or(0)) / judged);
+    record["nan"] = measured(error.nan);
 }
 
 void write_record(const std::filesystem::path& folder, const Json& record) {

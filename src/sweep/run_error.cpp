@@ -4,121 +4,81 @@
 #include <cmath>
 #include <limits>
 
-#include "quadrel/check.hpp"
-#include "quadrel/quad/value.hpp"
+#include "quadrel/error.hpp"
 
 namespace quadrel::sweep {
 namespace {
 
-struct Hits {
-    explicit Hits(const Film& film)
-        : s(*film.find("hit.s")),
-          u(*film.find("hit.U")),
-          v(*film.find("hit.V")),
-          status(*film.find("hit.status")),
-          K_u(*film.find("K.U")),
-          K_v(*film.find("K.V")) {}
-    Status status_at(std::size_t i) const { return static_cast<Status>(status.bits[i]); }
-    const Plane &s, &u, &v, &status, &K_u, &K_v;
-};
-
-/// Whether the ray goes on below the relief.
-bool is_miss(Status status) { return status == Status::floor; }
-
-bool has_ray(Status status) { return status != Status::none && status != Status::no_frame; }
-
-Percentiles percentiles_of(std::vector<float> values) {
-    Percentiles result;
-    result.sorted = std::move(values);
-    std::sort(result.sorted.begin(), result.sorted.end());
-    if (result.sorted.empty()) return result;
-    for (const float value : result.sorted) result.mean += value;
-    result.mean /= static_cast<double>(result.sorted.size());
-    result.median = result.at(50);
-    result.p90 = result.at(90);
-    result.p99 = result.at(99);
-    result.most = result.sorted.back();
-    return result;
+const ErrorPartSummary& part_named(const ErrorSummary& summary, const std::string& name) {
+    const auto found = std::ranges::find(summary.parts, name, &ErrorPartSummary::name);
+    if (found == summary.parts.end()) throw UsageError("a film without the errors of its " + name);
+    return *found;
 }
 
-struct Judged {
-    RayEnd end;
-    double s, texels;
-    bool before;  ///< the true hit
-};
+bool is_judged(ErrorKind kind) { return kind != ErrorKind::not_judged; }
 
-class Judge {
-  public:
-    Judge(const Film& run, const Film& truth, int width, int height, double tolerance)
-        : run_(run), truth_(truth), width_(width), height_(height), tolerance_(tolerance) {}
-
-    Judged operator()(std::size_t i) const {
-        const Status found = run_.status_at(i), real = truth_.status_at(i);
-        const double s = std::fabs(double(run_.s.as_float(i)) - truth_.s.as_float(i));
-        const double du = double(run_.u.as_float(i)) - truth_.u.as_float(i);
-        const double dv = double(run_.v.as_float(i)) - truth_.v.as_float(i);
-        const double across = du * width_, down = dv * height_;
-        const double texels = std::sqrt(across * across + down * down);
-        if (!has_ray(found) || !has_ray(real) || real == Status::nan)
-            return {RayEnd::none, 0, 0, false};
-        if (found == Status::nan || !std::isfinite(texels)) return {RayEnd::nan, 0, 0, false};
-        // By where it lies along the ray: traces without a search have no depth of their own.
-        const bool before = du * truth_.K_u.as_float(i) + dv * truth_.K_v.as_float(i) < 0;
-        RayEnd end = before ? RayEnd::early : RayEnd::late;
-        if (is_miss(found) != is_miss(real))
-            end = is_miss(real) ? RayEnd::hit_of_miss : RayEnd::miss_of_hit;
-        return {texels > tolerance_ ? end : RayEnd::same, s, texels, before};
+/// The shares and the mean that no summary has.
+void count_pixels(RunError& error, double tolerance) {
+    double sum = 0, finite = 0, judged = 0;
+    for (std::size_t i = 0; i < error.texels.size(); ++i) {
+        if (!is_judged(error.kinds[i])) continue;
+        const double texels = error.texels[i];
+        judged += 1;
+        if (!(texels <= tolerance))
+            error.wrong_kinds[static_cast<std::size_t>(error.kinds[i])] += 1;
+        if (!std::isfinite(texels)) continue;
+        sum += texels;
+        finite += 1;
     }
-
-  private:
-    Hits run_, truth_;
-    double width_, height_, tolerance_;
-};
+    if (judged == 0) return;
+    error.mean_texels = finite > 0 ? sum / finite : std::numeric_limits<double>::quiet_NaN();
+    for (double& share : error.wrong_kinds) error.wrong += share /= judged;
+    error.nan = 1 - finite / judged;
+}
 
 }  // namespace
 
-double Percentiles::at(double percent) const {
-    if (sorted.empty()) return 0;
-    const double place = percent / 100 * static_cast<double>(sorted.size());
-    const auto rank = static_cast<std::size_t>(std::max(1.0, std::ceil(place)));
-    return sorted[std::min(rank, sorted.size()) - 1];
+double RunError::texels_at(double percent) const {
+    std::vector<float> finite;
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        if (is_judged(kinds[i]) && std::isfinite(texels[i])) finite.push_back(texels[i]);
+    if (finite.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const double rank = std::ceil(percent / 100 * static_cast<double>(finite.size()));
+    const auto place = static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
+    std::nth_element(finite.begin(), finite.begin() + place, finite.end());
+    return finite[static_cast<std::size_t>(place)];
 }
 
-std::vector<std::string> error_channels() {
-    return {"hit.s", "hit.U", "hit.V", "hit.status", "K.U", "K.V"};
+std::vector<std::string> run_error_channels() {
+    std::vector<std::string> channels{"A", "err.certified"};
+    for (const std::string part : {"err.", "err.search."})
+        for (const char* measure : {"s", "uv", "cell", "kind"}) channels.push_back(part + measure);
+    return channels;
 }
 
-RunError run_error(const Film& run, const Film& truth, int width, int height, double tolerance) {
-    QUADREL_CHECK(run.window == truth.window, run.window.width());
-    const Judge judge(run, truth, width, height, tolerance);
+RunError run_error(const Film& film, double tolerance) {
+    constexpr std::size_t no_worst = 0;
+    const ErrorSummary summary = summarize_errors(film, no_worst);
     RunError error;
-    std::vector<float> s, texels;
-    std::uint64_t ends[7] = {};
-    for (std::size_t i = 0; i < run.window.area(); ++i) {
-        const Judged judged = judge(i);
-        const bool measured = judged.end != RayEnd::none && judged.end != RayEnd::nan;
-        error.ends.push_back(judged.end);
-        error.map.push_back(measured
-                                ? static_cast<float>(judged.before ? -judged.texels : judged.texels)
-                                : std::numeric_limits<float>::quiet_NaN());
-        ++ends[static_cast<std::size_t>(judged.end)];
-        if (judged.end != RayEnd::none) ++error.rays;
-        if (!measured) continue;
-        s.push_back(static_cast<float>(judged.s));
-        texels.push_back(static_cast<float>(judged.texels));
+    error.judged = summary.judged;
+    error.certified = summary.certified;
+    error.whole = part_named(summary, "whole");
+    error.search = part_named(summary, "search");
+    const Plane &texels = *film.find("err.search.uv"), &kinds = *film.find("err.search.kind"),
+                &coverage = *film.find("A");
+    for (std::size_t i = 0; i < texels.bits.size(); ++i) {
+        error.texels.push_back(texels.as_float(i));
+        error.kinds.push_back(coverage.as_float(i) > 0 ? static_cast<ErrorKind>(kinds.bits[i])
+                                                       : ErrorKind::not_judged);
     }
-    error.s = percentiles_of(std::move(s));
-    error.texels = percentiles_of(std::move(texels));
-    const auto share = [&](RayEnd end) {
-        const auto rays = static_cast<double>(std::max<std::uint64_t>(1, error.rays));
-        return static_cast<double>(ends[static_cast<std::size_t>(end)]) / rays;
-    };
-    error.late = share(RayEnd::late);
-    error.early = share(RayEnd::early);
-    error.hit_of_miss = share(RayEnd::hit_of_miss);
-    error.miss_of_hit = share(RayEnd::miss_of_hit);
-    error.nan = share(RayEnd::nan);
+    count_pixels(error, tolerance);
     return error;
+}
+
+const ErrorSpread& spread_of(const ErrorPartSummary& part, const std::string& measure) {
+    for (const ErrorSpread& spread : part.spreads)
+        if (spread.channel.ends_with("." + measure)) return spread;
+    throw UsageError("no error of " + measure + " in the part " + part.name);
 }
 
 }  // namespace quadrel::sweep

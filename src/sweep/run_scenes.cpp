@@ -6,6 +6,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/errors/error_plan.hpp"
 
 namespace quadrel::sweep {
 namespace {
@@ -48,9 +49,7 @@ RunScene RunScenes::scene_of(const Run& run) {
     if (!needs_normals(plan_.algorithms[run.algorithm].trace) || !lacks_normals(material) ||
         !plan_.views[run.view].angle)
         return made;
-    const std::filesystem::path normals =
-        write_normal_map(maps_, material.textures.at("height").file, material.depth);
-    made.overrides = overrides_of(plan_, run, heights, std::filesystem::absolute(normals));
+    made.overrides = overrides_of(plan_, run, heights, normals_of(material));
     made.scene = load(run, made.overrides);
     return made;
 }
@@ -60,12 +59,12 @@ JudgedRun RunScenes::judge(const RunScene& run_scene, const Run& run,
     JudgedRun judged;
     judged.map = size_of_map(height_map(run_scene.scene).file);
     RenderOptions options = render_options(run);
-    options.channels = error_channels();
-    options.channels.insert(options.channels.end(), {"hit.fetches", "A"});
+    options.channels = run_error_channels();
+    options.channels.emplace_back("hit.fetches");
     options.channels.insert(options.channels.end(), more.begin(), more.end());
+    options.truths = truths_of(run_scene, run);
     judged.film = render(run_scene.scene, options);
-    judged.error = run_error(judged.film, truth_of(run), judged.map.width, judged.map.height,
-                             plan_.wrong_texels);
+    judged.error = run_error(judged.film, plan_.wrong_texels);
     return judged;
 }
 
@@ -87,6 +86,28 @@ const std::string& RunScenes::heights_of(const Run& run) {
     return known->second;
 }
 
+/// The normal map of its heights; made once.
+const std::filesystem::path& RunScenes::normals_of(const Material& material) {
+    const std::filesystem::path& heights = material.textures.at("height").file;
+    const auto [known, is_new] = normals_.try_emplace({heights, material.depth});
+    if (is_new)
+        known->second = std::filesystem::absolute(write_normal_map(maps_, heights, material.depth));
+    return known->second;
+}
+
+/// What the judge has found for runs of one map and view; null where there is no judge, or where
+/// frames are so large that it is found again in less memory.
+KnownTruths* RunScenes::truths_of(const RunScene& run_scene, const Run& run) {
+    constexpr std::int64_t most_pixels = 1 << 20;  // some 150 bytes each
+    const auto pixels = std::int64_t(plan_.width) * plan_.height;
+    const auto judge = error_judge(run_scene.scene, run_scene.scene.materials.front());
+    if (!judge || plan_.samples != 1 || pixels > most_pixels / 4) return nullptr;
+    if ((static_cast<std::int64_t>(truths_.size()) + 1) * pixels > most_pixels) truths_.clear();
+    auto& truths = truths_[{run.scene, run.map, run.view, run.number, judge->trace}];
+    if (!truths) truths = std::make_unique<KnownTruths>(plan_.width, plan_.height);
+    return truths.get();
+}
+
 /// Scenes over one map share what they load; of one map after the other no more is kept.
 Scene RunScenes::load(const Run& run, const std::vector<std::string>& overrides) {
     Scene scene = load_scene(plan_.scenes[run.scene].file_or_name, overrides);
@@ -98,20 +119,6 @@ Scene RunScenes::load(const Run& run, const std::vector<std::string>& overrides)
     }
     scene.texture_cache = cache_;
     return scene;
-}
-
-const Film& RunScenes::truth_of(const Run& run) {
-    const Scene scene = load(run, overrides_of_truth(plan_, run, heights_of(run)));
-    const std::string key = scene.hash + run.number;
-    const auto found = truths_.find(key);
-    if (found != truths_.end()) return found->second;
-    constexpr std::size_t most_kept = 8;
-    if (truths_.size() >= most_kept) truths_.clear();
-    RenderOptions options = render_options(run);
-    options.threads = 0;
-    options.isa = "auto";
-    options.channels = error_channels();
-    return truths_[key] = render(scene, options);
 }
 
 }  // namespace quadrel::sweep

@@ -4,10 +4,12 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "quadrel/render.hpp"
+#include "render/errors/known_truths.hpp"
 #include "sweep/made_maps.hpp"
 #include "sweep/plan/runs.hpp"
 #include "sweep/run_error.hpp"
@@ -20,7 +22,7 @@ struct RunScene {
     std::vector<std::string> overrides;
 };
 
-/// A run's film with error_channels, hit.fetches and A, and how far it is from the truth.
+/// A run's film with run_error_channels and hit.fetches, and how far it is from the truth.
 struct JudgedRun {
     Film film;
     RunError error;
@@ -35,8 +37,8 @@ class RunScenes {
     /// Throws InputError for a scene that cannot be read.
     RunScene scene_of(const Run& run);
 
-    /// Renders the run and, unless it was the one before's too, the truth. `more` channels are
-    /// asked for beside. Throws as `render` does, and UsageError for a scene without a height map.
+    /// Renders the run and what it is judged by. `more` channels are asked for beside. Throws as
+    /// `render` does, and UsageError for a scene without a height map.
     JudgedRun judge(const RunScene& run_scene, const Run& run,
                     const std::vector<std::string>& more = {});
 
@@ -44,15 +46,20 @@ class RunScenes {
 
   private:
     const std::string& heights_of(const Run& run);
+    const std::filesystem::path& normals_of(const Material& material);
+    KnownTruths* truths_of(const RunScene& run_scene, const Run& run);
     Scene load(const Run& run, const std::vector<std::string>& overrides);
-    const Film& truth_of(const Run& run);
 
     const Plan& plan_;
     std::filesystem::path maps_;
     std::map<std::pair<std::size_t, std::size_t>, std::string> heights_;  ///< by scene and map
+    std::map<std::pair<std::filesystem::path, float>, std::filesystem::path> normals_;
+    /// By scene, map, view, number type and the judge: runs that differ in their search alone.
+    std::map<std::tuple<std::size_t, std::size_t, std::size_t, std::string, std::string>,
+             std::unique_ptr<KnownTruths>>
+        truths_;
     std::shared_ptr<TextureCache> cache_;
     std::pair<std::size_t, std::size_t> cached_;  ///< scene and map
-    std::map<std::string, Film> truths_;          ///< by the scene's hash and the number type
 };
 
 }  // namespace quadrel::sweep

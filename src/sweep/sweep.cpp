@@ -6,6 +6,7 @@
 
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
+#include "sweep/plan/plan_checks.hpp"
 #include "sweep/record.hpp"
 #include "sweep/report/pictures.hpp"
 #include "sweep/run_scenes.hpp"
@@ -16,7 +17,7 @@ namespace quadrel::sweep {
 namespace {
 
 /// Raised when records change their meaning.
-constexpr int record_format = 1;
+constexpr int record_format = 2;
 
 std::vector<double> pictured_angles(const Plan& plan) {
     if (!plan.pictures.angles.empty()) return plan.pictures.angles;
@@ -50,6 +51,7 @@ class Sweeper {
           scenes_(plan, options.output / "maps") {}
 
     SweepOutcome run() {
+        check_scenes(plan_);  // before anything is written
         make_folder(runs_);
         const std::vector<Run> all = runs_of(plan_);
         const std::vector<bool> pictured = pictured_runs(plan_, all);
@@ -58,7 +60,7 @@ class Sweeper {
             if (options_.progress) options_.progress(i, own.size(), name_of(own[i]));
             const std::size_t order = static_cast<std::size_t>(options_.task - 1) +
                                       i * static_cast<std::size_t>(options_.of);
-            outcome_.records.push_back(run_one(own[i], order, pictured[order]));
+            outcome_.records.push_back(run_in_plan(own[i], order, pictured[order]));
         }
         return std::move(outcome_);
     }
@@ -86,6 +88,18 @@ class Sweeper {
         return sha256_hex(what.dump()).substr(0, 32);
     }
 
+    /// A scene that cannot be read with what the run changes is an error of the plan.
+    Json run_in_plan(const Run& run, std::size_t order, bool pictured) {
+        try {
+            return run_one(run, order, pictured);
+        } catch (const InputError& error) {
+            throw InputError(
+                plan_.file.string(), "",
+                fmt::format("a run that cannot be made: {}: {}", name_of(run), error.what()),
+                "a scene that takes its map and search");
+        }
+    }
+
     Json run_one(const Run& run, std::size_t order, bool pictured) {
         Run resolved = run;
         std::string reason;
@@ -98,11 +112,10 @@ class Sweeper {
         const Machine machine = this_machine(options_.version, resolved.isa);
         const std::string key = key_of(scene.scene, resolved, machine, pictured);
         if (auto known = read_record(runs_, key); known && !known->contains("failed"))
-            return renamed(std::move(*known), resolved, order);
+            return renamed(std::move(*known), run, order, scene);
         Json record = describe_run(plan_, resolved, machine);
         record["key"] = key;
-        record["order"] = order;
-        record["command"] = render_command(plan_, run, scene.overrides);
+        place(record, run, order, scene);
         if (reason.empty()) reason = measure(record, scene, resolved, pictured);
         if (!reason.empty()) record["failed"] = reason;
         ++(reason.empty() ? outcome_.measured : outcome_.failed);
@@ -110,14 +123,22 @@ class Sweeper {
         return record;
     }
 
-    /// A plan that has changed elsewhere may have the run in another place.
-    Json renamed(Json known, const Run& run, std::size_t order) {
+    /// Where the run is in its plan, and how to draw it.
+    void place(Json& record, const Run& run, std::size_t order, const RunScene& scene) const {
+        record["order"] = order;
+        record["command"] = render_command(plan_, run, scene.overrides);
+        record["maps"] = std::filesystem::absolute(options_.output / "maps").string();
+    }
+
+    /// A plan that has changed elsewhere may have the run in another place, and the folder may have
+    /// been moved.
+    Json renamed(Json known, const Run& run, std::size_t order, const RunScene& scene) {
         ++outcome_.known;
         const Json before = known;
         known["plan"] = plan_.title;
         known["published_fps"] = describe_run(plan_, run, {})["published_fps"];
         known["published_on"] = plan_.published_on;
-        known["order"] = order;
+        place(known, run, order, scene);
         if (known != before) write_record(runs_, known);
         return known;
     }
@@ -149,8 +170,9 @@ class Sweeper {
         if (!pictured) return;
         const int side = plan_.pictures.side;
         record["picture"] = data_uri(thumbnail(judged.film, side));
-        record["error_picture"] = data_uri(error_thumbnail(judged.error, judged.film.window.width(),
-                                                           judged.film.window.height(), side));
+        const Window& window = judged.film.window;
+        record["error_picture"] =
+            data_uri(error_thumbnail(judged.error, window.width(), window.height(), side));
     }
 
     const Plan& plan_;
@@ -164,24 +186,6 @@ class Sweeper {
 
 SweepOutcome run_sweep(const Plan& plan, const SweepOptions& options) {
     return Sweeper(plan, options).run();
-}
-
-std::vector<Json> merge_sweeps(const std::vector<std::filesystem::path>& folders,
-                               const std::filesystem::path& output) {
-    for (const std::filesystem::path& folder : folders) {
-        const std::vector<Json> records = read_records(folder / "runs");
-        if (records.empty())
-            throw InputError((folder / "runs").string(), "", "no runs", "those of a sweep");
-    }
-    make_folder(output / "runs");
-    for (const std::filesystem::path& folder : folders)
-        for (const Json& record : read_records(folder / "runs")) {
-            const auto known = read_record(output / "runs", record["key"]);
-            // A failed one gives way to one that was measured.
-            if (!known || (known->contains("failed") && !record.contains("failed")))
-                write_record(output / "runs", record);
-        }
-    return read_records(output / "runs");
 }
 
 void make_folder(const std::filesystem::path& folder) {

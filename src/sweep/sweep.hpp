@@ -31,8 +31,8 @@ struct SweepOutcome {
 /// OutputError.
 SweepOutcome run_sweep(const Plan& plan, const SweepOptions& options);
 
-/// All runs of the folders' sweeps, each once, copied into output/runs. Throws InputError for a
-/// folder without any, OutputError.
+/// All runs of the folders' sweeps, each once, copied into output/runs, and the maps that their
+/// commands name into output/maps. Throws InputError for a folder without any, OutputError.
 std::vector<Json> merge_sweeps(const std::vector<std::filesystem::path>& folders,
                                const std::filesystem::path& output);
 

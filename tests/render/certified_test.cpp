@@ -1,6 +1,7 @@
 // The judge's channels in renders: proven on every scene whose heights are a map, the same bits
 // however they are drawn, and counted.
 #include "quadrel/quad/value.hpp"
+#include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
 #include "render/films.hpp"
@@ -108,6 +109,56 @@ TEST(Certified, IsCounted) {
     render(noise, options);
     EXPECT_EQ(other.certified.share(), 0);
     EXPECT_EQ(other.certified.not_proven, other.covered_lanes);
+    RenderStats flat;  // neither a frame nor heights
+    options.stats = &flat;
+    render(load_scene("sampler-lod-bias", {size_override("20x15")}), options);
+    EXPECT_EQ(flat.certified.not_proven, 0u);
+    EXPECT_EQ(flat.certified.without_ray, flat.covered_lanes);
+}
+
+/// Of the pixels whose drawn ray is proven, those whose exact ray is shown to end in its cell.
+struct PixelShares {
+    double covered = 0, pixel = 0;
+    std::map<std::uint32_t, int> reasons;
+};
+PixelShares pixel_shares(const std::string& name, const std::vector<std::string>& changes = {}) {
+    std::vector<std::string> overrides{size_override("32x24")};
+    overrides.insert(overrides.end(), changes.begin(), changes.end());
+    RenderOptions options;
+    options.channels = {"A", "certified", "certified.reason", "certified.pixel",
+                        "certified.pixel.reason"};
+    const Film film = render(load_scene(name, overrides), options);
+    PixelShares shares;
+    for (std::size_t i = 0; i < film.window.area(); ++i) {
+        if (!(film.find("A")->as_float(i) > 0)) continue;
+        const std::uint32_t pixel = film.find("certified.pixel")->bits[i],
+                            reason = film.find("certified.pixel.reason")->bits[i];
+        shares.covered += 1;
+        shares.pixel += pixel;
+        ++shares.reasons[reason];
+        EXPECT_EQ(pixel == 1, reason == 0);
+        EXPECT_TRUE(pixel == 0 || film.find("certified")->bits[i] != 0);
+    }
+    return shares;
+}
+
+TEST(Certified, PixelsAreNearlyAllProven) {
+    const PixelShares bricks = pixel_shares("bricks-45");
+    EXPECT_GT(bricks.pixel, 0.98 * bricks.covered);
+    const PixelShares blocks = pixel_shares("rows/qdm");
+    EXPECT_GT(blocks.pixel, 0.9 * blocks.covered);
+    const PixelShares noise = pixel_shares("rows/heights-noise");
+    EXPECT_EQ(noise.pixel, 0);
+    EXPECT_EQ(noise.reasons.size(), 1u);
+    EXPECT_TRUE(noise.reasons.contains(static_cast<std::uint32_t>(Uncertified::no_height_map)));
+}
+
+/// Planted: coordinates so far out that floats are a tenth of a texel apart. The pixel's exact ray,
+/// which is made of the same vertices, then often ends in another cell than the drawn one.
+TEST(Certified, PixelsWhoseRayIsRoundedElsewhereAreNot) {
+    const PixelShares far =
+        pixel_shares("bricks-45", {R"(material.texture_matrix={"offset":[40000.3,0.7]})"});
+    EXPECT_GT(far.reasons.at(static_cast<std::uint32_t>(oracle::pixel_apart)), 0.02 * far.covered);
 }
 
 /// Blocks judge what searches blocks.

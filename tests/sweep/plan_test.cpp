@@ -116,6 +116,14 @@ constexpr WrongPlan wrong_plans[] = {
     {R"("repeats": 1)", R"("numbers": ["float", "half"])", "numbers[1]", "one of"},
     {R"("side": 16)", R"("side": 1)", "pictures.side", "[16, 256]"},
     {R"("repeats": 1)", R"("maps": [])", "maps", "second time"},
+    {R"("views": [0, 60])", R"("views": [0, 60, 0.0])", "views[2]", "each value once"},
+    {R"("steps": [4, 16])", R"("steps": [4, 4])", "algorithms[0].parameters.steps[1]", "once"},
+    {R"("repeats": 1)", R"("threads": [1, 2, 1])", "threads[2]", "each value once"},
+    {R"("side": 16)", R"("angles": [60, 75])", "pictures.angles", "one of the views 0, 60"},
+    {R"("trace": "linear")", R"("trace": "linear", "published": {"45": 3})", "algorithms",
+     "one of the views 0, 60"},
+    {R"("trace": "linear")", R"("trace": "linear", "published": {"60": 3, "60.0": 4})",
+     "algorithms[0].published.60.0", "each once"},
 };
 
 TEST(Plan, WrongOnesAreRefusedInOneLine) {

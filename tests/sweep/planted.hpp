@@ -6,8 +6,6 @@
 namespace quadrel::sweep_tests {
 
 enum class Planted : std::int32_t {
-    swapped_sides,       ///< late taken for early
-    texels_of_one_axis,  ///< the width of the map for both of its sides
     mean_for_percentile,
     row_left_out,     ///< of a plan
     task_off_by_one,  ///< tasks that leave out runs, or have some twice

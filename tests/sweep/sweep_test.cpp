@@ -6,6 +6,7 @@
 #include <set>
 
 #include "file/data_path.hpp"
+#include "quadrel/error.hpp"
 #include "sweep/plan_files.hpp"
 #include "sweep/planted.hpp"
 #include "sweep/record.hpp"
@@ -111,6 +112,54 @@ TEST_F(Sweep, PartsJoinedAreTheWhole) {
     for (std::size_t i = 0; i < merged.size(); ++i)
         EXPECT_EQ(merged[i]["order"].get<std::size_t>(), i);
     EXPECT_THROW(merge_sweeps({folder / "nothing"}, folder / "joined"), InputError);
+}
+
+/// The file that a run's command reads its heights from.
+std::filesystem::path heights_in(const Json& record) {
+    const std::string command = record["command"];
+    const std::string begin = "material.height={\"file\":\"";
+    const std::size_t from = command.find(begin) + begin.size();
+    return command.substr(from, command.find('"', from) - from);
+}
+
+/// Joined, they need no part any more; and joined again from where they have been moved to.
+TEST_F(Sweep, CommandsOfAMergedSweepReadItsOwnMaps) {
+    run_into(folder / "it's part", plan);
+    const std::filesystem::path joined = folder / "joined", again = folder / "again";
+    merge_sweeps({folder / "it's part"}, joined);
+    std::filesystem::remove_all(folder / "it's part");
+    for (const Json& record : read_records(joined / "runs")) {
+        EXPECT_EQ(heights_in(record).parent_path(), joined / "maps");
+        EXPECT_TRUE(std::filesystem::exists(heights_in(record)));
+    }
+    for (const Json& record : merge_sweeps({joined}, again))
+        EXPECT_EQ(heights_in(record).parent_path(), again / "maps");
+}
+
+TEST_F(Sweep, ADamagedMapIsMadeAgain) {
+    run_into(out, plan);
+    const std::filesystem::path map = heights_in(read_records(out / "runs").front());
+    const std::string whole = file_bytes(map);
+    for (const std::string& damaged : {whole.substr(0, whole.size() / 2), std::string("x")}) {
+        testing_films::write_bytes(map, damaged);
+        EXPECT_EQ(run_into(out, plan).failed, 0u);
+        EXPECT_EQ(file_bytes(map), whole);
+    }
+}
+
+/// What is wrong with a plan's scene names the plan, and leaves nothing behind.
+TEST_F(Sweep, AnErrorOfThePlansSceneIsThePlans) {
+    Plan wrong = plan;
+    wrong.scenes[0].overrides.emplace_back("material.relief.depthz=1");
+    try {
+        run_into(out, wrong);
+        ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.file, plan.file.string());
+        EXPECT_EQ(error.key, "scenes[0]");
+        EXPECT_NE(std::string(error.what()).find("depthz"), std::string::npos);
+    }
+    EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST_F(Sweep, ARunThatCannotBeDrawnSaysWhy) {

@@ -32,6 +32,7 @@ TEST(Stress, AShortRunFindsNothing) {
     const Outcome outcome = run_stress("--scenes 30 --lists 100 --seconds 120");
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_NE(outcome.out.find("No crash, no hang"), std::string::npos);
+    EXPECT_EQ(outcome.out.find("e+02"), std::string::npos) << outcome.out;  // 100 % as "1e+02"
 }
 
 TEST(Stress, PlantedErrorsAreFound) {
@@ -65,8 +66,12 @@ TEST(Stress, NumbersAreTheSameEverywhere) {
 TEST(Stress, NonsenseIsRefused) {
     for (const char* arguments :
          {"--only nonsense", "--only 12x", "--scenes -1", "--processes 0", "--seconds 0",
-          "--seconds nan", "--lists -1", "--nonsense", "extra"})
+          "--seconds nan", "--lists -1", "--nonsense", "extra", "--plot p.svg", "-o folder",
+          "--list --planted", "--only 12 --ranges frame"})
         EXPECT_EQ(run_stress(arguments).code, 2) << arguments;
+    const testing_films::TemporaryFolder folder;
+    testing_films::write_bytes(folder / "file", "x");
+    EXPECT_EQ(run_stress("--only 12 -o " + (folder / "file").string()).code, 5);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A ray over the grid of dual cells, with bounds on what rounding does to it.
 #pragma once
 
+#include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "relief/oracle/heights.hpp"
 #include "relief/oracle/interval.hpp"
 
@@ -52,11 +53,11 @@ struct RayAxis {
     Affine position;
     GridAxis grid;
 
-    RayAxis(double u, double K, double s_polygon, int texels, Wrap wrap, const GridAxis& axis)
+    RayAxis(Interval u, Interval K, double s_polygon, int texels, Wrap wrap, const GridAxis& axis)
         : grid(axis) {
-        const Interval size(texels), rate = Interval(K) * size;
-        const Interval at_polygon = Interval(u) - whole_periods(u, wrap);
-        const Interval at_top = at_polygon - Interval(s_polygon) * Interval(K);
+        const Interval size(texels), rate = K * size;
+        const Interval at_polygon = u - whole_periods(u.lo, wrap);
+        const Interval at_top = at_polygon - Interval(s_polygon) * K;
         position = {at_top * size - Interval(0.5), rate};
         start_ = position.start.middle();
         rate_ = position.rate.middle();
@@ -116,13 +117,22 @@ struct GridRay {
     bool is_too_long() const { return x.is_too_long() || y.is_too_long(); }
 };
 
-inline GridRay view_ray(const Heights& heights, const Ray& ray) {
+inline GridRay range_ray(const Heights& heights, const RayRange& rays) {
     const SamplerState& s = heights.sampler();
     const Grid& grid = heights.grid();
-    return {{ray.u, ray.Ku, ray.s_polygon, heights.width(), s.wrap_u, grid.u},
-            {ray.v, ray.Kv, ray.s_polygon, heights.height(), s.wrap_v, grid.v},
+    return {{rays.u, rays.Ku, rays.s_polygon, heights.width(), s.wrap_u, grid.u},
+            {rays.v, rays.Kv, rays.s_polygon, heights.height(), s.wrap_v, grid.v},
             {1, -1},
             1};
+}
+
+inline GridRay view_ray(const Heights& heights, const Ray& ray) {
+    return range_ray(heights, {ray.u, ray.v, ray.Ku, ray.Kv, ray.s_polygon});
+}
+
+/// A cell of the first period; of an axis that ends, as it is.
+inline double reduced_cell(Index cell, const GridAxis& axis) {
+    return static_cast<double>(axis.periodic ? axis.first + stored_cell(cell, axis) : cell);
 }
 
 }  // namespace quadrel::oracle

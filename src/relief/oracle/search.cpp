@@ -17,15 +17,12 @@ Judged judge_piece(const GridRay& grid_ray, const Segment& segment, bool start) 
     return found ? judged : Judged{Verdict::open};
 }
 
-/// A hit at a border is known as well as that is.
-constexpr double widest_border = 0x1p-40;
-
 /// Rationals take some 50 microseconds a segment. A ray needs them for one or two, unless it runs
 /// along a border closer than double can tell.
 constexpr int most_exact_segments = 4096;
 
 /// In several: all must be below, or all but the one that the ray ends in, and that one met there.
-Judged judge_border(const GridRay& grid_ray, const Segment& segment, bool start) {
+Judged judge_border(const GridRay& grid_ray, const Segment& segment, bool start, double widest) {
     int not_below = 0, which = -1;
     for (int k = 0; k < segment.count; ++k) {
         const PieceRay ray(grid_ray, segment.pieces[static_cast<std::size_t>(k)]);
@@ -35,8 +32,7 @@ Judged judge_border(const GridRay& grid_ray, const Segment& segment, bool start)
     }
     if (not_below == 0) return {Verdict::clear};
     const double length = segment.to - segment.from;
-    if (not_below > 1 || which != segment.last || start || length > widest_border)
-        return {Verdict::open};
+    if (not_below > 1 || which != segment.last || start || length > widest) return {Verdict::open};
     const Piece<Interval>& piece = segment.pieces[static_cast<std::size_t>(which)];
     if (!(PieceRay(grid_ray, piece).above(segment.to).lo >= 0)) return {Verdict::open};
     const double middle = segment.from + length / 2;
@@ -45,10 +41,10 @@ Judged judge_border(const GridRay& grid_ray, const Segment& segment, bool start)
 
 }  // namespace
 
-Judged judge(const GridRay& ray, const Segment& segment, bool start) {
+Judged judge(const GridRay& ray, const Segment& segment, bool start, double widest) {
     if (!segment.complete) return {Verdict::open};
     return segment.count == 1 ? judge_piece(ray, segment, start)
-                              : judge_border(ray, segment, start);
+                              : judge_border(ray, segment, start, widest);
 }
 
 namespace {
@@ -159,14 +155,9 @@ class Search {
         };
         hit.place_x = within(f, piece.i, piece.cell_i);
         hit.place_y = within(g, piece.j, piece.cell_j);
-        hit.cell_x = reduced(piece.cell_i, heights_.grid().u);
-        hit.cell_y = reduced(piece.cell_j, heights_.grid().v);
+        hit.cell_x = reduced_cell(piece.cell_i, heights_.grid().u);
+        hit.cell_y = reduced_cell(piece.cell_j, heights_.grid().v);
         conclude(hit, Status::hit);
-    }
-
-    /// A cell of the first period; of an axis that ends, as it is.
-    static double reduced(Index cell, const GridAxis& axis) {
-        return static_cast<double>(axis.periodic ? axis.first + stored_cell(cell, axis) : cell);
     }
 
     void place(double s, Hit& hit) const {

@@ -25,7 +25,11 @@ struct Judged {
     const Piece<Interval>* piece = nullptr;  ///< that is met
 };
 
-/// By intervals. `start`: nothing is known of F at its beginning; else F is below 0 there.
-Judged judge(const GridRay& ray, const Segment& segment, bool start);
+/// A hit at a border is known as well as that is.
+inline constexpr double widest_border = 0x1p-40;
+
+/// By intervals. `start`: nothing is known of F at its beginning; else F is below 0 there. At
+/// borders that take more of the ray than `widest` nothing is met.
+Judged judge(const GridRay& ray, const Segment& segment, bool start, double widest = widest_border);
 
 }  // namespace quadrel::oracle

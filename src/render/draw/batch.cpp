@@ -1,6 +1,7 @@
 #include "render/draw/batch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 
@@ -254,6 +255,35 @@ std::uint64_t Batch::sum(int slot) const {
 float Batch::real(int slot, int lane) const {
     if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
     return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
+}
+
+namespace {
+
+/// Whether the arrays hold numbers of the batch's type, which may be 8 bytes long.
+constexpr auto real_slots = [] {
+    std::array<bool, slot_count> real{};
+    for (int v = 0; v < static_cast<int>(Value::count); ++v)
+        for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i)
+            real[static_cast<std::size_t>(slot_of(static_cast<Value>(v)) + i)] =
+                info(static_cast<Value>(v)).kind == ValueKind::real;
+    return real;
+}();
+
+}  // namespace
+
+std::uint64_t Batch::element(int slot, int lane) const {
+    const bool wide = real_slots[static_cast<std::size_t>(slot)] && scalar_bytes_ == 8;
+    const std::size_t bytes = wide ? 8 : 4;
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, static_cast<const std::byte*>(values_[slot]) + bytes * std::size_t(lane),
+                bytes);
+    return bits;
+}
+
+void Batch::set_element(int slot, int lane, std::uint64_t bits) {
+    const bool wide = real_slots[static_cast<std::size_t>(slot)] && scalar_bytes_ == 8;
+    const std::size_t bytes = wide ? 8 : 4;
+    std::memcpy(static_cast<std::byte*>(values_[slot]) + bytes * std::size_t(lane), &bits, bytes);
 }
 
 double Batch::number(int slot, int lane) const {

@@ -70,6 +70,9 @@ class Batch {
         return static_cast<const std::uint32_t*>(values_[slot])[lane];
     }
     bool has(int slot) const { return values_[slot] != nullptr; }
+    /// An element's bits, whatever its type, and back, for who keeps them. Not of batches of duals.
+    std::uint64_t element(int slot, int lane) const;
+    void set_element(int slot, int lane, std::uint64_t bits);
 
   private:
     struct Free {

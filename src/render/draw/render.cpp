@@ -175,6 +175,7 @@ PreparedRender plan_drawn(const Scene& scene, const RenderOptions& options,
             throw UsageError("the image that is judged has another window than the render");
         prepared.plan.judged = std::make_shared<JudgedImage>(*options.judged);
     }
+    prepared.plan.truths = options.truths;
     prepared.plan.integral = options.integral;
     const GeometryParts parts = parts_read(prepared.plan);
     prepared.geometry = geometry != nullptr

@@ -217,6 +217,8 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
         case Kind::range_high:
         case Kind::range_paths:
         case Kind::undecided:
+        case Kind::pixel_certified:
+        case Kind::pixel_reason:
             return add_range(source, plane, quads,
                              source.range_set == RangeSet::gpu ? *judges.limits : *judges.bounds);
         case Kind::integral_error:
@@ -231,6 +233,11 @@ void TileFilm::add_range(const ChannelSource& source, std::uint32_t* plane,
     add_fragments(quads, plane, [&](auto& quad, int lane, int) {
         const int in_batch = 4 * static_cast<int>(&quad - quads) + lane;
         if (source.kind == Kind::undecided) return ranges.undecided(in_batch);
+        if (certifies_pixels(source)) {
+            const Uncertified reason = ranges.uncertified(in_batch);
+            if (source.kind == Kind::pixel_reason) return static_cast<std::uint32_t>(reason);
+            return reason == Uncertified::proven ? 1u : 0u;
+        }
         const FragmentRange& range = ranges.range(source, in_batch);
         if (source.kind == Kind::range_paths) return range.paths;
         const bool low = source.kind == Kind::range_low;

@@ -70,7 +70,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       touched_(touched),
       solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels) && !plan.integral) {
     if (!plan.exact.empty()) exact_.emplace(&command_);
-    if (!plan.errors.empty()) errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get());
+    if (!plan.errors.empty())
+        errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get(), plan.truths);
     if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
     if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
     if (plan.integral) integral_.emplace(*plan.integral, target.background);
@@ -238,7 +239,7 @@ void TileRenderer::shade() {
         const int count = static_cast<int>(end - first);
         run(plan_.materials[material], material, quads_.data() + first, count);
         if (recording_ == Recording::counts)
-            count_certified(plan_.materials[material], {quads_.data() + first, end - first});
+            count_certified(material, {quads_.data() + first, end - first});
         if (integral_) {
             integral_->add(batch_, quads_.data() + first);
         } else if (recording_ != Recording::marks) {
@@ -330,15 +331,20 @@ void TileRenderer::mark(std::uint32_t material) {
 }
 
 /// What is proven of the fragments that are seen, where certificates are drawn.
-void TileRenderer::count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads) {
+void TileRenderer::count_certified(std::uint32_t material, std::span<const QuadCoverage> quads) {
     constexpr auto certified = static_cast<std::size_t>(Value::certified);
-    if (!plan.values[certified]) return;
+    if (!plan_.materials[material].values[certified]) return;
+    // Noise has heights that are not proven; where there are none, there is nothing to prove.
+    const bool has_heights =
+        scene_.materials[material].noise || scene_.materials[material].textures.contains("height");
     for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
         const auto q = static_cast<std::size_t>(lane / 4), k = static_cast<std::size_t>(lane % 4);
         if (!solid_ && quads[q].samples[k] == 0) continue;
         ++record_.certified[batch_.integer(slot_of(Value::certified), lane)];
-        record_.without_ray += batch_.integer(slot_of(Value::certified_reason), lane) ==
-                               static_cast<std::uint32_t>(Uncertified::no_ray);
+        const auto reason =
+            static_cast<Uncertified>(batch_.integer(slot_of(Value::certified_reason), lane));
+        record_.without_ray +=
+            reason == Uncertified::no_ray || (reason == Uncertified::no_height_map && !has_heights);
     }
 }
 

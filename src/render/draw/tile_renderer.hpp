@@ -81,7 +81,7 @@ class TileRenderer {
                                         std::span<const QuadCoverage> quads, std::string message);
     void mark(std::uint32_t material);
     void count_steps(const MaterialPlan& plan);
-    void count_certified(const MaterialPlan& plan, std::span<const QuadCoverage> quads);
+    void count_certified(std::uint32_t material, std::span<const QuadCoverage> quads);
     void count_kinds(const ErrorBatch& errors, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
     bool keeps_time() const {

@@ -93,10 +93,12 @@ JudgedImage::JudgedImage(const Film& film) : film_(film), coverage_(film.find("A
         }
 }
 
-ErrorBatch::ErrorBatch(int scalar_bytes, const ProbeCommand* command, const JudgedImage* image)
+ErrorBatch::ErrorBatch(int scalar_bytes, const ProbeCommand* command, const JudgedImage* image,
+                       KnownTruths* truths)
     : batches_{Batch(scalar_bytes, command), Batch(scalar_bytes, command),
                Batch(scalar_bytes, command)},
-      image_(image) {}
+      image_(image),
+      truths_(truths) {}
 
 void ErrorBatch::run(const ErrorPlan& plan, const StageCall& call, const QuadCoverage* quads,
                      int count, const Geometry& geometry, int samples, bool centroid) {
@@ -109,7 +111,11 @@ void ErrorBatch::run(const ErrorPlan& plan, const StageCall& call, const QuadCov
         if (prepared_[k] != &*plan.runs[k]) batches_[k].prepare(*plan.runs[k]);
         prepared_[k] = &*plan.runs[k];
         batches_[k].load(quads, count, geometry, samples, centroid);
+        KnownTruths* const truths =
+            k == static_cast<std::size_t>(JudgedRun::truth) && samples == 1 ? truths_ : nullptr;
+        if (truths != nullptr && truths->load(quads, count, batches_[k])) continue;
         batches_[k].run(*plan.runs[k], call_, geometry);
+        if (truths != nullptr) truths->store(quads, count, batches_[k]);
     }
 }
 

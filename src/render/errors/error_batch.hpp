@@ -6,6 +6,7 @@
 #include "render/draw/batch.hpp"
 #include "render/errors/error_plan.hpp"
 #include "render/errors/judgement.hpp"
+#include "render/errors/known_truths.hpp"
 
 namespace quadrel {
 
@@ -31,8 +32,10 @@ class JudgedImage {
 /// One thread's. Its batches hold the same quads, lane by lane, as the one that is drawn.
 class ErrorBatch {
   public:
-    /// `image`: what is judged in the place of what is drawn, or null.
-    ErrorBatch(int scalar_bytes, const ProbeCommand* command, const JudgedImage* image);
+    /// `image`: what is judged in the place of what is drawn, or null. `truths`: what is known
+    /// from before, and gets what is found, or null.
+    ErrorBatch(int scalar_bytes, const ProbeCommand* command, const JudgedImage* image,
+               KnownTruths* truths);
 
     /// Runs the plan's stages over up to batch_quads quads. `call` comes with material, frame and
     /// textures set; all must stay until the last value is taken.
@@ -58,6 +61,7 @@ class ErrorBatch {
     std::array<const MaterialPlan*, judged_runs> prepared_{};  ///< the batches' arrays are theirs
     const ErrorPlan* plan_ = nullptr;
     const JudgedImage* image_;
+    KnownTruths* truths_;
     StageCall call_{};
 };
 

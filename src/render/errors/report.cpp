@@ -85,7 +85,7 @@ std::string worst_text(const ErrorSummary& summary) {
 }
 
 /// JSON has no NaN and no infinity.
-Json number_json(double x) { return std::isfinite(x) ? Json(x) : Json(fmt::format("{}", x)); }
+Json number_json(double x) { return std::isfinite(x) ? Json(x) : Json(); }
 
 Json spread_json(const ErrorSpread& spread) {
     return {{"channel", spread.channel},      {"unit", spread.unit},

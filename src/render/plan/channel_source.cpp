@@ -175,12 +175,18 @@ bool find_error(std::string name, ChannelSource& source) {
 
 const Table& value_channels();
 
-/// The source of gpu.*, bound.* or undecided; false for other channels.
+/// The source of gpu.*, bound.*, undecided or certified.pixel*; false for other channels.
 bool find_range(const std::string& name, ChannelSource& source) {
     if (name == "undecided") {
         source.kind = Kind::undecided;
         source.range_set = RangeSet::gpu;
         source.value = Value::hit_uv;
+        return true;
+    }
+    if (name == "certified.pixel" || name == "certified.pixel.reason") {
+        source.kind = name == "certified.pixel" ? Kind::pixel_certified : Kind::pixel_reason;
+        source.range_set = RangeSet::exact;
+        source.value = Value::K;
         return true;
     }
     const auto range = range_channel(name);

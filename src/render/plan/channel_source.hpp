@@ -56,6 +56,8 @@ struct ChannelSource {
         range_high,
         range_paths,       ///< how many ranges the ways of open decisions leave
         undecided,         ///< what decisions were open
+        pixel_certified,   ///< certified.pixel, of K by exact arithmetic
+        pixel_reason,      ///< certified.pixel.reason
         integral_error,    ///< standard error of a component of the colour
         integral_samples,  ///< integral.samples
     };
@@ -76,6 +78,12 @@ struct ChannelSource {
     /// Resolved over the samples of a pixel; every other channel is one fragment's.
     bool resolved() const;
 };
+
+/// Whether the channel says what is proven of a pixel, whose ray is known to be in a range.
+inline bool certifies_pixels(const ChannelSource& channel) {
+    return channel.kind == ChannelSource::Kind::pixel_certified ||
+           channel.kind == ChannelSource::Kind::pixel_reason;
+}
 
 /// The source of a full channel name (film/channels.hpp has checked that it exists).
 ChannelSource channel_source(const std::string& name);

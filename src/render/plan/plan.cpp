@@ -217,6 +217,9 @@ Wanted wanted_values(const std::vector<ChannelSource>& channels) {
                 wanted.values.set(index_of(v));
                 if (info(v).per_light) wanted.lights.set(0);
             }
+        if (certifies_pixels(channel))  // against what is proven of the drawn ray
+            for (const Value v : {Value::oracle_status, Value::oracle_cell, Value::certified})
+                wanted.values.set(index_of(v));
         if (channel.kind == ChannelSource::Kind::z) wanted.values.set(index_of(Value::hit_P));
     }
     // Statistics tell fragments without a ray from those whose hit is not proven.

@@ -16,6 +16,7 @@
 namespace quadrel {
 
 class JudgedImage;
+class KnownTruths;
 
 /// All that is settled before the first tile, but for geometry.
 struct RenderPlan {
@@ -31,6 +32,7 @@ struct RenderPlan {
     std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
     std::vector<ErrorPlan> errors;        ///< what runs again for the judge; likewise
     std::shared_ptr<const JudgedImage> judged;  ///< that err.* judge; null: what is drawn
+    KnownTruths* truths = nullptr;              ///< what the judge has found before
     RangePlan bounds, limits;                   ///< and on ranges
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;

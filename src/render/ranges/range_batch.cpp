@@ -1,9 +1,12 @@
 #include "render/ranges/range_batch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "quadrel/num/range/ranged.hpp"
+#include "quadrel/relief/cells.hpp"
+#include "quadrel/relief/trace/oracle/common_hit.hpp"
 
 namespace quadrel {
 namespace {
@@ -13,6 +16,20 @@ constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 
 constexpr FragmentRange unknown{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity(), 0};
+
+/// Before the first of several.
+constexpr FragmentRange no_range{std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity(), 0};
+
+/// Whether coordinates of a range may lie in two cells of an axis.
+bool may_change_cell(const FragmentRange& range, int texels, double centre, const GridAxis& axis) {
+    if (!(range.low <= range.high)) return false;
+    const auto cell = [&](double u) {
+        const double x = std::floor(u * texels - centre), first = axis.first;
+        return axis.periodic ? x : std::clamp(x, first, first + axis.count - 1);
+    };
+    return cell(range.low) != cell(range.high);
+}
 
 /// What a decision in a stage of that room is about.
 std::uint32_t kind_of(const StageInfo& stage) {
@@ -48,7 +65,8 @@ RangeBatch::RangeBatch(const RangePlan& plan)
       results_(plan.slots.size() * batch_lanes),
       ways_(plan.slots.size()),
       through_(plan.slots.size()),
-      undecided_(batch_lanes) {}
+      undecided_(batch_lanes),
+      uncertified_(batch_lanes, Uncertified::no_ray) {}
 
 void RangeBatch::prepare(const MaterialPlan& plan) {
     if (prepared_ == &plan) return;
@@ -91,7 +109,12 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.planes = nullptr;
         call_.values = values_.data();
         call_.lanes = quad_lanes;
+        surface_ = plan_.surfaces[material];
         run_quad(plan, q, quads[q]);
+        for (int lane = 0; plan_.certifies && lane < quad_lanes; ++lane)
+            if (quads[q].samples[static_cast<std::size_t>(lane)] != 0)
+                uncertified_[static_cast<std::size_t>(quad_lanes * q + lane)] =
+                    certify(material, drawn, quad_lanes * q + lane);
     }
 }
 
@@ -118,6 +141,8 @@ void RangeBatch::name_place() {
 
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {
     std::fill_n(context_->undecided, quad_lanes, 0u);
+    hits_.fill({no_range, no_range});
+    mark_coverage(coverage);
     context_->begin_lane(-1);
     run_stages(plan);
     for (int lane = 0; lane < quad_lanes; ++lane) record(quad, lane);
@@ -126,8 +151,69 @@ void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage
     for (int lane = 0; lane < quad_lanes; ++lane)
         if ((several >> lane & 1) != 0 && coverage.samples[static_cast<std::size_t>(lane)] != 0)
             follow(plan, quad, lane);
+    mark_cells();
     for (int lane = 0; lane < quad_lanes; ++lane)
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
+}
+
+/// An edge of the triangle that snapping may move past the pixel's centre. Its function changes
+/// from pixel to pixel by as much as it does where the edge is moved by one.
+void RangeBatch::mark_coverage(const QuadCoverage& coverage) {
+    for (int lane = 0; lane < quad_lanes; ++lane) {
+        if (coverage.samples[static_cast<std::size_t>(lane)] == 0) continue;
+        for (const double* const edge : call_.edges) {
+            const double across = std::fabs(edge[1] - edge[0]) + std::fabs(edge[2] - edge[0]);
+            if (std::fabs(edge[lane]) <= plan_.budget.snapping * across)
+                context_->undecided[lane] |= Undecided::coverage;
+        }
+    }
+}
+
+/// Where the hits of a lane's ways lie in several cells of the height map.
+void RangeBatch::mark_cells() {
+    const SampledTexture* const map = call_.textures[static_cast<int>(TextureSlot::height)];
+    if (!surface_ || map == nullptr) return;
+    const bool blocks = *surface_ == oracle::Surface::block;
+    const int width = map->view.width[0], height = map->view.height[0];
+    const Grid grid =
+        blocks ? texel_grid(width, height, map->sampler) : cell_grid(width, height, map->sampler);
+    const double centre = blocks ? 0 : 0.5;
+    for (int lane = 0; lane < quad_lanes; ++lane) {
+        const auto& [u, v] = hits_[static_cast<std::size_t>(lane)];
+        if (may_change_cell(u, width, centre, grid.u) || may_change_cell(v, height, centre, grid.v))
+            context_->undecided[lane] |= Undecided::cell;
+    }
+}
+
+/// Whether all rays that the pixel's exact one may be end where the drawn ray is proven to.
+Uncertified RangeBatch::certify(std::uint32_t material, const Batch& drawn, int lane) const {
+    const auto reason =
+        static_cast<Uncertified>(drawn.integer(slot_of(Value::certified_reason), lane));
+    if (reason != Uncertified::proven) return reason;
+    const auto range = [&](Value v, int component) -> RealInterval {
+        const auto slot = std::ranges::find(plan_.slots, slot_of(v) + component);
+        const FragmentRange& of =
+            results_[static_cast<std::size_t>(slot - plan_.slots.begin()) * batch_lanes +
+                     static_cast<std::size_t>(lane)];
+        return {of.low, of.high};
+    };
+    for (const Value v : {Value::uv, Value::K})
+        for (int component = 0; component < 2; ++component)
+            if (!std::isfinite(range(v, component).width())) return oracle::pixel_open;
+    const oracle::Field field{call_.textures[static_cast<int>(TextureSlot::height)],
+                              call_.textures[static_cast<int>(TextureSlot::max_mip)],
+                              *plan_.surfaces[material]};
+    const oracle::CommonHit hit =
+        oracle::common_hit(field, {range(Value::uv, 0), range(Value::uv, 1), range(Value::K, 0),
+                                   range(Value::K, 1), 1 - static_cast<double>(material_.seat)});
+    if (hit.reason != Uncertified::proven) return hit.reason;
+    const auto status = static_cast<Status>(drawn.integer(slot_of(Value::oracle_status), lane));
+    const auto cell = [&](int axis) {
+        return drawn.number(slot_of(Value::oracle_cell) + axis, lane);
+    };
+    const bool same = hit.status == status &&
+                      (status != Status::hit || (cell(0) == hit.cell_x && cell(1) == hit.cell_y));
+    return same ? Uncertified::proven : oracle::pixel_apart;
 }
 
 /// Of what stages write that the last run has not got through, nothing is known.
@@ -150,11 +236,21 @@ void RangeBatch::record(int quad, int lane) {
         else
             ways_[s].push_back(range);
     }
+    const int uv = slot_of(Value::hit_uv);
+    for (int axis = 0; axis < 2; ++axis) {
+        const void* const values = values_[static_cast<std::size_t>(uv + axis)];
+        if (values == nullptr) return;
+        FragmentRange way,
+            &all = hits_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(axis)];
+        plan_.table->ends(values, lane, &way.low, &way.high);
+        all = {std::min(all.low, way.low), std::max(all.high, way.high)};
+    }
 }
 
 /// One way after another, if they are no more than `most`.
 bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int most) {
     for (auto& ways : ways_) ways.clear();
+    hits_[static_cast<std::size_t>(lane)] = {no_range, no_range};
     context_->begin_lane(lane);
     int count = 0;
     do {
@@ -167,12 +263,14 @@ bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int m
 /// Where a lane has too many ways, the sides of its decisions are taken together, but for those
 /// between constants; where that is too many as well, all are, as they are already.
 void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane) {
+    const auto together = hits_[static_cast<std::size_t>(lane)];
     bool all = follow_ways(plan, quad, lane, most_ways);
     if (!all) {
         context_->together = true;
         all = follow_ways(plan, quad, lane, most_ways);
         context_->together = false;
     }
+    if (!all) hits_[static_cast<std::size_t>(lane)] = together;
     for (std::size_t s = 0; all && s < plan_.slots.size(); ++s)
         result(s, quad_lanes * quad + lane) = joined(ways_[s]);
 }

@@ -2,7 +2,9 @@
 // lane and way by way.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "quadrel/raster/coverage.hpp"
@@ -34,6 +36,8 @@ class RangeBatch {
     const FragmentRange& range(const ChannelSource& channel, int lane) const;
     /// A set of Undecided's bits.
     std::uint32_t undecided(int lane) const { return undecided_[static_cast<std::size_t>(lane)]; }
+    /// Why a pixel is not certified; `proven` if it is.
+    Uncertified uncertified(int lane) const { return uncertified_[static_cast<std::size_t>(lane)]; }
 
   private:
     void prepare(const MaterialPlan& plan);
@@ -44,6 +48,9 @@ class RangeBatch {
     bool follow_ways(const MaterialPlan& plan, int quad, int lane, int most);
     void record(int quad, int lane);
     void give_up(int quad);
+    void mark_coverage(const QuadCoverage& coverage);
+    void mark_cells();
+    Uncertified certify(std::uint32_t material, const Batch& drawn, int lane) const;
     FragmentRange& result(std::size_t slot, int lane) {
         return results_[slot * batch_lanes + static_cast<std::size_t>(lane)];
     }
@@ -60,6 +67,9 @@ class RangeBatch {
     std::vector<std::size_t> through_;  ///< stages until it is written: [slot of the plan]
     std::size_t stages_run_ = 0;        ///< of the last run, until there were too many ways
     std::vector<std::uint32_t> undecided_;
+    std::vector<Uncertified> uncertified_;
+    std::optional<oracle::Surface> surface_;            ///< of the material that runs
+    std::array<std::array<FragmentRange, 2>, 4> hits_;  ///< of the quad's lanes: hit.uv, all ways
 };
 
 }  // namespace quadrel

@@ -6,6 +6,8 @@
 #include <atomic>
 
 #include "quadrel/error.hpp"
+#include "quadrel/relief/rooms.hpp"
+#include "render/errors/error_plan.hpp"
 #include "render/ranges/limits.hpp"
 
 namespace quadrel {
@@ -14,6 +16,10 @@ namespace {
 std::uint64_t next_number() {
     static std::atomic<std::uint64_t> number = 0;
     return ++number;
+}
+
+void add_slot(RangePlan& plan, int slot) {
+    if (std::ranges::count(plan.slots, slot) == 0) plan.slots.push_back(slot);
 }
 
 MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const Wanted& wanted,
@@ -51,12 +57,21 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
     if (set == RangeSet::gpu) plan.budget = budget_of_limits(limits);
     plan.table = &range_kernels();
     plan.maps = next_number();
-    for (const ChannelSource& channel : asking)
-        if (std::ranges::count(plan.slots, channel.slot()) == 0)
-            plan.slots.push_back(channel.slot());
-    const Wanted wanted = wanted_values(asking);
-    for (const Material& material : scene.materials)
+    plan.certifies = std::ranges::any_of(asking, certifies_pixels);
+    Wanted wanted = wanted_values(asking);
+    // The judge is a stage of what is drawn.
+    for (const Value v : oracle_outputs) wanted.values.reset(static_cast<std::size_t>(v));
+    for (const ChannelSource& channel : asking) add_slot(plan, channel.slot());
+    if (plan.certifies)
+        for (const Value v : {Value::uv, Value::K}) {
+            wanted.values.set(static_cast<std::size_t>(v));
+            for (int c = 0; c < 2; ++c) add_slot(plan, slot_of(v) + c);
+        }
+    for (const Material& material : scene.materials) {
         plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table, asked));
+        const auto judge = error_judge(scene, material);
+        plan.surfaces.push_back(judge ? std::optional(judge->surface) : std::nullopt);
+    }
     return plan;
 }
 

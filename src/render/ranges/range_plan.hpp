@@ -1,9 +1,11 @@
 // Which stages run once more, on ranges, for the channels that ask for them.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernels/ranges.hpp"
+#include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "render/plan/plan.hpp"
 
 namespace quadrel {
@@ -15,6 +17,9 @@ struct RangePlan {
     const RangeTable* table = nullptr;
     std::vector<MaterialPlan> materials;  ///< per material of the scene
     std::vector<int> slots;               ///< arrays that channels show
+    /// Per material, how its heights are read as a surface; none where they are no map.
+    std::vector<std::optional<oracle::Surface>> surfaces;
+    bool certifies = false;  ///< what all rays of a pixel have in common is asked for
 };
 
 /// Whether the channel is a range, or says how many there are.

@@ -12,6 +12,7 @@
 #include "quadrel/relief/registry.hpp"
 #include "sweep/plan/families.hpp"
 #include "sweep/plan/map_kinds.hpp"
+#include "sweep/plan/plan_checks.hpp"
 
 namespace quadrel::sweep {
 namespace {
@@ -29,6 +30,16 @@ std::vector<SceneValue> elements(const SceneValue& value) {
     if (value.json().empty()) value.fail("an empty array", "at least one");
     std::vector<SceneValue> all;
     for (std::size_t i = 0; i < value.json().size(); ++i) all.push_back(value.element(i));
+    return all;
+}
+
+/// The same, where what stands there twice would be measured twice.
+std::vector<SceneValue> distinct_elements(const SceneValue& value) {
+    std::vector<SceneValue> all = elements(value);
+    std::set<Json> known;
+    for (const SceneValue& one : all)
+        if (!known.insert(one.json()).second)
+            one.fail(one.json().dump() + " a second time", "each value once");
     return all;
 }
 
@@ -78,8 +89,8 @@ void read_format(Fields& fields, PlannedMap& map) {
     if (fields.has("wrap")) map.wrap = word_in(fields.get("wrap"), wraps);
 }
 
-/// Combinations of an entry's values, and runs of a plan: a week of the quickest ones.
-constexpr std::size_t most_combinations = 10'000, most_runs = 1'000'000;
+/// Combinations of an entry's values.
+constexpr std::size_t most_combinations = 10'000;
 
 /// All combinations of `lists`' values, the last one changing quickest. Refuses `entry`, whose they
 /// are, if there are too many.
@@ -122,7 +133,7 @@ std::vector<MapValues> map_values(Fields& fields, const MapKind& kind) {
             lists.back().second.push_back(parameter.standard);
             continue;
         }
-        for (const SceneValue& value : elements(fields.get(name)))
+        for (const SceneValue& value : distinct_elements(fields.get(name)))
             lists.back().second.push_back(value.number({parameter.low, parameter.high}));
     }
     return products(fields.get("kind"), lists);
@@ -137,7 +148,7 @@ void read_made(Fields& fields, PlannedMap map, std::vector<PlannedMap>& maps) {
     if (map.format.empty()) map.format = kind.format;
     std::vector<int> sizes;
     if (fields.has("size"))
-        for (const SceneValue& value : elements(fields.get("size")))
+        for (const SceneValue& value : distinct_elements(fields.get("size")))
             sizes.push_back(value.integer(least_map_side, largest_map_side));
     else
         sizes.push_back(256);
@@ -199,7 +210,7 @@ std::vector<Parameters> read_parameters_of(const SceneValue& value, const std::s
         if (find_parameter(trace, name) == nullptr)
             list.fail("a parameter that " + trace + " does not take", one_of(name, known));
         lists.push_back({name, {}});
-        for (const SceneValue& one : elements(list))
+        for (const SceneValue& one : distinct_elements(list))
             lists.back().second.push_back(parameter_value(one, trace, name));
     }
     return products(value, lists);
@@ -214,7 +225,8 @@ std::map<double, double> read_published(const SceneValue& value) {
         const auto [stop, error] = std::from_chars(key.data(), key.data() + key.size(), angle);
         if (error != std::errc() || stop != key.data() + key.size())
             value.member(key).fail("the key \"" + key + "\"", "an angle in degrees");
-        published[angle] = value.member(key).number(above_zero);
+        if (!published.emplace(angle, value.member(key).number(above_zero)).second)
+            value.member(key).fail(short_number(angle) + " degrees a second time", "each once");
     }
     return published;
 }
@@ -285,7 +297,7 @@ void read_pictures(Fields& fields, PictureSettings& pictures) {
     own.read("side", pictures.side, 16, 256);
     own.read("most", pictures.most, 0, 2000);
     if (own.has("angles"))
-        for (const SceneValue& value : elements(own.get("angles")))
+        for (const SceneValue& value : distinct_elements(own.get("angles")))
             pictures.angles.push_back(value.number({0, steepest_view}));
     own.finish("the pictures of a plan");
 }
@@ -298,18 +310,18 @@ void read_running(Fields& fields, Plan& plan) {
     fields.read("published_on", plan.published_on);
     if (fields.has("numbers")) {
         plan.numbers.clear();
-        for (const SceneValue& value : elements(fields.get("numbers")))
+        for (const SceneValue& value : distinct_elements(fields.get("numbers")))
             plan.numbers.push_back(word_in(value, {"float", "double"}));
     }
     if (fields.has("isa")) {
         plan.isas.clear();
-        for (const SceneValue& value : elements(fields.get("isa")))
+        for (const SceneValue& value : distinct_elements(fields.get("isa")))
             plan.isas.push_back(
                 word_in(value, {"auto", "scalar", "sse4", "avx2", "avx512", "neon"}));
     }
     if (fields.has("threads")) {
         plan.threads.clear();
-        for (const SceneValue& value : elements(fields.get("threads")))
+        for (const SceneValue& value : distinct_elements(fields.get("threads")))
             plan.threads.push_back(value.integer(1, 1024));
     }
     read_pictures(fields, plan.pictures);
@@ -336,30 +348,6 @@ SceneDocument open_plan(const std::filesystem::path& file) {
     return document;
 }
 
-/// Tables and charts tell scenes, and maps of one size, by their names.
-void refuse_equal_names(const Plan& plan, Fields& fields) {
-    std::set<std::string> scenes, maps;
-    for (const PlannedScene& scene : plan.scenes)
-        if (!scenes.insert(scene.name).second)
-            fields.get("scenes").fail("two scenes named \"" + scene.name + "\"",
-                                      "a \"name\" of its own for each");
-    for (const PlannedMap& map : plan.maps)
-        if (!maps.insert(map.name + " " + std::to_string(map.size)).second)
-            fields.get("maps").fail("two maps named \"" + map.name + "\" of one size",
-                                    "a \"name\" of its own for each");
-}
-
-void refuse_too_many_runs(const Plan& plan) {
-    double runs = 1;
-    for (const std::size_t factor :
-         {plan.scenes.size(), plan.maps.size(), plan.views.size(), plan.algorithms.size(),
-          plan.numbers.size(), plan.isas.size(), plan.threads.size()})
-        runs *= static_cast<double>(factor);
-    if (runs > static_cast<double>(most_runs))
-        throw InputError(plan.file.string(), "", fmt::format("{:.3g} runs", runs),
-                         fmt::format("at most {}", most_runs));
-}
-
 }  // namespace
 
 std::string View::name() const { return angle ? short_number(*angle) : "camera"; }
@@ -384,16 +372,15 @@ Plan read_plan(const std::filesystem::path& file) {
         for (const SceneValue& value : elements(fields.get("maps"))) read_map(value, plan.maps);
     else
         plan.maps.push_back(scene_map());
-    for (const SceneValue& value : elements(fields.get("views")))
+    for (const SceneValue& value : distinct_elements(fields.get("views")))
         plan.views.push_back(read_view(value));
     std::vector<Algorithm> algorithms;
     for (const SceneValue& value : elements(fields.get("algorithms")))
         read_algorithm(value, algorithms);
     plan.algorithms = without_repetition(algorithms);
     read_running(fields, plan);
-    refuse_equal_names(plan, fields);
     fields.finish("a plan");
-    refuse_too_many_runs(plan);
+    check_plan(plan, fields.value());
     return plan;
 }
 

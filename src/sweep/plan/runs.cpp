@@ -135,13 +135,6 @@ std::vector<std::string> overrides_of(const Plan& plan, const Run& run, const st
     return overrides;
 }
 
-std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
-                                            const std::string& heights) {
-    std::vector<std::string> overrides = common_overrides(plan, run, heights);
-    overrides.emplace_back("material.relief.trace=oracle-bilinear");
-    return overrides;
-}
-
 std::string render_command(const Plan& plan, const Run& run,
                            const std::vector<std::string>& overrides) {
     std::string line = "quadrel render " + shell_word(plan.scenes[run.scene].file_or_name.string());

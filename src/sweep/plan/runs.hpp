@@ -32,11 +32,6 @@ std::string height_override(const TextureReference& own);
 std::vector<std::string> overrides_of(const Plan& plan, const Run& run, const std::string& heights,
                                       const std::filesystem::path& normal_file);
 
-/// The same scene with the judge of the bilinear surface in the place of the search: searches of
-/// blocks are as far off as their surface is.
-std::vector<std::string> overrides_of_truth(const Plan& plan, const Run& run,
-                                            const std::string& heights);
-
 /// The line that renders the run's picture.
 std::string render_command(const Plan& plan, const Run& run,
                            const std::vector<std::string>& overrides);

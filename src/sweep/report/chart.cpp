@@ -112,10 +112,12 @@ struct Extent {
 class Labels {
   public:
     void keep_off(double x, double y) { taken_.push_back({x - 5, y - 5, x + 5, y + 5}); }
-    void add(std::string& svg, double x, double y, const std::string& text) {
+    /// False where there is no room for it.
+    bool add(std::string& svg, double x, double y, const std::string& text) {
         const double wide = 6.6 * static_cast<double>(text.size());
         const bool leftwards = x + 8 + wide > chart_width - chart_right;
         const double x0 = leftwards ? x - 8 - wide : x + 8;
+        if (x0 < chart_left) return false;
         for (const double dy : {-6.0, 14.0, -22.0, 30.0, -38.0}) {
             const Box box{x0, y + dy - 11, x0 + wide, y + dy + 3};
             if (box.y1 > chart_height - chart_bottom || box.y0 < chart_top || is_taken(box))
@@ -123,8 +125,9 @@ class Labels {
             taken_.push_back(box);
             svg += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x0,
                                y + dy, xml_text(text));
-            return;
+            return true;
         }
+        return false;
     }
 
   private:
@@ -144,23 +147,32 @@ class Drawing {
     explicit Drawing(const Chart& chart) : chart_(chart), x_(scale(true)), y_(scale(false)) {}
 
     std::string svg() {
-        text_ = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-            "height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n{3}"
-            "<rect class=\"ground\" width=\"{0}\" height=\"{1}\"/>\n"
-            "<text class=\"title\" x=\"{4}\" y=\"26\">{2}</text>\n"
-            "<text class=\"note\" x=\"{4}\" y=\"46\">{5}</text>\n",
-            chart_width, chart_height, xml_text(chart_.title), chart_style, 20,
-            xml_text(chart_.note));
         add_axes();
         for (const ChartSeries& series : chart_.series) add_line(series);
         for (const ChartSeries& series : chart_.series) add_dots(series);
         for (const ChartSeries& series : chart_.series) add_labels(series);
         add_legend();
-        return text_ + "</svg>\n";
+        add_unplaced();
+        return head() + text_ + "</svg>\n";
     }
 
   private:
+    static constexpr double line_height = 16;
+
+    /// As high as what has no room beside its point needs.
+    std::string head() const {
+        const double below =
+            unplaced_.empty() ? 0 : line_height * (static_cast<double>(unplaced_.size()) + 1);
+        return fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
+            "height=\"{1}\" role=\"img\" aria-label=\"{2}\">\n{3}"
+            "<rect class=\"ground\" width=\"{0}\" height=\"{1}\"/>\n"
+            "<text class=\"title\" x=\"{4}\" y=\"26\">{2}</text>\n"
+            "<text class=\"note\" x=\"{4}\" y=\"46\">{5}</text>\n",
+            chart_width, chart_height + below, xml_text(chart_.title), chart_style, 20,
+            xml_text(chart_.note));
+    }
+
     Scale scale(bool across) const {
         Extent extent;
         for (const ChartSeries& series : chart_.series)
@@ -223,7 +235,19 @@ class Drawing {
     void add_labels(const ChartSeries& series) {
         for (const ChartPoint& p : series.points)
             if (fits(chart_, p) && !p.label.empty())
-                labels_.add(text_, x_.at(p.x), y_.at(p.y), p.label);
+                if (!labels_.add(text_, x_.at(p.x), y_.at(p.y), p.label))
+                    unplaced_.push_back(fmt::format("{} ({:.3g}, {:.3g})", p.label, p.x, p.y));
+    }
+
+    /// Below the axis: names of points where several lie close together.
+    void add_unplaced() {
+        double y = chart_height + 4;
+        if (unplaced_.empty()) return;
+        text_ += fmt::format("<text class=\"note\" x=\"{}\" y=\"{}\">not named above:</text>\n",
+                             chart_left, y);
+        for (const std::string& line : unplaced_)
+            text_ += fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\">{}</text>\n",
+                                 chart_left + 12, y += line_height, xml_text(line));
     }
 
     void add_legend() {
@@ -242,6 +266,7 @@ class Drawing {
     const Chart& chart_;
     Scale x_, y_;
     Labels labels_;
+    std::vector<std::string> unplaced_;
     std::string text_;
 };
 

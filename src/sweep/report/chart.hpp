@@ -32,7 +32,8 @@ struct Chart {
     std::vector<ChartSeries> series;
 };
 
-/// 860 x 520; points that no logarithm takes are left out.
+/// 860 x 520, higher where names have no room beside their points; points that no logarithm takes
+/// are left out.
 std::string to_svg(const Chart& chart);
 
 }  // namespace quadrel::sweep

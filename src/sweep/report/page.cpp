@@ -9,7 +9,7 @@ namespace {
 Json shown(Json results) {
     for (Json& run : results["runs"])
         for (const char* key : {"command", "plan", "processor", "host", "processors", "load",
-                                "published_on", "repeats", "order", "look_ups_by_kind"})
+                                "published_on", "maps", "repeats", "order", "look_ups_by_kind"})
             run.erase(key);
     return results;
 }

@@ -63,30 +63,24 @@ Colour ramp(const Colour& middle, const Colour& end, double heat) {
     return heat < 0.5 ? between(black, middle, 2 * heat) : between(middle, end, 2 * heat - 1);
 }
 
-/// `texels`: negative before the true hit.
-Colour colour_of(RayEnd end, double texels) {
-    switch (end) {
-        case RayEnd::none:
-            return {110, 110, 110};
-        case RayEnd::nan:
-            return {255, 255, 255};
-        case RayEnd::hit_of_miss:
-        case RayEnd::miss_of_hit:
-            return {230, 40, 200};
-        default:
-            break;
-    }
-    const double heat = heat_of(std::fabs(texels));
-    return texels < 0 ? ramp({20, 80, 200}, {120, 240, 255}, heat)
-                      : ramp({190, 70, 10}, {255, 240, 120}, heat);
+bool is_lost(ErrorKind kind) { return kind == ErrorKind::missed || kind == ErrorKind::invented; }
+
+Colour colour_of(ErrorKind kind, double texels) {
+    if (kind == ErrorKind::not_judged) return {110, 110, 110};
+    if (!std::isfinite(texels)) return {255, 255, 255};
+    if (is_lost(kind)) return {230, 40, 200};
+    const double heat = heat_of(texels);
+    if (kind == ErrorKind::same) return {0, 0, 0};
+    if (kind == ErrorKind::early) return ramp({20, 80, 200}, {120, 240, 255}, heat);
+    if (kind == ErrorKind::other_surface) return ramp({20, 120, 50}, {130, 255, 150}, heat);
+    return ramp({190, 70, 10}, {255, 240, 120}, heat);
 }
 
-/// How much an end is worth showing.
-double weight(RayEnd end, double texels) {
-    if (end == RayEnd::none) return -1;
-    if (end == RayEnd::nan) return 1e30;
-    return (end == RayEnd::hit_of_miss || end == RayEnd::miss_of_hit ? 1e20 : 0) +
-           std::fabs(texels);
+/// How much a pixel is worth showing.
+double weight(ErrorKind kind, double texels) {
+    if (kind == ErrorKind::not_judged) return -1;
+    if (!std::isfinite(texels)) return 1e30;
+    return (is_lost(kind) ? 1e20 : 0) + texels;
 }
 
 }  // namespace
@@ -114,11 +108,11 @@ Picture error_thumbnail(const RunError& error, int width, int height, int side) 
             for (int j = pixels.y0; j < pixels.y1; ++j)
                 for (int i = pixels.x0; i < pixels.x1; ++i) {
                     const auto at = static_cast<std::size_t>(j * width + i);
-                    if (weight(error.ends[at], error.map[at]) >
-                        weight(error.ends[worst], error.map[worst]))
+                    if (weight(error.kinds[at], error.texels[at]) >
+                        weight(error.kinds[worst], error.texels[worst]))
                         worst = at;
                 }
-            const Colour c = colour_of(error.ends[worst], error.map[worst]);
+            const Colour c = colour_of(error.kinds[worst], error.texels[worst]);
             picture.set(x, y, static_cast<std::uint8_t>(c.r), static_cast<std::uint8_t>(c.g),
                         static_cast<std::uint8_t>(c.b));
         }

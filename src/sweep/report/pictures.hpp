@@ -12,8 +12,9 @@ namespace quadrel::sweep {
 Picture thumbnail(const Film& film, int side);
 
 /// The worst pixel of each of the thumbnail's, on one scale for all: black up to 0.01 texel, then
-/// by the logarithm to 100 texels; late from brown to yellow, early from blue to cyan. Magenta: a
-/// hit in place of a miss or the other way round, white: NaN, gray: no ray.
+/// by the logarithm to 100 texels; late from brown to yellow, early from blue to cyan, on another
+/// surface green. Magenta: a hit in place of a miss or the other way round, white: NaN, gray: not
+/// judged.
 Picture error_thumbnail(const RunError& error, int width, int height, int side);
 
 /// "data:image/png;base64,...".

@@ -15,6 +15,9 @@ namespace {
 /// Below this an error is drawn as this: exact hits have none, and a logarithm ends nowhere.
 constexpr double least_error = 1e-3;
 
+/// So many dots all have names; of more those of the front.
+constexpr std::size_t few_dots = 16;
+
 double time_of(const Json& record) {
     return 1e6 * record["trace_ms"].get<double>() /
            std::max(1.0, record["fragments"].get<double>());
@@ -26,7 +29,8 @@ double error_of(const Json& record) {
 
 bool is_measured(const Json& record) {
     return !record.contains("failed") && record.contains("trace_ms") &&
-           record["trace_ms"].get<double>() > 0 && record.contains("texels_p99");
+           record["trace_ms"].get<double>() > 0 && record.contains("texels_p99") &&
+           record["texels_p99"].is_number();
 }
 
 /// Geometric means over runs.
@@ -101,7 +105,8 @@ std::string front_chart(const Group& group, const std::string& view, const std::
     chart.series.push_back(line);
     std::map<std::string, ChartSeries> families;
     for (const auto& [name, mean] : means) {
-        const bool labelled = std::find(front.begin(), front.end(), name) != front.end();
+        const bool labelled =
+            means.size() <= few_dots || std::find(front.begin(), front.end(), name) != front.end();
         ChartSeries& series = families[mean.family()];
         series.family = mean.family();
         series.points.push_back(

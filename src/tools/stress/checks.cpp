@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "quadrel/compare.hpp"
@@ -31,20 +32,50 @@ const std::vector<std::string>& plain_channels() {
 /// Tiles that a ray may pass before it takes too long to judge: some microseconds each.
 constexpr float most_tiles = 100;
 
-bool can_judge(const Film& film) {
+/// The most that a ray of the film passes; of rays that are not finite none.
+float tiles_on_the_way(const Film& film) {
+    float most = 0;
     for (const char* channel : {"K.U", "K.V"}) {
         const Plane& plane = *film.find(channel);
         for (std::size_t i = 0; i < plane.bits.size(); ++i)
-            if (const float tiles = plane.as_float(i); tiles > most_tiles || tiles < -most_tiles)
-                return false;
+            if (const float tiles = std::abs(plane.as_float(i)); std::isfinite(tiles))
+                most = std::max(most, tiles);
     }
-    return true;
+    return most;
 }
 
-RenderOptions options_for(const char* number, const char* isa, bool judged) {
+/// Exact searches look at each tile on the way: of scenes whose rays pass a million of them so many
+/// pixels, from the middle of the frame, as take some seconds. None: all of them.
+std::optional<Window> affordable_window(const Scene& scene) {
+    constexpr double tiles_in_all = 3e6;
+    constexpr int fewest = 2;  // along an axis: a quad
     RenderOptions options;
+    options.channels = {"K"};
+    options.isa = "scalar";
+    options.threads = 1;
+    const double tiles = tiles_on_the_way(render(scene, options));
+    const double pixels = double(scene.width) * scene.height;
+    if (tiles * pixels <= tiles_in_all) return std::nullopt;
+    const double share = std::sqrt(tiles_in_all / tiles / pixels);
+    const auto side = [&](int all) {
+        return std::min(all, std::max(fewest, static_cast<int>(share * all)));
+    };
+    const int width = side(scene.width), height = side(scene.height);
+    const int x0 = (scene.width - width) / 4 * 2, y0 = (scene.height - height) / 4 * 2;
+    return Window{x0, y0, x0 + width, y0 + height};
+}
+
+/// What all renders of a scene have in common.
+struct Drawn {
+    std::optional<Window> window;
+    bool judged = false;
+};
+
+RenderOptions options_for(const char* number, const char* isa, const Drawn& drawn) {
+    RenderOptions options;
+    options.window = drawn.window;
     options.channels = plain_channels();
-    if (judged)
+    if (drawn.judged)
         options.channels.insert(options.channels.end(),
                                 {"oracle", "certified", "certified.reason"});
     options.number = number;
@@ -171,11 +202,12 @@ void expect_same(const Film& a, const Film& b, const std::string& what, const Sc
 }
 
 /// Exact derivatives, where the stages run on duals.
-void check_duals(const Scene& scene, const StressScene& stress, SceneResult& result) {
+void check_duals(const Scene& scene, const StressScene& stress, const Drawn& drawn,
+                 SceneResult& result) {
     const StageInfo* trace = find_stage(scene.materials.front().trace.id);
     const auto& types = trace->number_types;
     const bool dual = std::find(types.begin(), types.end(), "dual") != types.end();
-    RenderOptions options = options_for("float", "scalar", false);
+    RenderOptions options = options_for("float", "scalar", {drawn.window});
     options.channels = {"exact.dUVdx", "exact.dUVdy", "exact.dPdx", "derr.dPdy", "hit.status"};
     if (dual) options.channels.insert(options.channels.end(), {"exact.dhitUVdx", "exact.dhitUVdy"});
     const Film film = render(scene, options);
@@ -192,28 +224,30 @@ std::string gist(const std::string& message) {
 
 /// The same bits by lanes and without shortcuts; and duals.
 void draw_otherwise(const Scene& scene, const StressScene& stress, std::uint64_t sample,
-                    const Film& single, const Film& lanes, SceneResult& result) {
+                    const Drawn& drawn, const Film& single, const Film& lanes,
+                    SceneResult& result) {
     expect_same(single, lanes, "lanes", scene, result);
     if (sample % 4 == 0) {
-        RenderOptions everything = options_for("float", "auto", result.judged);
+        RenderOptions everything = options_for("float", "auto", drawn);
         everything.skip = false;
         expect_same(single, render(scene, everything), "no-skip", scene, result);
     }
-    if (sample % 2 == 0) check_duals(scene, stress, result);
+    if (sample % 2 == 0) check_duals(scene, stress, drawn, result);
 }
 
 void draw_all(const Scene& scene, const StressScene& stress, std::uint64_t sample,
               SceneResult& result) {
     plant_fault(stress);
-    Film single = render(scene, options_for("float", "scalar", false));
-    result.judged = can_judge(single);
-    if (result.judged) single = render(scene, options_for("float", "scalar", true));
-    Film lanes =
-        stress.measured_only ? single : render(scene, options_for("float", "auto", result.judged));
+    Drawn drawn;
+    if (!stress.measured_only) drawn.window = affordable_window(scene);
+    Film single = render(scene, options_for("float", "scalar", drawn));
+    drawn.judged = result.judged = tiles_on_the_way(single) <= most_tiles;
+    if (drawn.judged) single = render(scene, options_for("float", "scalar", drawn));
+    Film lanes = stress.measured_only ? single : render(scene, options_for("float", "auto", drawn));
     plant_error(stress, single, lanes);
     count_pixels(single, result);
-    if (!stress.measured_only) draw_otherwise(scene, stress, sample, single, lanes, result);
-    const Film exact = render(scene, options_for("double", "scalar", result.judged));
+    if (!stress.measured_only) draw_otherwise(scene, stress, sample, drawn, single, lanes, result);
+    const Film exact = render(scene, options_for("double", "scalar", drawn));
     const auto look = [&](const Film& film, const char* number) {
         check_statuses(film, stress, scene, number, result);
         if (!stress.has_nan) find_nan(film, scene, number, result.findings);

@@ -112,6 +112,13 @@ bool run_planted(Arguments arguments, const std::filesystem::path& folder) {
     return found == scenes.size();
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder))
+        throw OutputError(folder.string(), error ? error.message() : "not a folder");
+}
+
 /// Prints a scene, or writes and judges it.
 bool replay(const Arguments& arguments) {
     const StressScene scene = scene_by_name(arguments.seed, arguments.only);
@@ -119,7 +126,7 @@ bool replay(const Arguments& arguments) {
         std::cout << scene.document.dump(2) << '\n';
         return true;
     }
-    std::filesystem::create_directories(arguments.folder);
+    make_folder(arguments.folder);
     write_scene(arguments.folder, scene);
     Report report;
     report.add(scene, check_scene(arguments.folder, scene, 0));
@@ -127,8 +134,21 @@ bool replay(const Arguments& arguments) {
     return !report.has_errors();
 }
 
-bool run(const Arguments& arguments) {
+/// What is asked for is done, or refused.
+void check(const Arguments& arguments) {
     if (!(arguments.seconds > 0)) throw UsageError("--seconds: found no number above 0");
+    if (!arguments.plot.empty() && arguments.ranges.empty())
+        throw UsageError("--plot: found no --ranges, expected it: it is what is plotted");
+    if (!arguments.folder.empty() && arguments.only.empty())
+        throw UsageError("-o: found no --only, expected the scene to write");
+    const int tasks = int(arguments.list) + int(!arguments.only.empty()) + int(arguments.planted) +
+                      int(!arguments.ranges.empty());
+    if (tasks > 1)
+        throw UsageError("found several of --list, --only, --planted and --ranges, expected one");
+}
+
+bool run(const Arguments& arguments) {
+    check(arguments);
     if (arguments.list) {
         for (const StressScene& scene : listed_scenes()) std::cout << scene.name << '\n';
         return true;
@@ -170,8 +190,8 @@ void add_options(CLI::App& app, Arguments& a) {
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     app.footer(
-        "Exit codes: 0 nothing found; 1 something was found; 2 bad command line; 5 output "
-        "could not be written.");
+        "Exit codes: 0 nothing found; 1 something was found; 2 bad command line; 3 bad input; 4 an "
+        "error of the program; 5 output could not be written.");
 }
 
 int guarded_run(const Arguments& arguments) {
@@ -180,6 +200,9 @@ int guarded_run(const Arguments& arguments) {
     } catch (const UsageError& error) {
         std::cerr << "quadrel-stress: " << error.what() << '\n';
         return static_cast<int>(ExitCode::usage);
+    } catch (const InputError& error) {
+        std::cerr << "quadrel-stress: " << error.what() << '\n';
+        return static_cast<int>(ExitCode::input);
     } catch (const OutputError& error) {
         std::cerr << "quadrel-stress: " << error.what() << '\n';
         return static_cast<int>(ExitCode::output);

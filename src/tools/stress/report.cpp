@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quadrel::stress {
 namespace {
@@ -24,7 +25,10 @@ void add_to(Departure& sum, const Departure& one) {
 
 std::string share(std::uint64_t part, std::uint64_t of) {
     if (of == 0) return "-";
-    return fmt::format("{:.2g}", 100 * static_cast<double>(part) / static_cast<double>(of));
+    const double percent = 100 * static_cast<double>(part) / static_cast<double>(of);
+    if (percent < 10 || part == of) return fmt::format("{:.{}g}", percent, part == of ? 3 : 2);
+    // Nothing is all that is not.
+    return fmt::format("{:.4g}", percent < 99.5 ? std::round(percent) : std::min(percent, 99.99));
 }
 
 std::string departure_rows(const std::map<std::string, Departure>& rows, const char* room) {

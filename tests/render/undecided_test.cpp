@@ -1,0 +1,103 @@
+// What `undecided` says of coverage and of cells: edges that are moved, hits that may be in two.
+#include <cmath>
+
+#include "quadrel/num/range/context.hpp"
+#include "quadrel/scene/load.hpp"
+#include "quadrel/texture/image.hpp"
+#include "render/films.hpp"
+
+namespace quadrel::render_tests {
+namespace {
+
+constexpr double pixel = 2 * 2 * 0.36397 / 32;  // at the quad, two units away, of 40 degrees in 32
+
+/// A quad whose edges run across the frame, moved by so many pixels.
+Film turned_quad(double right, double up, const std::string& limits) {
+    RenderOptions options;
+    options.channels = {"A", "undecided"};
+    options.limits = limits;
+    return render(
+        load_scene("rows/offset-limit",
+                   {"size=[32,32]",
+                    R"(camera={"type":"perspective","fov_y":40,"eye":[0,0,2],"target":[0,0,0]})",
+                    fmt::format(R"(objects=[{{"mesh":{{"shape":"quad","size":1}},"transform":[
+                                {{"rotate":20,"axis":[0,0,1]}},{{"translate":[{},{},0]}}]}}])",
+                                right * pixel, up * pixel)}),
+        options);
+}
+
+bool is_covered(const Film& film, std::size_t i) { return film.find("A")->as_float(i) > 0; }
+bool has_bit(const Film& film, std::size_t i, std::uint32_t bit) {
+    return (film.find("undecided")->bits[i] & bit) != 0;
+}
+
+/// Whether pixels that are lost where the quad moves by a quarter of a pixel are marked.
+testing::AssertionResult marks_what_may_be_lost(const std::string& limits) {
+    const Film film = turned_quad(0, 0, limits);
+    int lost = 0, marked = 0, covered = 0;
+    for (std::size_t i = 0; i < film.window.area(); ++i) {
+        covered += is_covered(film, i);
+        marked += has_bit(film, i, Undecided::coverage);
+    }
+    for (const double right : {-0.24, 0.0, 0.24})
+        for (const double up : {-0.24, 0.0, 0.24}) {
+            const Film moved = turned_quad(right, up, limits);
+            for (std::size_t i = 0; i < film.window.area(); ++i) {
+                if (!is_covered(film, i) || is_covered(moved, i)) continue;
+                ++lost;
+                if (!has_bit(film, i, Undecided::coverage))
+                    return testing::AssertionFailure() << "pixel " << i << " is not marked";
+            }
+        }
+    if (lost == 0 || marked * 4 > covered)
+        return testing::AssertionFailure() << lost << " lost, " << marked << " of " << covered;
+    return testing::AssertionSuccess();
+}
+
+TEST(Undecided, MarksCoverageThatSnappingMayChange) {
+    EXPECT_TRUE(marks_what_may_be_lost("gl,snapping=0.25"));
+    EXPECT_FALSE(marks_what_may_be_lost("gl,snapping=0.05"));
+    EXPECT_FALSE(marks_what_may_be_lost("gl,snapping=0"));
+}
+
+/// Of hits whose range holds a border between cells those are marked, and no others; `shift`: the
+/// bits of a pixel so far away.
+testing::AssertionResult marks_cells(const Film& film, int texels, std::size_t shift = 0) {
+    int open = 0, closed = 0;
+    for (std::size_t i = 0; i + shift < film.window.area(); ++i) {
+        if (!is_covered(film, i)) continue;
+        bool crosses = false, close = false;
+        for (const std::string axis : {"U", "V"}) {
+            const double lo = film.find("gpu.lo.hit." + axis)->as_float(i) * double(texels) - 0.5,
+                         hi = film.find("gpu.hi.hit." + axis)->as_float(i) * double(texels) - 0.5;
+            if (!std::isfinite(lo) || !std::isfinite(hi)) crosses = true;
+            crosses = crosses || std::floor(lo) != std::floor(hi);
+            // Ends are rounded outwards in the film.
+            for (const double end : {lo, hi})
+                close = close || std::fabs(end - std::round(end)) < 1e-4;
+        }
+        if (close) continue;
+        ++(crosses ? open : closed);
+        if (has_bit(film, i + shift, Undecided::cell) != crosses)
+            return testing::AssertionFailure() << "pixel " << i;
+    }
+    return open > 0 && closed > 0 ? testing::AssertionSuccess()
+                                  : testing::AssertionFailure() << open << ", " << closed;
+}
+
+TEST(Undecided, MarksHitsThatMayBeInTwoCells) {
+    RenderOptions options;
+    options.channels = {"A", "hit.U", "hit.V", "undecided"};
+    options.limits = "vulkan";
+    options.window = Window{40, 40, 72, 64};
+    const Scene scene = load_scene("rows/offset-limit");
+    const Film film = render(scene, options);
+    const Image map = load_image(scene.materials.front().textures.at("height").file);
+    ASSERT_EQ(map.width, map.height);
+    EXPECT_TRUE(marks_cells(film, map.width));
+    EXPECT_FALSE(marks_cells(film, map.width, 1));
+    EXPECT_FALSE(marks_cells(film, map.width / 2));
+}
+
+}  // namespace
+}  // namespace quadrel::render_tests
