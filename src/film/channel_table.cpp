@@ -220,7 +220,7 @@ void add_ranges(Table& table) {
                      "least value that a GPU may give (render --limits)"});
     table.push_back({"gpu.hi." + any, real, "the channel's", "greatest value that a GPU may give"});
     table.push_back({"gpu.paths." + any, integer, "ranges",
-                     "disjoint ranges that open decisions leave; 0: too many to follow"});
+                     "disjoint ranges that open decisions leave; 0: nothing is known"});
     table.push_back({"bound.lo." + any, real, "the channel's",
                      "least value by exact arithmetic on the same inputs"});
     table.push_back({"bound.hi." + any, real, "the channel's",
