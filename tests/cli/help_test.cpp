@@ -56,7 +56,7 @@ AssertionResult makes_sense(Words words) {
     const bool draws = words[0] == "render" || words[0] == "sheet";
     if (!set_option(words, "--size", "8x8") && draws) words.insert(words.end(), {"--size", "8x8"});
     set_option(words, "--window", "0,0,8,8");
-    set_option(words, "--integrate", "2");
+    set_option(words, "--integrate", "16");
     const Outcome outcome = run(words, folder.path());
     if (outcome.code == 0 || outcome.code == 3) return AssertionSuccess();
     return AssertionFailure() << outcome.code << " " << outcome.err;
