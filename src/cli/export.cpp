@@ -132,7 +132,14 @@ void add_export(CLI::App& app, Action& action) {
         ->capture_default_str();
     verb->add_option("-o,--output", a->output, "file (default: standard output)")
         ->type_name("FILE");
-    verb->add_flag("--list", a->list, "all stages, and why some are not written");
+    CLI::Option* const list =
+        verb->add_flag("--list", a->list, "all stages, and why some are not written");
+    // One thing at a time: nothing that is asked for is passed over.
+    for (const char* const option : {"--stage", "--language", "-D", "--side", "--lights", "-o"})
+        list->excludes(option);
+    for (const char* const form : {"--list", "--stage", "-D", "--side", "--lights"})
+        for (const char* const other : {"--snippets", "--pattern"})
+            verb->get_option(other)->excludes(form);
     add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_export(*a); }; });
 }

@@ -227,7 +227,7 @@ void add_ranges(Table& table) {
                      "greatest value by exact arithmetic on the same inputs"});
     table.push_back(
         {"undecided", integer, "bits",
-         "what a GPU may decide either way: 1 coverage, 2 hit or miss, 4 cell of the hit, "
+         "what a GPU may decide either way: 1 coverage, 2 a test of the search, 4 cell of the hit, "
          "8 mip level, 16 cube face, 32 branch"});
 }
 

@@ -15,7 +15,9 @@ std::string written(const ExportRequest& request, const RecordedStage& stage) {
     const auto dialect = find_dialect(request.language);
     if (dialect == nullptr) throw RecordingError("no such language");
     const ShaderScene scene = plain_scene(request.side, request.lights);
-    return whole_file(write_stage(stage, scene, request.params, {}, *dialect), *dialect);
+    FunctionText function = write_stage(stage, scene, request.params, {}, *dialect);
+    function.text = assumptions(stage, function, request.side) + function.text;
+    return whole_file(function, *dialect);
 }
 
 bool write(const ExportRequest* request) {

@@ -34,6 +34,16 @@ TEST(ExportCommand, WritesAFile) {
     EXPECT_EQ(file_bytes(folder.path() / "pom.glsl"), run({"export", "--stage", "pom"}).out);
 }
 
+TEST(ExportCommand, SaysWhatAFunctionTakesForGranted) {
+    const std::string search = run({"export", "--stage", "max-mip", "--side", "512"}).out;
+    EXPECT_TRUE(says(search, "// For a relief whose seat is 1")) << search;
+    EXPECT_TRUE(says(search, "maps of 512^2 that repeat")) << search;
+    const std::string shading = run({"export", "--stage", "shade-phong"}).out;
+    EXPECT_TRUE(says(shading, "// Light 0 is directional")) << shading;
+    for (const char* const term : {"light1_constant", "light1_linear", "light1_quadratic"})
+        EXPECT_TRUE(says(shading, std::string("uniform float ") + term)) << term;
+}
+
 TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
     const std::string list = run({"export", "--list"}).out;
     EXPECT_TRUE(says(list, "trace/linear "));
@@ -51,7 +61,11 @@ TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
                            {"export", "--stage", "linear", "-D", "steps"},
                            {"export", "--stage", "linear", "-D", "pace=1"},
                            {"export", "--stage", "linear", "--language", "metal"},
-                           {"export", "--stage", "linear", "--side", "0"}};
+                           {"export", "--stage", "linear", "--side", "0"},
+                           {"export", "--list", "-o", "list.txt"},
+                           {"export", "--list", "--stage", "linear"},
+                           {"export", "--snippets", "--stage", "linear"},
+                           {"export", "--snippets", "-D", "steps=3"}};
     for (const Words& words : wrong) EXPECT_EQ(run(words).code, 2) << words.back();
 }
 

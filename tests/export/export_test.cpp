@@ -119,6 +119,7 @@ class Comparison {
         glsl::light1_specular = vector(b.specular);
         glsl::light1_intensity = b.intensity;
         glsl::light1_constant = b.attenuation[0];
+        glsl::light1_linear = b.attenuation[1];
         glsl::light1_quadratic = b.attenuation[2];
     }
 

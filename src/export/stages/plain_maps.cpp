@@ -60,6 +60,7 @@ FrameUniforms plain_frame(int lights) {
         light.directional = i == 0 ? 1 : 0;
         light.intensity = 1;
         light.attenuation[0] = 1;
+        light.attenuation[1] = i == 0 ? 0.0f : 0.25f;
         light.attenuation[2] = i == 0 ? 0.0f : 0.5f;
     }
     return frame;

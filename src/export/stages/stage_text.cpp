@@ -50,6 +50,26 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     return result;
 }
 
+std::string assumptions(const RecordedStage& stage, const FunctionText& function, int side) {
+    const std::string room = stage.text->room;
+    std::string lines;
+    if (room == "trace")
+        lines += comment(
+            "For a relief whose seat is 1: heights of 1 lie in the polygon, uv is where the ray "
+            "enters.");
+    if (room == "trace" || room == "shadow" || room == "occlusion" || room == "surface")
+        lines += comment("Where it goes by texels: maps of " + std::to_string(side) +
+                         "^2 that repeat (--side).");
+    for (const Uniform& uniform : function.uniforms)
+        if (uniform.name == "light0_position")
+            lines += comment(
+                "Light 0 is directional: light0_position is the direction to it. The others are "
+                "points.");
+    if (room == "shadow")
+        lines += comment("Of one light, 0: call it with another's uniforms for each.");
+    return lines;
+}
+
 std::string whole_file(const FunctionText& function, const Dialect& dialect) {
     std::string uniforms;
     for (const Uniform& uniform : function.uniforms) uniforms += dialect.uniform(uniform) + "\n";

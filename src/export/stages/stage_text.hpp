@@ -22,6 +22,10 @@ struct FunctionText {
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect);
 
+/// What the function takes for granted of its scene, of which a shader cannot tell: comment lines.
+/// `side`: of the maps, texels.
+std::string assumptions(const RecordedStage& stage, const FunctionText& function, int side);
+
 /// The function with all that it needs: version, constants, uniforms.
 std::string whole_file(const FunctionText& function, const Dialect& dialect);
 
