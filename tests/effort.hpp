@@ -15,4 +15,7 @@ inline constexpr bool sanitized = false;
 /// what they look for in the first.
 constexpr int rounds(int all) { return sanitized ? std::max(all / 8, 1) : all; }
 
+/// Of rows that run the same code in turn, under the sanitizers every third.
+constexpr bool is_tried(int row) { return !sanitized || row % 3 == 0; }
+
 }  // namespace quadrel::test

@@ -106,13 +106,19 @@ void fill_course(Batch<float>& batch, const std::string& id, const Map& map, Ran
 }
 
 TEST(Course, RowsKeepTheirBits) {
+    int tried = 0;
     for (const BoundedRow& row : course_rows())
-        EXPECT_TRUE(leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(2)));
+        if (is_tried(tried++))
+            EXPECT_TRUE(
+                leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(2)));
 }
 
 TEST(Course, EnginesKeepTheirBits) {
+    int tried = 0;
     for (const BoundedRow& row : engine_rows())
-        EXPECT_TRUE(leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(1)));
+        if (is_tried(tried++))
+            EXPECT_TRUE(
+                leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(1)));
 }
 
 /// Steps are left out by the map's greatest height alone, `high`.

@@ -49,9 +49,11 @@ void fill_lattice(Batch<float>& batch, const std::string& id, const Map& map, Ra
 }
 
 TEST(NearSurface, RowsKeepTheirBits) {
+    int tried = 0;
     for (const BoundedRow& row : lattice_rows())
-        EXPECT_TRUE(
-            leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_lattice, maps_of_a_kind(2)));
+        if (is_tried(tried++))
+            EXPECT_TRUE(leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_lattice,
+                                                    maps_of_a_kind(2)));
 }
 
 // ---- Planted errors
