@@ -108,17 +108,19 @@ void fill_course(Batch<float>& batch, const std::string& id, const Map& map, Ran
 TEST(Course, RowsKeepTheirBits) {
     int tried = 0;
     for (const BoundedRow& row : course_rows())
-        if (is_tried(tried++))
+        if (is_tried(tried++)) {
             EXPECT_TRUE(
                 leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(2)));
+        }
 }
 
 TEST(Course, EnginesKeepTheirBits) {
     int tried = 0;
     for (const BoundedRow& row : engine_rows())
-        if (is_tried(tried++))
+        if (is_tried(tried++)) {
             EXPECT_TRUE(
                 leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_course, rounds(1)));
+        }
 }
 
 /// Steps are left out by the map's greatest height alone, `high`.

@@ -51,9 +51,10 @@ void fill_lattice(Batch<float>& batch, const std::string& id, const Map& map, Ra
 TEST(NearSurface, RowsKeepTheirBits) {
     int tried = 0;
     for (const BoundedRow& row : lattice_rows())
-        if (is_tried(tried++))
+        if (is_tried(tried++)) {
             EXPECT_TRUE(leaves_no_trace_on_all_maps({row.id}, row.parameters, fill_lattice,
                                                     maps_of_a_kind(2)));
+        }
 }
 
 // ---- Planted errors
