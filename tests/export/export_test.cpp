@@ -3,7 +3,6 @@
 
 #include <bit>
 
-#include "effort.hpp"
 #include "export/exported.hpp"
 #include "export/fragments.hpp"
 #include "export/glsl.hpp"
@@ -13,7 +12,7 @@ namespace quadrel::export_tests {
 namespace {
 
 /// A part of a batch; what is odd among the inputs comes in each.
-constexpr int compared_lanes = test::sanitized ? 16 : 32;
+constexpr int compared_lanes = 32;
 
 class Comparison {
   public:
