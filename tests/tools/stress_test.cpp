@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "effort.hpp"
 #include "film/films.hpp"
 
 namespace quadrel::tools_tests {
@@ -29,7 +30,8 @@ Outcome run_stress(const std::string& arguments) {
 }
 
 TEST(Stress, AShortRunFindsNothing) {
-    const Outcome outcome = run_stress("--scenes 30 --lists 100 --seconds 120");
+    const Outcome outcome = run_stress(test::sanitized ? "--scenes 6 --lists 500 --seconds 120"
+                                                       : "--scenes 30 --lists 100 --seconds 120");
     EXPECT_EQ(outcome.code, 0) << outcome.out;
     EXPECT_NE(outcome.out.find("No crash, no hang"), std::string::npos);
     EXPECT_EQ(outcome.out.find("e+02"), std::string::npos) << outcome.out;  // 100 % as "1e+02"
