@@ -1,52 +1,38 @@
 // quadrel-gl: what it says on bad command lines, its lists, and, where there is an implementation
 // to ask, what it finds.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "tools/program.hpp"
 
 namespace quadrel::tools_tests {
 namespace {
 
-struct GlOutcome {
-    int code = -1;
-    std::string out;
-};
-
 /// Runs `quadrel-gl arguments`; both streams. What Mesa never frees is no concern of ours.
-GlOutcome run_gl(const std::string& arguments) {
-    const std::string command = "ASAN_OPTIONS=detect_leaks=0 " QUADREL_GL " " + arguments + " 2>&1";
-    GlOutcome outcome;
-    FILE* const pipe = popen(command.c_str(), "r");
-    char bytes[4096];
-    for (std::size_t got; (got = fread(bytes, 1, sizeof bytes, pipe)) > 0;)
-        outcome.out.append(bytes, got);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000;
-    return outcome;
+Outcome run_gl(const std::string& arguments) {
+    return run_command("ASAN_OPTIONS=detect_leaks=0 " QUADREL_GL " " + arguments + " 2>&1");
 }
 
 TEST(Gl, SaysWhatIsWrongWithACommand) {
     EXPECT_EQ(run_gl("").code, 2);
     EXPECT_EQ(run_gl("--probe --expect nobody").code, 2);
     EXPECT_EQ(run_gl("--planted").code, 2);
-    const GlOutcome unknown = run_gl("--probe --only derivative");
+    const Outcome unknown = run_gl("--probe --only derivative");
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.out.find("no probe is called derivative"), std::string::npos);
     EXPECT_EQ(run_gl("--list -o /nowhere/list.txt").code, 5);
 }
 
 TEST(Gl, ListsWhatIsAskedAndWhatIsPermitted) {
-    const GlOutcome list = run_gl("--list");
+    const Outcome list = run_gl("--list");
     EXPECT_EQ(list.code, 0);
     for (const char* id : {"quads", "fill-fans", "lod-formula", "gather", "cube-corners", "fma"})
         EXPECT_NE(("\n" + list.out).find("\n" + std::string(id) + ": "), std::string::npos) << id;
 }
 
 TEST(Gl, AnswersComeAsJson) {
-    const GlOutcome outcome =
-        run_gl("--llvmpipe --probe --json --only derivatives quad-lod min-nan");
+    const Outcome outcome = run_gl("--llvmpipe --probe --json --only derivatives quad-lod min-nan");
     if (outcome.code == 3) GTEST_SKIP() << outcome.out;
     ASSERT_EQ(outcome.code, 0) << outcome.out;
     const std::size_t begin = outcome.out.find('{'), end = outcome.out.rfind('}');  // Mesa may warn
@@ -64,7 +50,7 @@ TEST(Gl, AnswersComeAsJson) {
 }
 
 TEST(Gl, APresetThatDoesOtherwiseIsNamed) {
-    const GlOutcome outcome =
+    const Outcome outcome =
         run_gl("--llvmpipe --probe --only derivatives nearest-level --expect d3d -o /dev/null");
     if (outcome.code == 3) GTEST_SKIP() << outcome.out;
     EXPECT_EQ(outcome.code, 1);

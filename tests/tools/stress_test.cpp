@@ -1,32 +1,18 @@
 // quadrel-stress: a short run of it, and that it finds what it looks for.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "effort.hpp"
 #include "film/films.hpp"
+#include "tools/program.hpp"
 
 namespace quadrel::tools_tests {
 namespace {
 
-struct Outcome {
-    int code = -1;
-    std::string out;
-};
-
 /// Runs `quadrel-stress arguments`, standard error aside.
 Outcome run_stress(const std::string& arguments) {
-    const std::string command = QUADREL_STRESS " " + arguments + " 2>/dev/null";
-    Outcome outcome;
-    FILE* const pipe = popen(command.c_str(), "r");
-    char bytes[4096];
-    for (std::size_t got; (got = fread(bytes, 1, sizeof bytes, pipe)) > 0;)
-        outcome.out.append(bytes, got);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000;
-    return outcome;
+    return run_command(QUADREL_STRESS " " + arguments + " 2>/dev/null");
 }
 
 TEST(Stress, AShortRunFindsNothing) {

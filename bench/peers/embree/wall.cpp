@@ -6,19 +6,10 @@
 
 #include "embree/embree.hpp"
 #include "embree/packets.hpp"
+#include "scene_maps.hpp"
 
 namespace quadrel::peers {
 namespace {
-
-std::shared_ptr<const Texture> heights_of(const Scene& scene) {
-    const TextureReference& reference = scene.materials.at(0).textures.at("height");
-    TextureOptions options;
-    options.swizzle = reference.swizzle;
-    options.format = reference.format;
-    options.mip_rule = reference.mip_rule;
-    options.flip_v = reference.flip_v;
-    return scene.texture_cache->load(reference.file, options);
-}
 
 class TracedWall : public EmbreeWall {
   public:
@@ -26,7 +17,7 @@ class TracedWall : public EmbreeWall {
         : rays_(rays_of(scene)), depth_(scene.materials.at(0).depth), threads_(threads) {
         traced_.depth.resize(rays_.pixel.size());
         traced_.lit.resize(rays_.pixel.size());
-        const auto heights = heights_of(scene);
+        const auto heights = load_map(scene, scene.materials.at(0).textures.at("height"));
         const Part part = crossed(rays_, depth_);
         for (const GeometryKind kind : {GeometryKind::grid, GeometryKind::triangles})
             scenes_.push_back(std::make_unique<EmbreeScene>(*heights, part, depth_, kind, threads));

@@ -4,28 +4,15 @@
 #include <stdexcept>
 
 #include "gl/context/sampler.hpp"
+#include "scene_maps.hpp"
 
 namespace quadrel::peers {
 namespace {
-
-TextureOptions options_of(const TextureReference& reference) {
-    TextureOptions options;
-    options.swizzle = reference.swizzle;
-    options.srgb = reference.srgb;
-    options.format = reference.format;
-    options.mip_rule = reference.mip_rule;
-    options.flip_v = reference.flip_v;
-    return options;
-}
 
 const TextureReference* reference_of(const Scene& scene, const std::string& slot) {
     const auto& textures = scene.materials.at(0).textures;
     const auto found = textures.find(slot);
     return found == textures.end() ? nullptr : &found->second;
-}
-
-std::shared_ptr<const Texture> loaded(const Scene& scene, const TextureReference& reference) {
-    return scene.texture_cache->load(reference.file, options_of(reference));
 }
 
 struct Format {
@@ -78,7 +65,7 @@ std::vector<float> halved(const std::vector<float>& fine, int side) {
 GLuint material_texture(const Scene& scene, const std::string& slot) {
     const TextureReference* const reference = reference_of(scene, slot);
     if (reference == nullptr) return 0;
-    return made(GL_TEXTURE_2D, *loaded(scene, *reference), reference->sampler);
+    return made(GL_TEXTURE_2D, *load_map(scene, *reference), reference->sampler);
 }
 
 GLuint environment_texture(const Scene& scene) {
@@ -94,7 +81,7 @@ GLuint environment_texture(const Scene& scene) {
 }
 
 GLuint max_pyramid(const Scene& scene) {
-    const auto texture = loaded(scene, *reference_of(scene, "height"));
+    const auto texture = load_map(scene, *reference_of(scene, "height"));
     int side = texture->view().width[0], level = 0;
     const float* const texels = texture->level_texels(0, 0);
     std::vector<float> heights(texels, texels + side * side);

@@ -10,6 +10,7 @@
 #include "quadrel/stats.hpp"
 #include "quadrel/texture/texture_cache.hpp"
 #include "rows.hpp"
+#include "scene_maps.hpp"
 #include "tables/tables.hpp"
 
 namespace quadrel::peers {
@@ -28,13 +29,7 @@ LookUps look_ups_of(Picture& picture) {
 }
 
 std::shared_ptr<const Texture> map_of(const Scene& scene, const std::string& slot) {
-    const TextureReference& reference = scene.materials.at(0).textures.at(slot);
-    TextureOptions options;
-    options.swizzle = reference.swizzle;
-    options.srgb = reference.srgb;
-    options.format = reference.format;
-    options.mip_rule = reference.mip_rule;
-    return scene.texture_cache->load(reference.file, options);
+    return load_map(scene, scene.materials.at(0).textures.at(slot));
 }
 
 /// Where the frame of a search meets the relief, and how it went there.
