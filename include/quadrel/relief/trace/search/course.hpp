@@ -100,8 +100,8 @@ class StepsOnCourse {
     static constexpr int first_length = 16, longest = 128, worth_a_look = 4;
     static constexpr float cells_worth_a_look = 2, most_cells_a_step = 1;
     static constexpr int shortest_pause = 2, longest_pause = 16;
-    /// In parts of a sample, likewise: what a look takes, and what a step left out spares.
-    static constexpr int look_costs = 32, step_spares = 8;
+    /// In parts of a sample, likewise: what the memory is told of a look, and of a step left out.
+    static constexpr int told_of_look = 16, step_spares = 8;
 
     static LookMemory& memory() { return look_memory<StepsOnCourse>(); }
 
@@ -143,7 +143,7 @@ class StepsOnCourse {
             const int length = std::min(length_, end - k_);
             if (length < worth_a_look) break;
             const int passed = look_ahead_by(length);
-            gain_ += step_spares * passed - look_costs - length;
+            gain_ += step_spares * passed - told_of_look - length / 2;
             if (passed == length) {
                 length_ = std::min(2 * length_, longest);
             } else if (passed >= worth_a_look && length_ > shortest_) {

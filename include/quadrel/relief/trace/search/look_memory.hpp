@@ -8,9 +8,9 @@
 
 namespace quadrel {
 
-/// Of one search in one height map, packet after packet. Neighbouring packets meet alike surfaces:
-/// where looks have cost more than they spared, most of the next packets make every step, and one
-/// now and then tries again.
+/// Of one search in one height map, packet after packet. Where looks have cost more than they
+/// spared, over so many packets that a map's hills and hollows even out, most of the next packets
+/// make every step, and one now and then tries again.
 class LookMemory {
   public:
     /// Whether a packet should look ahead.
@@ -33,7 +33,7 @@ class LookMemory {
   private:
     explicit LookMemory(const HeightMaxima* maxima) : maxima_(maxima) {}
 
-    static constexpr int most = 1024, shortest_pause = 4, longest_pause = 128;
+    static constexpr int most = 16384, shortest_pause = 4, longest_pause = 128;
 
     const HeightMaxima* maxima_ = nullptr;
     int balance_ = 0, pause_ = shortest_pause;
