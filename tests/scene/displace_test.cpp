@@ -434,13 +434,16 @@ TEST(Displaced, IsAKeyOfMeshes) {
     const Mesh outset = mesh(R"(, "cells": 8, "depth": 0.3, "seat": 0, "split": "main")");
     for (std::size_t v = 0; v < whole.positions.size(); ++v)
         EXPECT_NEAR(outset.positions[v].z - whole.positions[v].z, 0.3, 1e-6);
-    EXPECT_GT(mesh(R"(, "cells": "texels", "texture_matrix": {"scale": [2, 2]})").triangles.size(),
-              3 * mesh(R"(, "split": "min")").triangles.size());
+    EXPECT_GT(mesh(R"(, "cells": 4, "texture_matrix": {"scale": [2, 2]})").triangles.size(),
+              3 * mesh(R"(, "cells": 4, "split": "min")").triangles.size());
+    EXPECT_GT(mesh(R"(, "cells": "texels")").triangles.size(), 2u * 128 * 128);
+    const std::string some_cells = heights + std::string(R"(, "cells": 12)");
     // One normal a facet: those of the vertices go.
-    const Scene flat = scene_of(folder, R"("shape": "sphere", "normals": "flat")", heights);
+    const Scene flat =
+        scene_of(folder, R"("shape": "sphere", "slices": 6, "normals": "flat")", some_cells);
     EXPECT_TRUE(flat.meshes[0].normals.empty());
     EXPECT_TRUE(is_closed(flat.meshes[0]));
-    const Scene refined = scene_of(folder, R"("shape": "cube", "refine": "curvature")", heights);
+    const Scene refined = scene_of(folder, R"("shape": "cube", "refine": "curvature")", some_cells);
     EXPECT_TRUE(is_closed(refined.meshes[0]));
 }
 

@@ -1,7 +1,9 @@
 // A displaced square is what the judge sees in its relief: the same first hits, by triangles on the
 // one hand and by rays on the other.
 #include "quadrel/scene/displace.hpp"
+#include "quadrel/scene/refine.hpp"
 #include "quadrel/texture/of_texels.hpp"
+#include "render/draw/geometry.hpp"
 #include "render/films.hpp"
 #include "render/scenes.hpp"
 
@@ -77,6 +79,47 @@ TEST(DisplacedMesh, IsWhatTheJudgeSeesInTheRelief) {
 TEST(DisplacedMesh, AnotherSplitIsNoticed) {
     EXPECT_GT(share_that_differs(40, "oracle-tri-main", CellSplit::anti), 0.2);
     EXPECT_GT(share_that_differs(40, "oracle-tri-min", CellSplit::main), 0.05);
+}
+
+// ---- Of a mesh much finer than the picture
+// ---------------------------------------------------------
+
+/// Of each triangle of the mesh that covers any, the samples, in their order.
+std::vector<std::array<int, 4>> covered_samples(const Scene& scene, const Geometry& geometry) {
+    std::vector<std::array<int, 4>> found;
+    for (const DrawnTriangle& triangle : geometry.triangles) {
+        const PixelRect& bounds = triangle.screen.bounds;
+        for (int y = bounds.y0; y < bounds.y1; ++y)
+            for (int x = bounds.x0; x < bounds.x1; ++x)
+                if (const int mask = coverage_mask(triangle.screen, x, y, scene.samples); mask != 0)
+                    found.push_back({static_cast<int>(triangle.primitive), x, y, mask});
+    }
+    return found;
+}
+
+Scene fine_scene(int samples) {
+    Scene scene = square_scene(40);
+    scene.samples = samples;
+    scene.width = scene.height = 24;
+    scene.materials = {plain_material("plain")};
+    scene.meshes[0] = refined_by_curvature(displaced_square(CellSplit::main), 3);
+    return scene;
+}
+
+/// What is kept covers every sample that all triangles cover.
+TEST(DisplacedMesh, TrianglesBetweenTheSamplesAreNotKept) {
+    for (const int samples : {1, 4}) {
+        const Scene scene = fine_scene(samples);
+        const HardwareModel hardware = scene_hardware(scene);
+        const Geometry kept = assemble_geometry(scene, hardware);
+        GeometryParts parts;
+        parts.all_triangles = true;
+        const Geometry all = assemble_geometry(scene, hardware, parts);
+        EXPECT_EQ(all.triangles.size(), all.counts.drawn);
+        EXPECT_EQ(kept.counts, all.counts);
+        EXPECT_LT(kept.triangles.size(), all.triangles.size() / (samples == 1 ? 4 : 2));
+        EXPECT_EQ(covered_samples(scene, kept), covered_samples(scene, all));
+    }
 }
 
 }  // namespace
