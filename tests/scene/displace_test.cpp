@@ -406,6 +406,8 @@ TEST(Displaced, SaysBeforehandWhatItComesTo) {
     }
     Displacement fine = by(map);
     fine.cells = max_displacement_cells;
+    EXPECT_THROW(displaced(make_quad(), fine), std::length_error);
+    EXPECT_THROW(displaced(Mesh(), fine), std::invalid_argument);
     EXPECT_GT(displaced_size(make_quad(), fine).triangles, 8'000'000'000u);
     fine.texture_matrix = texture_matrix(1e6, 1, 0, {0, 0});
     EXPECT_GT(displaced_size(make_quad(), fine).reach, max_displacement_reach);

@@ -45,6 +45,7 @@ struct DisplacedSize {
         const;  ///< of the displaced mesh and of what the vertex stage makes of it
 };
 
+/// The mesh has uv.
 DisplacedSize displaced_size(const Mesh& mesh, const Displacement& displacement);
 
 /// `mesh` with each triangle cut along the borders and the diagonals of all cells that it lies in,
@@ -64,7 +65,8 @@ DisplacedSize displaced_size(const Mesh& mesh, const Displacement& displacement)
 /// Vertex normals are the means of the facets around, by area, each turned so that equal heights
 /// give the mesh's own normal: D = 0 is the mesh. The result has uv and no tangents.
 ///
-/// The mesh has uv and is within reach and max_displaced_triangles (displaced_size).
+/// Throws std::invalid_argument for a mesh without uv, std::length_error beyond the reach or the
+/// triangles above (displaced_size tells).
 Mesh displaced(const Mesh& mesh, const Displacement& displacement);
 
 }  // namespace quadrel

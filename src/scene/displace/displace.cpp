@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "quadrel/check.hpp"
 #include "scene/displace/chart.hpp"
@@ -84,9 +85,11 @@ DisplacedSize displaced_size(const Mesh& mesh, const Displacement& displacement)
 
 Mesh displaced(const Mesh& mesh, const Displacement& displacement) {
     using namespace displacement;
+    if (mesh.uvs.empty())
+        throw std::invalid_argument("displaced: a mesh without texture coordinates");
     const DisplacedSize size = displaced_size(mesh, displacement);
-    QUADREL_CHECK(size.reach <= max_displacement_reach, size.reach);
-    QUADREL_CHECK_OP(<=, size.triangles, max_displaced_triangles);
+    if (!(size.reach <= max_displacement_reach) || size.triangles > max_displaced_triangles)
+        throw std::length_error("displaced: beyond what displaced_size may be");
     const Lattice lattice(displacement);
     const Base base(mesh, displacement);
     const Edges edges(base.mesh, base.places, lattice);
