@@ -5,41 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stdexcept>
 
 #include "io/mesh/mesh_properties.hpp"
 #include "quadrel/num/math.hpp"
-#include "quadrel/scene/load.hpp"
-#include "quadrel/scene/refine.hpp"
 #include "quadrel/scene/shapes.hpp"
 #include "quadrel/scene/transform.hpp"
-#include "quadrel/texture/of_texels.hpp"
-#include "random.hpp"
+#include "scene/displaced_field.hpp"
 #include "scene/planted.hpp"
-#include "scene/support.hpp"
 
 namespace quadrel {
 namespace {
 
 using planted::DisplaceDefect;
 using Displace = std::function<Mesh(const Mesh&, const Displacement&)>;
-
-/// A map of random heights.
-struct Map {
-    Map(int width, int height, Wrap wrap = Wrap::repeat, std::uint64_t seed = 1) {
-        test::Random random(seed);
-        for (int i = 0; i < width * height; ++i)
-            texels.push_back(static_cast<float>(random.uniform(0, 1)));
-        SamplerState sampler;
-        sampler.wrap_u = sampler.wrap_v = wrap;
-        sampler.border[0] = 0.25f;
-        heights = texture_of_texels(texels, width, height, sampler);
-    }
-    Map(const Map&) = delete;
-    Map& operator=(const Map&) = delete;
-
-    std::vector<float> texels;
-    SampledTexture heights;
-};
 
 Displacement by(const Map& map, double depth = 0.2) {
     Displacement displacement;
@@ -50,68 +29,6 @@ Displacement by(const Map& map, double depth = 0.2) {
 
 glm::mat4 texture_matrix(double u, double v, double degrees, const glm::dvec2& offset) {
     return glm::mat4(translation({offset, 0}) * rotation(degrees, {0, 0, 1}) * scaling({u, v, 1}));
-}
-
-// ---- Another reading of the field, texel by texel -----------------------------------------------
-
-int wrapped(long i, int n, Wrap wrap) {
-    const auto mod = [](long a, long b) { return (a % b + b) % b; };
-    switch (wrap) {
-        case Wrap::repeat:
-            return int(mod(i, n));
-        case Wrap::mirrored_repeat:
-            return int(mod(i, 2L * n) < n ? mod(i, 2L * n) : 2 * n - 1 - mod(i, 2L * n));
-        case Wrap::clamp_to_border:
-            return i < 0 || i >= n ? -1 : int(i);
-        case Wrap::mirror_once:
-            return int(std::min<long>(i < 0 ? -1 - i : i, n - 1));
-        default:
-            return int(std::clamp<long>(i, 0, n - 1));
-    }
-}
-
-double texel(const Map& map, long i, long j) {
-    const TextureView& view = map.heights.view;
-    const int x = wrapped(i, view.width[0], map.heights.sampler.wrap_u);
-    const int y = wrapped(j, view.height[0], map.heights.sampler.wrap_v);
-    if (x < 0 || y < 0) return map.heights.sampler.border[0];
-    return map.texels[std::size_t(y) * std::size_t(view.width[0]) + std::size_t(x)];
-}
-
-double bilinear(const Map& map, double x, double y) {
-    const double i = std::floor(x), j = std::floor(y), f = x - i, g = y - j;
-    const auto at = [&](int a, int b) { return texel(map, long(i) + a, long(j) + b); };
-    return (at(0, 0) * (1 - f) + at(1, 0) * f) * (1 - g) + (at(0, 1) * (1 - f) + at(1, 1) * f) * g;
-}
-
-struct Cell {
-    double i, j, f, g;
-    bool main;
-    double h00, h10, h01, h11;
-    bool beyond() const { return main ? g > f : f + g > 1; }
-    double height() const {
-        if (main)
-            return h00 + (beyond() ? f * (h11 - h01) + g * (h01 - h00)
-                                   : f * (h10 - h00) + g * (h11 - h10));
-        if (!beyond()) return h00 + f * (h10 - h00) + g * (h01 - h00);
-        return h11 + (1 - f) * (h01 - h11) + (1 - g) * (h10 - h11);
-    }
-};
-
-Cell cell_at(const Map& map, const Displacement& d, const glm::dvec2& uv) {
-    const TextureView& view = map.heights.view;
-    const double x = d.cells > 0 ? uv.x * d.cells : uv.x * view.width[0] - 0.5;
-    const double y = d.cells > 0 ? uv.y * d.cells : uv.y * view.height[0] - 0.5;
-    const double i = std::floor(x), j = std::floor(y);
-    const auto at = [&](double a, double b) {
-        if (d.cells == 0) return texel(map, long(a), long(b));
-        return bilinear(map, a / d.cells * view.width[0] - 0.5, b / d.cells * view.height[0] - 0.5);
-    };
-    Cell cell{i, j, x - i, y - j, false, at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)};
-    cell.main = d.split == CellSplit::main ||
-                (d.split == CellSplit::min &&
-                 std::abs(cell.h00 - cell.h11) <= std::abs(cell.h10 - cell.h01));
-    return cell;
 }
 
 // ---- Displacing, with an error
@@ -413,70 +330,6 @@ TEST(Displaced, SaysBeforehandWhatItComesTo) {
     EXPECT_GT(displaced_size(make_quad(), fine).reach, max_displacement_reach);
     fine.texture_matrix[0][0] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(displaced_size(make_quad(), fine).reach <= max_displacement_reach);
-}
-
-// ---- In scene files -----------------------------------------------------------------------------
-
-const char* const heights =
-    R"("height": {"file": ")" QUADREL_DATA_DIR R"(/textures/obstacles_height.exr"})";
-
-Scene scene_of(const TemporaryFolder& folder, const std::string& shape,
-               const std::string& displace) {
-    return load_scene(folder.write("s.json", R"({"quadrel": 1, "objects": [{"mesh": {)" + shape +
-                                                 R"(, "displace": {)" + displace + "}}}]}"));
-}
-
-TEST(Displaced, IsAKeyOfMeshes) {
-    const TemporaryFolder folder;
-    const auto mesh = [&](const std::string& more) {
-        return scene_of(folder, R"("shape": "quad")", heights + more).meshes[0];
-    };
-    EXPECT_EQ(mesh(R"(, "cells": 8)").triangles.size(), 128u);
-    const Mesh whole = mesh(R"(, "cells": 8, "depth": 0.3, "seat": 1)");
-    const Mesh outset = mesh(R"(, "cells": 8, "depth": 0.3, "seat": 0, "split": "main")");
-    for (std::size_t v = 0; v < whole.positions.size(); ++v)
-        EXPECT_NEAR(outset.positions[v].z - whole.positions[v].z, 0.3, 1e-6);
-    EXPECT_GT(mesh(R"(, "cells": 4, "texture_matrix": {"scale": [2, 2]})").triangles.size(),
-              3 * mesh(R"(, "cells": 4, "split": "min")").triangles.size());
-    EXPECT_GT(mesh(R"(, "cells": "texels")").triangles.size(), 2u * 128 * 128);
-    const std::string some_cells = heights + std::string(R"(, "cells": 12)");
-    // One normal a facet: those of the vertices go.
-    const Scene flat =
-        scene_of(folder, R"("shape": "sphere", "slices": 6, "normals": "flat")", some_cells);
-    EXPECT_TRUE(flat.meshes[0].normals.empty());
-    EXPECT_TRUE(is_closed(flat.meshes[0]));
-    const Scene refined = scene_of(folder, R"("shape": "cube", "refine": "curvature")", some_cells);
-    EXPECT_TRUE(is_closed(refined.meshes[0]));
-}
-
-TEST(Displaced, BadInputIsNamed) {
-    const TemporaryFolder folder;
-    folder.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::string key = "objects[0].mesh.displace";
-    const auto load = [&](const std::string& displace, const std::string& shape) {
-        return [&folder, displace, shape] { scene_of(folder, shape, displace); };
-    };
-    const auto quad = [&](const std::string& displace) {
-        return load(displace, R"("shape": "quad")");
-    };
-    const std::string h = heights;
-    EXPECT_TRUE(complains(quad(h + R"(, "cells": 8192)"),
-                          {key, " triangles (6", "at most 20000000 triangles (991 MiB"}));
-    EXPECT_TRUE(complains(quad(h + R"(, "cells": 0)"), {key + ".cells", "0", "1"}));
-    EXPECT_TRUE(
-        complains(quad(h + R"(, "cells": "pixels")"), {key + ".cells", "pixels", "texels"}));
-    EXPECT_TRUE(complains(quad(h + R"(, "split": "max")"), {key + ".split", "max", "main"}));
-    EXPECT_TRUE(complains(quad(h + R"(, "seat": 2)"), {key + ".seat", "2", "1"}));
-    EXPECT_TRUE(complains(quad(h + R"(, "depth": -1)"), {key + ".depth", "-1", ""}));
-    EXPECT_TRUE(complains(quad(h + R"(, "deep": 1)"), {key + ".deep", "", "depth"}));
-    EXPECT_TRUE(complains(quad(R"("depth": 1)"), {key, "no \"height\"", ""}));
-    EXPECT_TRUE(complains(quad(R"("height": "none")"), {key + ".height", "none", "texture"}));
-    EXPECT_TRUE(
-        complains(quad(R"("height": {"noise": {}})"), {key + ".height", "noise", "a texture"}));
-    EXPECT_TRUE(complains(quad(h + R"(, "texture_matrix": {"scale": [1e9, 1]})"),
-                          {key, "cells", "at most 1073741824"}));
-    EXPECT_TRUE(complains(load(h, R"("file": "bare.obj")"),
-                          {key, "without texture coordinates", "heights"}));
 }
 
 }  // namespace
