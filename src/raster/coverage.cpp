@@ -159,6 +159,22 @@ void rasterize(const ScreenTriangle& triangle, std::uint32_t index, TileBuffer& 
 
 }  // namespace detail
 
+bool may_cover(const ScreenTriangle& triangle, int samples) {
+    const PixelRect& bounds = triangle.bounds;
+    // A box of three pixels holds a sample whatever the pattern.
+    if (bounds.width() > 3 && bounds.height() > 3) return true;
+    const auto& v = triangle.vertex;
+    const auto [x0, x1] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [y0, y1] = std::minmax({v[0].y, v[1].y, v[2].y});
+    // Whether low to high holds a number that is `rest` more than a multiple of a pixel.
+    const auto holds = [](std::int32_t low, std::int32_t high, std::int32_t rest) {
+        return (high - rest) >> 8 > (low - 1 - rest) >> 8;
+    };
+    return std::ranges::any_of(sample_positions(samples), [&](const SamplePosition& sample) {
+        return holds(x0, x1, sample.x * 16) && holds(y0, y1, sample.y * 16);
+    });
+}
+
 std::uint16_t coverage_mask(const ScreenTriangle& triangle, int x, int y, int samples) {
     if (!triangle.bounds.contains(x, y)) return 0;
     std::uint16_t mask = 0;

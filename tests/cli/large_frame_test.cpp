@@ -1,9 +1,11 @@
-// Frames that are written as they are drawn: memory grows with a band of tiles, not with the frame.
+// Memory of what is large: of frames that are written as they are drawn it grows with a band of
+// tiles, not with the frame; of displaced meshes it is what is stated before they are made.
 #include <gtest/gtest.h>
 
 #include "cli/process.hpp"
 #include "effort.hpp"
 #include "film/films.hpp"
+#include "quadrel/scene/displace.hpp"
 
 namespace quadrel::cli_tests {
 namespace {
@@ -53,6 +55,22 @@ TEST_F(LargeFrame, RowsTakeNoMemory) {
     const long few = peak("2048x1024"), many = peak("2048x4096"), kept = peak("2048x4096", keeps);
     EXPECT_LT(many, few + 12);
     EXPECT_GT(kept, few + 24) << "a film of one channel is noticed";
+}
+
+/// A million triangles on a small picture. That they were all kept as they are drawn would be
+/// noticed: 400 bytes each.
+TEST_F(LargeFrame, DisplacedMeshesTakeTheMemoryThatIsStated) {
+    if (test::sanitized) GTEST_SKIP() << "the sanitizers' memory is more than that";
+    write_bytes(folder / "s.json", R"({"quadrel": 1, "objects": [{"mesh": {"shape": "quad",
+        "displace": {"cells": 2, "height": {"file": ")" QUADREL_DATA_DIR
+                                   R"(/textures/obstacles_height.exr"}}}}]})");
+    constexpr std::uint64_t cells = 700;
+    const DisplacedSize size{0, 2 * cells * cells, (cells + 1) * (cells + 1)};
+    const auto stated = static_cast<long>(size.bytes() >> 20);
+    const long least = peak("64x64");
+    const long most = peak("64x64", {"-D", "objects[0].mesh.displace.cells=700"});
+    EXPECT_LT(most - least, stated + stated / 3);
+    EXPECT_GT(most - least, stated / 2);
 }
 
 }  // namespace

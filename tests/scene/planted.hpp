@@ -30,6 +30,17 @@ enum class Defect {
     flat_midpoints,      ///< new vertices not displaced
 };
 
+/// Each displaces a mesh wrongly in one thing.
+enum class DisplaceDefect {
+    none,
+    other_diagonal,       ///< cells cut along the other one
+    seat_ignored,         ///< always inset
+    mirrored_inside_out,  ///< facets the other way round
+    half_a_texel_off,     ///< corners of texels taken for their centres
+    seams_open,           ///< a wall is missing
+    each_triangle_alone,  ///< edges cut by each of their triangles for itself
+};
+
 /// Each is a reader of OBJ files that is wrong in one thing.
 enum class ObjDefect {
     comments_continue,  ///< a backslash continues a comment, too

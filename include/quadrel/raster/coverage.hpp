@@ -29,6 +29,9 @@ inline int lane_y(const QuadCoverage& quad, int lane) { return quad.y + (lane >>
 /// Samples of one pixel that the triangle covers, within the frame but regardless of any tile.
 std::uint16_t coverage_mask(const ScreenTriangle& triangle, int x, int y, int samples);
 
+/// False only if it covers no sample of any pixel: its bounding box holds none.
+bool may_cover(const ScreenTriangle& triangle, int samples);
+
 /// Draws the triangle: depth test and visible triangle of every sample of the tile. `index` is
 /// below no_triangle; at equal depth the smaller one wins.
 void rasterize(const ScreenTriangle& triangle, std::uint32_t index, TileBuffer& tile);

@@ -42,8 +42,7 @@ TextureTable read_textures(Fields& root, Hardware hardware) {
     return textures;
 }
 
-void read_materials(Fields& root, Scene& scene) {
-    const TextureTable textures = read_textures(root, scene.hardware);
+void read_materials(Fields& root, const TextureTable& textures, Scene& scene) {
     if (root.has("material") && root.has("materials"))
         root.value().member("material").fail("both \"material\" and \"materials\"", "one of them");
     if (root.has("material"))
@@ -86,8 +85,9 @@ Scene load_scene(const std::filesystem::path& file_or_name,
     const Json no_camera = Json::object();
     scene.camera = read_camera(
         root.has("camera") ? root.get("camera") : SceneValue(document, no_camera, "camera"), scene);
-    read_materials(root, scene);
-    read_objects(root, scene);
+    const TextureTable textures = read_textures(root, scene.hardware);
+    read_materials(root, textures, scene);
+    read_objects(root, textures, scene);
     read_lights(root, scene);
     if (root.has("environment"))
         scene.environment = read_environment(root.get("environment"), scene.hardware);

@@ -93,41 +93,12 @@ void read_relief(const SceneValue& value, Material& material) {
     read_parameters(relief, material.trace);
 }
 
-glm::mat4 read_texture_matrix(const SceneValue& value) {
-    if (value.json().is_array()) return glm::mat4(read_matrix(value));
-    Fields fields(value);
-    glm::dvec2 scale(1, 1), offset(0, 0);
-    double degrees = 0;
-    if (fields.has("scale")) {
-        const auto factors = fields.get("scale").numbers(2, 2);
-        scale = {factors[0], factors[1]};
-    }
-    fields.read("rotate", degrees);
-    if (fields.has("offset")) {
-        const auto shift = fields.get("offset").numbers(2, 2);
-        offset = {shift[0], shift[1]};
-    }
-    fields.finish("a texture matrix");
-    return glm::mat4(translation({offset, 0}) * rotation(degrees, {0, 0, 1}) * scaling({scale, 1}));
-}
-
 void read_colours(Fields& fields, Material& material) {
     fields.read("ambient", material.ambient, not_negative);
     fields.read("diffuse", material.diffuse, not_negative);
     fields.read("specular", material.specular, not_negative);
     fields.read("emission", material.emission, not_negative);
     fields.read("shininess", material.shininess, not_negative);
-}
-
-TextureReference read_slot(const SceneValue& value, const TextureTable& textures,
-                           Hardware hardware) {
-    if (value.json().is_object()) return read_texture(value, hardware);
-    const std::string name = value.string();
-    const auto found = textures.find(name);
-    if (found != textures.end()) return found->second;
-    std::vector<std::string> known;
-    for (const auto& [known_name, texture] : textures) known.push_back(known_name);
-    value.reject("the name of a texture: " + one_of(name, known));
 }
 
 bool is_noise(const Fields& fields) {
@@ -159,6 +130,35 @@ void read_maps(Fields& fields, const TextureTable& textures, Hardware hardware,
 }
 
 }  // namespace
+
+glm::mat4 read_texture_matrix(const SceneValue& value) {
+    if (value.json().is_array()) return glm::mat4(read_matrix(value));
+    Fields fields(value);
+    glm::dvec2 scale(1, 1), offset(0, 0);
+    double degrees = 0;
+    if (fields.has("scale")) {
+        const auto factors = fields.get("scale").numbers(2, 2);
+        scale = {factors[0], factors[1]};
+    }
+    fields.read("rotate", degrees);
+    if (fields.has("offset")) {
+        const auto shift = fields.get("offset").numbers(2, 2);
+        offset = {shift[0], shift[1]};
+    }
+    fields.finish("a texture matrix");
+    return glm::mat4(translation({offset, 0}) * rotation(degrees, {0, 0, 1}) * scaling({scale, 1}));
+}
+
+TextureReference read_slot(const SceneValue& value, const TextureTable& textures,
+                           Hardware hardware) {
+    if (value.json().is_object()) return read_texture(value, hardware);
+    const std::string name = value.string();
+    const auto found = textures.find(name);
+    if (found != textures.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [known_name, texture] : textures) known.push_back(known_name);
+    value.reject("the name of a texture: " + one_of(name, known));
+}
 
 Material read_material(const SceneValue& value, const std::string& name,
                        const TextureTable& textures, Hardware hardware) {

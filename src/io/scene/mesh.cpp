@@ -124,16 +124,16 @@ Mesh refined(const SceneValue& value, const Mesh& mesh, int levels) {
 
 }  // namespace
 
-Mesh read_mesh(const SceneValue& value, std::vector<std::string>& notes) {
+Mesh read_mesh(const SceneValue& value, const MeshSources& sources) {
     if (value.json().is_string()) {
         const Json shape{{"shape", value.string()}};
         value.word(shape_words);  // fails at this value, not at the one made here
-        return read_mesh(SceneValue(value.document(), shape, value.path()), notes);
+        return read_mesh(SceneValue(value.document(), shape, value.path()), sources);
     }
     constexpr Word<bool> normals_words[] = {{"keep", false}, {"flat", true}};
     constexpr Word<bool> icosahedron_words[] = {{"flat", true}, {"keep", true}, {"smooth", false}};
     Fields fields(value);
-    Mesh mesh = read_shape_or_file(fields, notes);
+    Mesh mesh = read_shape_or_file(fields, sources.notes);
     const bool icosahedron = fields.has("shape") && fields.get("shape").string() == "icosahedron";
     bool flat = icosahedron;
     if (icosahedron)
@@ -141,11 +141,17 @@ Mesh read_mesh(const SceneValue& value, std::vector<std::string>& notes) {
     else
         fields.read("normals", flat, normals_words);
     const int levels = read_refinement(fields);
+    const bool displace = fields.has("displace");
+    if (displace) fields.get("displace");
     fields.finish(fields.has("file") ? "a mesh from a file"
                                      : "the shape " + fields.get("shape").string());
     if (levels > 0) mesh = refined(value, mesh, levels);
     // An icosahedron has flat faces by itself.
-    return flat && !(icosahedron && levels == 0) ? flat_shaded(mesh) : mesh;
+    const bool facets = flat && !(icosahedron && levels == 0);
+    if (!displace) return facets ? flat_shaded(mesh) : mesh;
+    mesh = read_displaced(value.member("displace"), mesh, sources);
+    if (facets) mesh.normals.clear();  // less memory, and it shades the same
+    return mesh;
 }
 
 }  // namespace quadrel

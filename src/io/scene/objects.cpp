@@ -7,7 +7,8 @@ namespace {
 
 class ObjectReader {
   public:
-    ObjectReader(Fields& root, Scene& scene) : scene_(scene) {
+    ObjectReader(Fields& root, const TextureTable& textures, Scene& scene)
+        : scene_(scene), sources_{textures, scene.hardware, *scene.texture_cache, scene.notes} {
         if (root.has("meshes")) read_named_meshes(root.get("meshes"));
     }
 
@@ -32,7 +33,7 @@ class ObjectReader {
     }
 
     std::size_t add_mesh(const std::string& name, const SceneValue& value) {
-        Mesh mesh = read_mesh(value, scene_.notes);
+        Mesh mesh = read_mesh(value, sources_);
         vertices_ += mesh.positions.size();
         if (vertices_ > max_mesh_vertices)
             value.fail("a mesh that makes " + std::to_string(vertices_) + " vertices in all",
@@ -86,14 +87,15 @@ class ObjectReader {
     }
 
     Scene& scene_;
+    MeshSources sources_;
     std::map<std::string, std::size_t> named_;
     std::size_t vertices_ = 0;  ///< of all meshes so far
 };
 
 }  // namespace
 
-void read_objects(Fields& fields, Scene& scene) {
-    ObjectReader reader(fields, scene);
+void read_objects(Fields& fields, const TextureTable& textures, Scene& scene) {
+    ObjectReader reader(fields, textures, scene);
     if (!fields.has("objects")) return;
     const SceneValue objects = fields.get("objects");
     if (!objects.json().is_array()) objects.reject("an array of objects");

@@ -25,8 +25,25 @@ using TextureTable = std::map<std::string, TextureReference>;
 Material read_material(const SceneValue& value, const std::string& name,
                        const TextureTable& textures, Hardware hardware);
 
-/// A shape or file; `notes` gets what is ignored of a file.
-Mesh read_mesh(const SceneValue& value, std::vector<std::string>& notes);
+/// The texture of a material's slot, or of what else reads one: by name, or given in place.
+TextureReference read_slot(const SceneValue& value, const TextureTable& textures,
+                           Hardware hardware);
+/// 16 numbers row by row, or scale, rotate and offset.
+glm::mat4 read_texture_matrix(const SceneValue& value);
+
+/// What meshes are made with.
+struct MeshSources {
+    const TextureTable& textures;
+    Hardware hardware;
+    TextureCache& cache;
+    std::vector<std::string>& notes;  ///< get what is ignored of files
+};
+
+/// A shape or file.
+Mesh read_mesh(const SceneValue& value, const MeshSources& sources);
+
+/// `mesh` as the object of a "displace" says.
+Mesh read_displaced(const SceneValue& value, const Mesh& mesh, const MeshSources& sources);
 
 Light read_light(const SceneValue& value);
 

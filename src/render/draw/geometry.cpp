@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "quadrel/num/functions.hpp"
+#include "quadrel/raster/coverage.hpp"
 #include "render/draw/primitive_frame.hpp"
 #include "render/draw/primitive_vertices.hpp"
 #include "scene/degrees.hpp"
@@ -33,6 +34,11 @@ ShadedVertices shade_vertices(const Mesh& mesh, const Camera& camera, const glm:
                               const glm::mat4& texture_matrix) {
     ShadedVertices out;
     const glm::mat3 normals = normal_matrix(model_view);
+    const std::size_t count = mesh.positions.size();
+    out.eye.reserve(count);
+    out.clip.reserve(count);
+    out.normal.reserve(count);
+    out.uv.reserve(count);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec4 eye = model_view * glm::vec4(mesh.positions[i], 1.0f);
         out.eye.emplace_back(eye);
@@ -116,6 +122,8 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
             {vertices.clip[index[0]], vertices.clip[index[1]], vertices.clip[index[2]]}, state,
             pieces, geometry.counts);
         for (const AssembledTriangle& piece : pieces) {
+            // Of a fine mesh these are most, and would take most of the memory.
+            if (!parts.all_triangles && !may_cover(piece.screen, scene.samples)) continue;
             geometry.triangles.push_back(
                 {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
             geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));

@@ -33,6 +33,8 @@ struct Geometry {
 struct GeometryParts {
     bool frames = false;    ///< tangents, the triangles' own J and the objects' axes
     bool vertices = false;  ///< the vertices as submitted
+    /// Triangles between the samples of the picture, too: for those who take samples elsewhere.
+    bool all_triangles = false;
 };
 
 /// Vertex stage, clipping, snapping and culling of every visible object.

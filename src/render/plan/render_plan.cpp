@@ -154,6 +154,7 @@ SlotSet slots_read(const RenderPlan& plan, std::size_t material) {
 
 GeometryParts parts_read(const RenderPlan& plan) {
     GeometryParts parts;
+    parts.all_triangles = plan.integral.has_value();
     for (std::size_t m = 0; m < plan.materials.size(); ++m) {
         for (const MaterialPlan* material : plans_that_load(plan, m)) {
             for (const Value v : frame_values)
