@@ -1,4 +1,5 @@
-// Writes all stages that can be exported for the tests, as C++ and in each language as one shader:
+// Writes all stages that can be exported for the tests, as C++, in each language as one shader, and
+// as a shader each in WGSL:
 //
 //     quadrel-emit-functions OUTPUT.cpp FOLDER
 #include <algorithm>
@@ -66,9 +67,9 @@ bool uses_neighbours(const std::string& text) {
 }
 
 /// The row of a table.
-std::string row_of(const FunctionText& function, const char* id) {
+std::string row_of(const FunctionText& function, const char* id, const std::string& space = "") {
     return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
-           ", glsl::run_" + function.name + "}";
+           ", glsl::" + space + "run_" + function.name + "}";
 }
 
 /// An error of a printer: what it writes in the place of what is right.
@@ -81,7 +82,7 @@ constexpr Planted all_planted[] = {
     {"linear", "i <= steps", "i < steps", "one step less"},
     {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
-    {"max-mip", ": INFINITY;", ": -INFINITY;", "an infinity of the other sign"},
+    {"max-mip", ": INFINITY;\n}", ": -INFINITY;\n}", "an infinity of the other sign"},
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
@@ -118,13 +119,12 @@ class Emitter {
         function.text = with_error(function.text, planted);
         if (function.text.empty())
             throw RecordingError(std::string(planted.id) + " has no " + planted.right);
-        const std::string name = function.name + "_planted" + std::to_string(planted_++);
-        for (std::size_t at = function.text.find(function.name + "("); at != std::string::npos;
-             at = function.text.find(function.name + "(", at + name.size()))
-            function.text.replace(at, function.name.size(), name);
-        function.name = name;
+        const std::string space = "planted" + std::to_string(planted_++);
+        out_ << "namespace " << space << " {\n";
         write_function(out_, function, dialect_);
-        planted_rows_ += "    {" + row_of(function, planted.id) + ", \"" + planted.what + "\"},\n";
+        out_ << "}\n";
+        planted_rows_ +=
+            "    {" + row_of(function, planted.id, space + "::") + ", \"" + planted.what + "\"},\n";
     }
 
     void finish() {
@@ -158,13 +158,15 @@ void write_all(std::ostream& out) {
 }
 
 /// All functions in one file, which a compiler of that language takes.
-void write_shader(std::ostream& out, const char* language, const char* main) {
+void write_shader(std::ostream& out, const char* language, const char* main,
+                  ParametersAs parameters = ParametersAs::constants) {
     const auto dialect = find_dialect(language);
     const ShaderScene scene = plain_scene(exported_side, exported_lights);
     FunctionText all;
     for (const RecordedStage& stage : all_recorded_stages()) {
         try {
-            const FunctionText function = write_stage(stage, scene, nullptr, {}, *dialect);
+            const FunctionText function =
+                write_stage(stage, scene, nullptr, {}, *dialect, parameters);
             all.text += function.text + "\n";
             for (const Uniform& uniform : function.uniforms)
                 if (std::none_of(all.uniforms.begin(), all.uniforms.end(),
@@ -174,6 +176,22 @@ void write_shader(std::ostream& out, const char* language, const char* main) {
         }
     }
     out << whole_file(all, *dialect) << main;
+}
+
+/// A file each, behind a line with its stage's name. Odd ones have uniforms for parameters.
+void write_each(std::ostream& out, const char* language) {
+    const auto dialect = find_dialect(language);
+    const ShaderScene scene = plain_scene(exported_side, exported_lights);
+    int number = 0;
+    for (const RecordedStage& stage : all_recorded_stages()) {
+        try {
+            const FunctionText function =
+                write_stage(stage, scene, nullptr, {}, *dialect,
+                            number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
+            out << "=== " << stage.text->id << "\n" << whole_file(function, *dialect);
+        } catch (const RecordingError&) {  // the other program's table has it
+        }
+    }
 }
 
 }  // namespace
@@ -189,11 +207,15 @@ int main(int argc, char** argv) {
     try {
         write_all(out);
         std::ofstream glsl(folder + "/all.glsl.frag"), es(folder + "/all.es.frag"),
-            hlsl(folder + "/all.hlsl.frag");
+            hlsl(folder + "/all.hlsl.frag"), uniforms(folder + "/all.uniforms.frag"),
+            wgsl(folder + "/each.wgsl");
         write_shader(glsl, "glsl", "void main() {}\n");
         write_shader(es, "glsl-es", "void main() {}\n");
         write_shader(hlsl, "hlsl", "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n");
-        if (!glsl.flush() || !es.flush() || !hlsl.flush()) return 1;
+        write_shader(uniforms, "glsl", "void main() {}\n", ParametersAs::uniforms);
+        write_each(wgsl, "wgsl");
+        for (std::ofstream* of : {&glsl, &es, &hlsl, &uniforms, &wgsl})
+            if (!of->flush()) return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
