@@ -1,6 +1,6 @@
 #include "export/print/described.hpp"
 
-#include <iterator>
+#include <limits>
 #include <utility>
 
 namespace quadrel::recorded {
@@ -23,6 +23,26 @@ std::string with_operand(const std::string& word, const Node& operand) {
     return of.empty() ? word : word + "_" + of;
 }
 
+bool is_number(const Node& node, double value) {
+    return node.kind == Kind::literal && node.value == value;
+}
+
+/// abs(x) <= the largest number, or several of these.
+bool is_finite_test(const Node& node) {
+    if (node.kind != Kind::binary) return false;
+    const Node &a = *node.arguments[0], &b = *node.arguments[1];
+    if (node.text == "&&") return is_finite_test(a) && is_finite_test(b);
+    return node.text == "<=" && a.kind == Kind::call && a.text == "abs" &&
+           is_number(b, double{std::numeric_limits<float>::max()});
+}
+
+bool is_clamp(const Node& node) {
+    if (node.text != "min" || node.arguments[1]->kind != Kind::literal) return false;
+    const Node& inner = *node.arguments[0];
+    return inner.kind == Kind::call && inner.text == "max" &&
+           inner.arguments[1]->kind == Kind::literal;
+}
+
 std::string described_call(const Node& node) {
     static constexpr std::pair<const char*, const char*> words[] = {
         {"texture", "texel"},      {"textureLod", "texel"}, {"textureGrad", "texel"},
@@ -42,6 +62,7 @@ std::string described_call(const Node& node) {
         {"cos", "cos"},           {"sin", "sin"},
         {"log2", "log2"},         {"copysign", "signed"},
         {"exponent", "exponent"}, {"significand", "significand"}};
+    if (is_clamp(node)) return "clamped";
     const std::string word = found_in(words, node.text);
     if (!word.empty()) return word;
     const std::string function = found_in(of_operand, node.text);
@@ -50,10 +71,6 @@ std::string described_call(const Node& node) {
     if (!is_product) return node.text;
     const std::string a = own_name(*node.arguments[0]), b = own_name(*node.arguments[1]);
     return a.empty() || b.empty() ? node.text : node.text + "_" + a + "_" + b;
-}
-
-bool is_number(const Node& node, double value) {
-    return node.kind == Kind::literal && node.value == value;
 }
 
 std::string described_binary(const Node& node) {
@@ -66,6 +83,7 @@ std::string described_binary(const Node& node) {
         {"<", "negative"}, {">", "positive"}, {"==", "zero"}, {"!=", "nonzero"}};
     const Node &a = *node.arguments[0], &b = *node.arguments[1];
     const bool is_whole = node.type == Type::integer;
+    if (is_finite_test(node)) return "finite";
     if (is_whole && is_number(b, 1) && node.text == "+" && !own_name(a).empty())
         return with_operand("after", a);
     if (is_whole && is_number(b, 1) && node.text == "-" && !own_name(a).empty())

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
+#include <map>
+#include <set>
 
 #include "export/print/dialect.hpp"
 #include "export/stages/parameter_forms.hpp"
@@ -14,8 +16,6 @@
 
 namespace quadrel::recorded {
 namespace {
-
-using Kind = Node::Kind;
 
 /// Values that no default has, the last one below all of them.
 std::vector<double> odd_values(const ParameterText& text) {
@@ -29,33 +29,13 @@ std::vector<double> odd_values(const ParameterText& text) {
     return values;
 }
 
-/// Whether a literal has the value that forms give for a parameter's.
-bool fits(const Node& literal, bool is_whole, double parameter, int whole, int real) {
-    if (literal.type == Type::integer)
-        return whole_forms()[static_cast<std::size_t>(whole)].value(static_cast<std::int32_t>(
-                   parameter)) == static_cast<std::int32_t>(literal.value);
-    float x = static_cast<float>(parameter);
-    if (is_whole)
-        x = static_cast<float>(whole_forms()[static_cast<std::size_t>(whole)].value(
-            static_cast<std::int32_t>(parameter)));
-    const float value = real_forms()[static_cast<std::size_t>(real)].value(x);
-    const float found = static_cast<float>(literal.value);
-    return value == found && std::signbit(value) == std::signbit(found);
-}
-
-/// The expression that forms give for a symbol.
-Node* expression(Type of_literal, bool is_whole, Node* symbol, int whole, int real) {
-    const auto& whole_form = whole_forms()[static_cast<std::size_t>(whole)];
-    const auto& real_form = real_forms()[static_cast<std::size_t>(real)];
-    if (!is_whole) return real_form.text(Shader(symbol)).node();
-    const ShaderInt n = whole_form.text(ShaderInt(symbol));
-    if (of_literal == Type::integer) return n.node();
-    return real_form.text(to_float<Shader>(n)).node();
-}
-
 /// The shortest digits.
 std::string number(double value) {
     char text[40];
+    if (value == std::floor(value) && std::fabs(value) < 1e9) {
+        std::snprintf(text, sizeof text, "%.0f", value);
+        return text;
+    }
     for (int digits = 1; digits < 18; ++digits) {
         std::snprintf(text, sizeof text, "%.*g", digits, value);
         if (std::strtod(text, nullptr) == value) break;
@@ -118,6 +98,44 @@ bool NamedParameters::records(Graph& graph, int parameter, double value) const {
 
 // ---- Where a parameter is -----------------------------------------------------------------------
 
+/// Whether a literal has what its place's forms give for a value of the parameter.
+bool NamedParameters::fits(const Node& literal, int parameter, double value,
+                           const Place& place) const {
+    float x = static_cast<float>(value);
+    if (stage_.parameters[parameter].integer) {
+        auto n = static_cast<std::int32_t>(value);
+        if (place.other >= 0)
+            n = std::max(n, static_cast<std::int32_t>(value_of(place.other).value_or(0)));
+        n = whole_forms()[static_cast<std::size_t>(place.whole)].value(n);
+        if (literal.type == Type::integer) return n == static_cast<std::int32_t>(literal.value);
+        x = static_cast<float>(n);
+    }
+    x = real_forms()[static_cast<std::size_t>(place.real)].value(x);
+    const float found = static_cast<float>(literal.value);
+    return x == found && std::signbit(x) == std::signbit(found);
+}
+
+/// The first forms that give what other recordings have in the place of a node.
+std::optional<NamedParameters::Place> NamedParameters::place_of(
+    int parameter, std::size_t node, const std::vector<Graph>& others,
+    const std::vector<double>& values) const {
+    const bool is_whole = stage_.parameters[parameter].integer;
+    for (int other = -1; other < (is_whole ? stage_.parameter_count : 0); ++other) {
+        if (other == parameter ||
+            (other >= 0 && (!stage_.parameters[other].integer || !value_of(other).has_value())))
+            continue;
+        for (int whole = 0; whole < (is_whole ? std::ssize(whole_forms()) : 1); ++whole)
+            for (int real = 0; real < std::ssize(real_forms()); ++real) {
+                const Place place{node, whole, real, other};
+                bool fit = true;
+                for (std::size_t k = 0; fit && k < values.size(); ++k)
+                    fit = fits(*others[k].nodes[node], parameter, values[k], place);
+                if (fit) return place;
+            }
+    }
+    return std::nullopt;
+}
+
 std::optional<NamedParameters::Places> NamedParameters::places_of(int parameter,
                                                                   const Graph& graph) const {
     const ParameterText& text = stage_.parameters[parameter];
@@ -129,36 +147,25 @@ std::optional<NamedParameters::Places> NamedParameters::places_of(int parameter,
     for (std::size_t k = 0; k < odd.size(); ++k)
         if (!records(others[k], parameter, odd[k]) || !have_same_shape(graph, others[k]))
             return std::nullopt;
-    const auto fits_all = [&](std::size_t node, int whole, int real) {
-        for (std::size_t k = 0; k < odd.size(); ++k)
-            if (!fits(*others[k].nodes[node], text.integer, odd[k], whole, real)) return false;
-        return true;
-    };
     Places places{{}, true, true};
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
-        const Node& literal = *graph.nodes[node];
+        const Node &literal = *graph.nodes[node], &first = *others[0].nodes[node];
         if (std::all_of(others.begin(), others.end(), [&](const Graph& other) {
-                return have_same_value(*other.nodes[node], *others[0].nodes[node]);
+                return have_same_value(*other.nodes[node], first);
             })) {
             // What is the same for all but this value is decided by it.
-            if (!have_same_value(literal, *others[0].nodes[node])) return std::nullopt;
+            if (!have_same_value(literal, first)) return std::nullopt;
             continue;
         }
-        bool found = false;
-        for (int whole = 0; !found && whole < std::ssize(whole_forms()); ++whole)
-            for (int real = 0; !found && real < std::ssize(real_forms()); ++real)
-                if (fits_all(node, whole, real)) {
-                    places.all.push_back({node, whole, real});
-                    found = true;
-                }
-        if (!found) return std::nullopt;
+        const std::optional<Place> place = place_of(parameter, node, others, odd);
+        if (!place) return std::nullopt;
+        places.all.push_back(*place);
     }
     const auto has_end = [&](double value) {
         Graph end;
         return records(end, parameter, value) && have_same_shape(graph, end) &&
                std::all_of(places.all.begin(), places.all.end(), [&](const Place& place) {
-                   return fits(*end.nodes[place.node], text.integer, value, place.whole,
-                               place.real);
+                   return fits(*end.nodes[place.node], parameter, value, place);
                });
     };
     places.has_least = has_end(text.minimum);
@@ -166,66 +173,98 @@ std::optional<NamedParameters::Places> NamedParameters::places_of(int parameter,
     return places;
 }
 
+/// Of all parameters that can have a name, those alone that share no place but with each other, and
+/// need no other one for it that has none.
+std::vector<NamedParameters::Found> NamedParameters::all_places(const Graph& graph) const {
+    std::vector<Found> all;
+    std::map<std::size_t, std::pair<int, int>> taken;  // whose each place is, and with whom
+    for (int p = 0; p < stage_.parameter_count; ++p) {
+        auto places = places_of(p, graph);
+        if (!places || places->all.empty()) continue;
+        const std::optional<double> value = value_at(p, graph, *places);
+        const bool is_free =
+            std::all_of(places->all.begin(), places->all.end(), [&](const Place& place) {
+                const auto found = taken.find(place.node);
+                return found == taken.end() || found->second == std::pair(place.other, p);
+            });
+        if (!value || !is_free) continue;
+        for (const Place& place : places->all) taken[place.node] = {p, place.other};
+        all.push_back({p, std::move(*places), *value});
+    }
+    const auto is_named = [&](const Place& place) {
+        return place.other < 0 || std::any_of(all.begin(), all.end(), [&](const Found& of) {
+                   return of.parameter == place.other;
+               });
+    };
+    for (std::size_t before = 0; before != all.size();) {
+        before = all.size();
+        std::erase_if(all, [&](const Found& of) {
+            return !std::all_of(of.places.all.begin(), of.places.all.end(), is_named);
+        });
+    }
+    return all;
+}
+
 /// The parameter's value where all literals are what it gives.
 std::optional<double> NamedParameters::value_at(int parameter, const Graph& graph,
                                                 const Places& places) const {
     std::optional<double> value = value_of(parameter);
     for (const Place& place : places.all)
-        if (!value && place.whole == 0 && place.real == 0) value = graph.nodes[place.node]->value;
-    const bool is_whole = stage_.parameters[parameter].integer;
-    for (const Place& place : places.all) {
-        const Node& literal = *graph.nodes[place.node];
-        if (!value || literal.kind != Kind::literal ||
-            !fits(literal, is_whole, *value, place.whole, place.real))
+        if (!value && place.whole == 0 && place.real == 0 && place.other < 0)
+            value = graph.nodes[place.node]->value;
+    for (const Place& place : places.all)
+        if (!value || !fits(*graph.nodes[place.node], parameter, *value, place))
             return std::nullopt;
-    }
     return value;
 }
 
 // ---- Recording ----------------------------------------------------------------------------------
 
-/// Writes expressions of the parameter in the places of literals.
-void NamedParameters::put(int parameter, const Places& places, Graph& graph, Nodes& made) const {
-    const bool is_whole = stage_.parameters[parameter].integer;
-    const std::string& name = names_[static_cast<std::size_t>(parameter)];
-    for (const Place& place : places.all) {
-        Node& literal = *graph.nodes[place.node];
-        Graph parts;
-        {
-            const Recorder recorder(parts);
-            Node* const symbol =
-                Recorder::current().symbol(is_whole ? Type::integer : Type::real, name);
-            Node root = *expression(literal.type, is_whole, symbol, place.whole, place.real);
-            root.region = literal.region;
-            root.order = literal.order;
-            root.name = literal.name;
-            root.comments = literal.comments;
-            root.weak_name = literal.weak_name;
-            literal = std::move(root);
-        }
-        for (auto& node : parts.nodes) {
-            node->region = &graph.top;
-            node->order = 0;
-            made.push_back(std::move(node));
-        }
+Node* NamedParameters::expression(const Node& literal, int parameter, const Place& place) const {
+    const auto symbol = [&](int of, Type type) {
+        return Recorder::current().symbol(type, names_[static_cast<std::size_t>(of)]);
+    };
+    const auto& real = real_forms()[static_cast<std::size_t>(place.real)];
+    if (!stage_.parameters[parameter].integer)
+        return real.text(Shader(symbol(parameter, Type::real))).node();
+    ShaderInt n(symbol(parameter, Type::integer));
+    if (place.other >= 0) n = max(n, ShaderInt(symbol(place.other, Type::integer)));
+    n = whole_forms()[static_cast<std::size_t>(place.whole)].text(n);
+    return literal.type == Type::integer ? n.node() : real.text(to_float<Shader>(n)).node();
+}
+
+/// Writes an expression of the parameter in the place of a literal.
+void NamedParameters::put(int parameter, const Place& place, Graph& graph, Nodes& made) const {
+    Node& literal = *graph.nodes[place.node];
+    Graph parts;
+    {
+        const Recorder recorder(parts);
+        Node root = *expression(literal, parameter, place);
+        root.region = literal.region;
+        root.order = literal.order;
+        root.name = literal.name;
+        root.comments = literal.comments;
+        root.weak_name = literal.weak_name;
+        literal = std::move(root);
+    }
+    for (auto& node : parts.nodes) {
+        node->region = &graph.top;
+        node->order = 0;
+        made.push_back(std::move(node));
     }
 }
 
 void NamedParameters::record(Graph& graph) const {
     stage_.record(graph, scene_, params_.data());
-    std::vector<std::pair<int, Places>> found;
-    for (int p = 0; p < stage_.parameter_count; ++p)
-        if (auto places = places_of(p, graph); places && !places->all.empty())
-            found.emplace_back(p, std::move(*places));
     Nodes made;
-    for (const auto& [p, places] : found) {
-        const ParameterText& text = stage_.parameters[p];
-        const std::optional<double> value = value_at(p, graph, places);
-        if (!value) continue;
-        put(p, places, graph, made);
-        graph.parameters.push_back({names_[static_cast<std::size_t>(p)],
-                                    text.integer ? Type::integer : Type::real, *value,
-                                    comment(text, places.has_least, places.has_most)});
+    std::set<std::size_t> done;  // of two parameters, the first has put both
+    for (const Found& of : all_places(graph)) {
+        for (const Place& place : of.places.all)
+            if (done.insert(place.node).second) put(of.parameter, place, graph, made);
+        const ParameterText& text = stage_.parameters[of.parameter];
+        graph.parameters.push_back({names_[static_cast<std::size_t>(of.parameter)],
+                                    text.integer ? Type::integer : Type::real, of.value,
+                                    comment(text, of.places.has_least, of.places.has_most)});
     }
     graph.nodes.insert(graph.nodes.begin(), std::make_move_iterator(made.begin()),
                        std::make_move_iterator(made.end()));

@@ -32,14 +32,21 @@ class NamedParameters {
   private:
     using Params = std::vector<std::max_align_t>;
     using Nodes = std::vector<std::unique_ptr<Node>>;
-    /// A literal, by its place among the nodes, and the forms of its type that give its value.
+    /// A literal, by its place among the nodes, and the forms of its type that give its value: of
+    /// the parameter, or of the greater of it and another.
     struct Place {
         std::size_t node;
         int whole, real;
+        int other;  ///< parameter; -1 for none
     };
     struct Places {
         std::vector<Place> all;
         bool has_least, has_most;  ///< whether the parameter's ends have the same text
+    };
+    struct Found {
+        int parameter;
+        Places places;
+        double value;
     };
 
     Params with(int parameter, double value) const;
@@ -49,8 +56,13 @@ class NamedParameters {
     bool records(Graph& graph, int parameter, double value) const;
 
     std::optional<Places> places_of(int parameter, const Graph& graph) const;
+    std::optional<Place> place_of(int parameter, std::size_t node, const std::vector<Graph>& others,
+                                  const std::vector<double>& values) const;
+    bool fits(const Node& literal, int parameter, double value, const Place& place) const;
+    Node* expression(const Node& literal, int parameter, const Place& place) const;
     std::optional<double> value_at(int parameter, const Graph& graph, const Places& places) const;
-    void put(int parameter, const Places& places, Graph& graph, Nodes& made) const;
+    void put(int parameter, const Place& place, Graph& graph, Nodes& made) const;
+    std::vector<Found> all_places(const Graph& graph) const;
 
     const RecordedStage& stage_;
     const ShaderScene& scene_;
