@@ -127,15 +127,69 @@ class Emitter {
             "    {" + row_of(function, planted.id, space + "::") + ", \"" + planted.what + "\"},\n";
     }
 
+    /// The function with other numbers in the places of its constants.
+    void edit(const RecordedStage& stage) {
+        FunctionText function;
+        try {
+            function = write_stage(stage, scene_, nullptr, {}, dialect_);
+        } catch (const RecordingError&) {
+            return;
+        }
+        std::string values;
+        int count = 0;
+        for (const Parameter& constant : function.parameters) {
+            const ParameterText& parameter = parameter_of(stage, constant);
+            const double value = other_value(constant, parameter);
+            put(function.text, constant, value);
+            char number[64];
+            std::snprintf(number, sizeof number, "%a", value);
+            values += "{\"" + std::string(parameter.name) + "\", " + number + "}, ";
+            ++count;
+        }
+        if (count == 0) return;
+        const std::string space = "edited" + std::to_string(edited_++);
+        out_ << "namespace " << space << " {\n"
+             << "const EditedParameter parameters[] = {" << values << "};\n";
+        write_function(out_, function, dialect_);
+        out_ << "}\n";
+        edited_rows_ += "    {" + row_of(function, stage.text->id, space + "::") +
+                        ", glsl::" + space + "::parameters, " + std::to_string(count) + "},\n";
+    }
+
     void finish() {
         out_ << "}  // namespace quadrel::glsl\n\nnamespace quadrel::export_tests {\n";
         table("ExportedFunction", "exported_functions", "exported_count", rows_);
         table("PlantedFunction", "planted_functions", "planted_count", planted_rows_);
+        table("EditedFunction", "edited_functions", "edited_count", edited_rows_);
         table("NotExported", "not_exported", "not_exported_count", reasons_);
         out_ << "}\n";
     }
 
   private:
+    static const ParameterText& parameter_of(const RecordedStage& stage, const Parameter& of) {
+        for (int i = 0; i < stage.parameter_count; ++i) {
+            const std::string name = as_word(stage.parameters[i].name);
+            if (of.name == name || of.name == name + "_") return stage.parameters[i];
+        }
+        throw RecordingError(of.name + " is no parameter");
+    }
+    static double other_value(const Parameter& of, const ParameterText& parameter) {
+        if (of.type == Type::integer) return std::min(of.value + 3, parameter.maximum);
+        return static_cast<float>(of.value + 0.125 * (std::min(parameter.maximum, 8.0) - of.value));
+    }
+    /// Changes the constant in a text.
+    void put(std::string& text, const Parameter& of, double value) const {
+        const auto constant = [&](double number) {
+            return dialect_.parameter(of.type, of.name,
+                                      of.type == Type::integer
+                                          ? std::to_string(static_cast<int>(number))
+                                          : dialect_.real(static_cast<float>(number)));
+        };
+        const std::size_t at = text.find(constant(of.value));
+        if (at == std::string::npos) throw RecordingError(of.name + " is no constant");
+        text.replace(at, constant(of.value).size(), constant(value));
+    }
+
     void table(const char* type, const char* name, const char* count, const std::string& rows) {
         out_ << "const " << type << " " << name << "[] = {\n"
              << rows << "};\nconst int " << count << " = "
@@ -145,8 +199,8 @@ class Emitter {
     std::ostream& out_;
     const Dialect& dialect_;
     ShaderScene scene_;
-    std::string rows_, planted_rows_, reasons_;
-    int planted_ = 0;
+    std::string rows_, planted_rows_, edited_rows_, reasons_;
+    int planted_ = 0, edited_ = 0;
 };
 
 void write_all(std::ostream& out) {
@@ -154,6 +208,8 @@ void write_all(std::ostream& out) {
     Emitter emitter(out, *dialect);
     for (const RecordedStage& stage : all_recorded_stages()) emitter.emit(stage);
     for (const Planted& planted : all_planted) emitter.plant(planted);
+    for (const RecordedStage& stage : all_recorded_stages())
+        if (stage.parameter_count > 0) emitter.edit(stage);
     emitter.finish();
 }
 

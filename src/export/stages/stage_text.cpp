@@ -59,6 +59,7 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     result.inputs = writer.inputs();
     result.outputs = writer.outputs();
     result.uniforms = graph.uniforms;
+    result.parameters = graph.parameters;
     result.text += comment(std::string(stage.text->id) + ": " + stage.text->summary) +
                    comment(std::string("Source: ") + stage.text->source);
     if (!written_in.empty()) result.text += comment("Written for " + written_in + ".");

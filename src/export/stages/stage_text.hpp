@@ -15,6 +15,7 @@ struct FunctionText {
     std::string text;  ///< comments and the function
     std::vector<Named> inputs, outputs;
     std::vector<Uniform> uniforms;
+    std::vector<Parameter> parameters;  ///< the constants at its top
 };
 
 /// What parameters become that are used in sums, products and as ends of loops alone. The others
