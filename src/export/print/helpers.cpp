@@ -24,6 +24,13 @@ bool is_difference(const Node& node) {
            (node.text == "dFdx" || node.text == "dFdy" || node.text == "texture");
 }
 
+/// A vector of literals, which is said wherever it stands.
+bool is_constant(const Node& node) {
+    return node.kind == Kind::construct &&
+           std::all_of(node.arguments.begin(), node.arguments.end(),
+                       [](const Node* of) { return of->kind == Kind::literal; });
+}
+
 bool is_operation(const Node& node) {
     return node.kind == Kind::unary || node.kind == Kind::binary || node.kind == Kind::call ||
            node.kind == Kind::select;
@@ -115,6 +122,12 @@ std::string Helpers::described(const Node* node, Cone& cone, const std::set<cons
         std::snprintf(number, sizeof number, "%d:%a", static_cast<int>(node->type), node->value);
         return number;
     }
+    if (is_constant(*node)) {
+        std::string text = "[" + std::to_string(static_cast<int>(node->type));
+        for (const Node* argument : node->arguments)
+            text += " " + described(argument, cone, body, known);
+        return text + "]";
+    }
     if (is_global(*node)) return node->text;
     const auto found = known.find(node);
     if (found != known.end()) return "#" + std::to_string(found->second);
@@ -182,6 +195,14 @@ void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
         made.nodes.push_back(std::make_unique<Node>(std::move(node)));
         return made.nodes.back().get();
     };
+    const auto copied = [&](const auto& self, const Node* node) -> Node* {
+        if (copies.count(node) == 0) {
+            Node constant = *node;
+            for (Node*& argument : constant.arguments) argument = self(self, argument);
+            copies[node] = copy(std::move(constant));
+        }
+        return copies.at(node);
+    };
     std::set<std::string> inputs;
     for (std::size_t i = 0; i < first.arguments.size(); ++i) {
         const Node& of = *first.arguments[i];
@@ -195,10 +216,7 @@ void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
     }
     for (const Node* of : first.body) {
         Node node = *of;
-        for (Node*& argument : node.arguments) {
-            if (copies.count(argument) == 0) copies[argument] = copy(*argument);
-            argument = copies.at(argument);
-        }
+        for (Node*& argument : node.arguments) argument = copied(copied, argument);
         copies[of] = copy(std::move(node));
     }
     Node* const result = copies.at(first.root);

@@ -154,6 +154,10 @@ bool Locals::declare_difference(Node* node) {
         (node->text != "dFdx" && node->text != "dFdy" && node->text != "texture"))
         return false;
     Info& info = info_[node];
+    // Stored or assigned as it is.
+    if (info.uses.size() == 1 && info.uses[0].node == nullptr &&
+        info.uses[0].region == node->region)
+        return true;
     const bool has_one_user = info.uses.size() == 1 && info.uses[0].node != nullptr;
     const Node* const user = has_one_user ? info.uses[0].node : nullptr;
     info_[user != nullptr && user->kind == Kind::component ? user : node].declared = true;
