@@ -146,6 +146,10 @@ std::string Dialect::prelude(const std::string& text) const {
          "// hit_status and frame_status\n"
          "const int STATUS_NONE = 0, STATUS_HIT = 1, STATUS_FLOOR = 2, STATUS_CAP = 3;\n"
          "const int STATUS_CLIP = 4, STATUS_NO_FRAME = 5, STATUS_NAN = 6, STATUS_OUTSIDE = 7;\n"},
+        {"FLAG_",
+         "// bits of hit_flags and frame_flags\n"
+         "const int FLAG_DEGENERATE_UV = 1, FLAG_AMBIGUOUS = 2, FLAG_START_BELOW = 4;\n"
+         "const int FLAG_WRAPPED = 8, FLAG_NAN_LOOK_UP = 32;\n"},
         {"INFINITY", "#define INFINITY intBitsToFloat(0x7f800000)\n"},
         {"NAN", "#define NAN intBitsToFloat(0x7fc00000)\n"},
         {"power_of_two(",

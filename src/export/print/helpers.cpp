@@ -91,7 +91,7 @@ bool Helpers::is_global(const Node& node) const {
     if (node.kind == Kind::literal) return true;
     if (node.kind != Kind::symbol) return false;
     const std::string name = node.text.substr(0, node.text.find('['));
-    return name.rfind("STATUS_", 0) == 0 ||
+    return name.rfind("STATUS_", 0) == 0 || name.rfind("FLAG_", 0) == 0 ||
            std::any_of(graph_.uniforms.begin(), graph_.uniforms.end(),
                        [&](const Uniform& of) { return of.name == name; });
 }

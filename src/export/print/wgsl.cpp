@@ -237,6 +237,10 @@ std::string WgslDialect::prelude(const std::string& text) const {
          "const STATUS_NONE = 0;\nconst STATUS_HIT = 1;\nconst STATUS_FLOOR = 2;\n"
          "const STATUS_CAP = 3;\nconst STATUS_CLIP = 4;\nconst STATUS_NO_FRAME = 5;\n"
          "const STATUS_NAN = 6;\nconst STATUS_OUTSIDE = 7;\n"},
+        {"FLAG_",
+         "// bits of hit_flags and frame_flags\n"
+         "const FLAG_DEGENERATE_UV = 1;\nconst FLAG_AMBIGUOUS = 2;\nconst FLAG_START_BELOW = 4;\n"
+         "const FLAG_WRAPPED = 8;\nconst FLAG_NAN_LOOK_UP = 32;\n"},
         {"infinity(",
          "\n// No constant may be infinite; a variable's bits may.\n"
          "var<private> infinity_bits: u32 = 0x7f800000u;\n"
