@@ -168,7 +168,7 @@ function showValues() {
   if (!place) return;
   const ranged = hasRanges();
   head.replaceChildren(html("tr", {}, ...["Channel", ...sources.map((s) => s.name), ...(b() ? ["Apart"] : []), ...(ranged ? ["Range"] : [])]
-    .map((text) => html("th", { scope: "col", title: text }, text))));
+    .map((text) => html("th", { scope: "col", title: text, className: text === "Range" ? "word" : "" }, text))));
   const chosen = state.choice.names, rest = channelNames().filter((name) => !chosen.includes(name));
   body.replaceChildren(...[...chosen, ...rest].map((name) => html("tr", { className: chosen.includes(name) ? "chosen" : "" },
     html("th", { scope: "row" }, name), ...sources.map((source, k) => valueCell(source, k, name, place)),
