@@ -26,7 +26,7 @@ struct ExportArguments {
     std::string stage, language, output;
     std::vector<std::string> parameters;
     int side = 1024, lights = 2;
-    bool list = false;
+    bool uniforms = false, list = false;
 };
 
 ExitCode list_stages() {
@@ -66,7 +66,9 @@ void set_parameter(const StageInfo& stage, const std::string& text, void* params
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     const ParameterText* const parameter = find_parameter(stage.text.id, name);
-    if (equals == std::string::npos || parameter == nullptr) {
+    if (equals == std::string::npos && parameter != nullptr)
+        throw UsageError(fmt::format("-D: found \"{}\", expected {}=VALUE", text, text));
+    if (parameter == nullptr) {
         std::vector<std::string> known;
         for (const ParameterText& of : stage.parameters) known.emplace_back(of.name);
         throw UsageError(
@@ -87,8 +89,6 @@ ExitCode run_export(const ExportArguments& arguments) {
         return run_snippets(arguments.snippets, arguments.language, arguments.output);
     if (arguments.stage.empty())
         throw UsageError("export: expected --stage ID, --list, --snippets or --pattern");
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a stage");
     CommandFiles files;
     files.add_output("-o", arguments.output);
     files.check_writable();
@@ -96,9 +96,9 @@ ExitCode run_export(const ExportArguments& arguments) {
     std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
     stage.set_defaults(params.data());
     for (const std::string& text : arguments.parameters) set_parameter(stage, text, params.data());
-    const std::string text =
-        export_stage(stage.text.id, {arguments.language.empty() ? "glsl" : arguments.language,
-                                     params.data(), arguments.side, arguments.lights});
+    const std::string text = export_stage(
+        stage.text.id, {arguments.language.empty() ? "glsl" : arguments.language, params.data(),
+                        arguments.side, arguments.lights, arguments.uniforms});
     if (arguments.output.empty()) {
         print(text);
         return ExitCode::ok;
@@ -124,6 +124,8 @@ void add_export(CLI::App& app, Action& action) {
         ->check(one_word_of(std::vector<std::string>{"glsl", "glsl-es", "hlsl", "wgsl"}));
     verb->add_option("-D", a->parameters, "a parameter of the stage, in place of its default")
         ->type_name("NAME=VALUE");
+    verb->add_flag("--uniforms", a->uniforms,
+                   "parameters are uniforms where they can be (default: constants)");
     verb->add_option("--side", a->side, "of the maps in texels, which searches of cells know")
         ->check(whole_number(1, 16384))
         ->capture_default_str();
@@ -135,9 +137,10 @@ void add_export(CLI::App& app, Action& action) {
     CLI::Option* const list =
         verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
-    for (const char* const option : {"--stage", "--language", "-D", "--side", "--lights", "-o"})
+    for (const char* const option :
+         {"--stage", "--language", "-D", "--uniforms", "--side", "--lights", "-o"})
         list->excludes(option);
-    for (const char* const form : {"--list", "--stage", "-D", "--side", "--lights"})
+    for (const char* const form : {"--list", "--stage", "-D", "--uniforms", "--side", "--lights"})
         for (const char* const other : {"--snippets", "--pattern"})
             verb->get_option(other)->excludes(form);
     add_quiet_option(*verb);

@@ -51,9 +51,13 @@ std::string export_stage(std::string_view id, const ExportOptions& options) {
     const std::string stage(id);
     std::string text;
     const ExportRequest request{
-        stage.c_str(),  options.language.c_str(),
-        options.params, options.side,
-        options.lights, [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
+        stage.c_str(),
+        options.language.c_str(),
+        options.params,
+        options.side,
+        options.lights,
+        options.uniforms ? 1 : 0,
+        [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
         &text};
     if (!export_table().write(&request))
         throw UsageError(fmt::format("export: {}: {}", stage, text));

@@ -17,6 +17,7 @@ struct ExportOptions {
     const void* params = nullptr;  ///< the stage's Params; null: the defaults
     int side = 1024;               ///< of the maps, in texels
     int lights = 2;
+    bool uniforms = false;  ///< parameters are uniforms where they can be, not constants
 };
 
 struct ExportRow {

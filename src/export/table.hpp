@@ -18,6 +18,7 @@ struct ExportRequest {
     const void* params;    ///< the stage's Params; null: the defaults
     std::int32_t side;     ///< of the maps, in texels
     std::int32_t lights;
+    std::int32_t uniforms;  ///< 1: parameters are uniforms where they can be; 0: constants
     /// Receives the text, or why there is none.
     void (*put)(void* to, const char* text);
     void* to;
@@ -34,7 +35,7 @@ struct ExportTable {
 };
 
 inline constexpr std::uint32_t export_magic = 0x58455251;  // "QREX"
-inline constexpr std::uint32_t export_abi_version = 1;
+inline constexpr std::uint32_t export_abi_version = 2;
 inline constexpr const char* export_symbol = "quadrel_export_table";
 
 }  // namespace quadrel

@@ -15,7 +15,9 @@ std::string written(const ExportRequest& request, const RecordedStage& stage) {
     const auto dialect = find_dialect(request.language);
     if (dialect == nullptr) throw RecordingError("no such language");
     const ShaderScene scene = plain_scene(request.side, request.lights);
-    FunctionText function = write_stage(stage, scene, request.params, {}, *dialect);
+    FunctionText function =
+        write_stage(stage, scene, request.params, {}, *dialect,
+                    request.uniforms != 0 ? ParametersAs::uniforms : ParametersAs::constants);
     function.text = assumptions(stage, function, request.side) + function.text;
     return whole_file(function, *dialect);
 }
@@ -69,9 +71,9 @@ void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
 
 extern "C" __attribute__((visibility("default"))) const quadrel::ExportTable*
 quadrel_export_table() {
-    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl"};
+    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl", "wgsl"};
     static constexpr quadrel::ExportTable table{
-        quadrel::export_magic, quadrel::export_abi_version, languages, 3, &quadrel::list_stages,
+        quadrel::export_magic, quadrel::export_abi_version, languages, 4, &quadrel::list_stages,
         &quadrel::write};
     return &table;
 }

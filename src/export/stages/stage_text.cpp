@@ -16,6 +16,14 @@ std::string function_name(const StageText& text) {
 
 std::string comment(const std::string& text) { return wrapped_line("// " + text) + "\n"; }
 
+/// Parameters as uniforms of their names.
+void make_uniforms(Graph& graph) {
+    for (const Parameter& of : graph.parameters)
+        graph.uniforms.push_back(
+            {of.name, of.type == Type::integer ? "int" : "float", 0, of.comment});
+    graph.parameters.clear();
+}
+
 }  // namespace
 
 std::string as_word(const std::string& text) {
@@ -28,25 +36,34 @@ std::string as_word(const std::string& text) {
 }
 
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
-                         const std::set<std::string>& outputs, const Dialect& dialect) {
+                         const std::set<std::string>& outputs, const Dialect& dialect,
+                         ParametersAs parameters_as) {
     FunctionText result;
     result.name = function_name(*stage.text);
-    const NamedParameters parameters(stage, params);
-    const auto write = [&](const void* values) {
-        Graph graph;
-        stage.record(graph, scene, values);
-        Folder(graph).run();
-        const Locals locals(graph, outputs);
-        Writer writer(graph, locals, dialect);
-        const std::string text = writer.function(result.name, stage.inputs(), parameters.names());
-        result.inputs = writer.inputs();
-        result.outputs = writer.outputs();
-        result.uniforms = graph.uniforms;
-        return text;
-    };
-    const std::string function = parameters.written(write, dialect);
-    result.text = comment(std::string(stage.text->id) + ": " + stage.text->summary) +
-                  comment(std::string("Source: ") + stage.text->source) + function;
+    const NamedParameters parameters(stage, scene, params);
+    Graph graph;
+    parameters.record(graph);
+    const std::string written_in = parameters.written_in(graph);
+    if (parameters_as == ParametersAs::uniforms) make_uniforms(graph);
+    Folder(graph).run();
+    const Helpers helpers(graph, outputs, as_word(stage.text->id));
+    std::vector<std::string> taken = parameters.names();
+    for (const auto& helper : helpers.all()) {
+        const Locals locals(helper->graph, {});
+        result.text += Writer(helper->graph, locals, dialect).helper(*helper) + "\n";
+        taken.push_back(helper->name);
+    }
+    const Locals locals(graph, outputs);
+    Writer writer(graph, locals, dialect);
+    const std::string function = writer.function(result.name, stage.inputs(), taken);
+    result.inputs = writer.inputs();
+    result.outputs = writer.outputs();
+    result.uniforms = graph.uniforms;
+    result.parameters = graph.parameters;
+    result.text += comment(std::string(stage.text->id) + ": " + stage.text->summary) +
+                   comment(std::string("Source: ") + stage.text->source);
+    if (!written_in.empty()) result.text += comment("Written for " + written_in + ".");
+    result.text += function;
     return result;
 }
 
@@ -71,11 +88,10 @@ std::string assumptions(const RecordedStage& stage, const FunctionText& function
 }
 
 std::string whole_file(const FunctionText& function, const Dialect& dialect) {
-    std::string uniforms;
-    for (const Uniform& uniform : function.uniforms) uniforms += dialect.uniform(uniform) + "\n";
     std::string file;
-    for (const std::string& part : {dialect.first_lines(function.text),
-                                    dialect.prelude(function.text), uniforms, function.text})
+    for (const std::string& part :
+         {dialect.first_lines(function.text), dialect.prelude(function.text),
+          dialect.uniforms(function.uniforms, function.text), function.text})
         if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
     return file;
 }
