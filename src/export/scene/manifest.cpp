@@ -97,10 +97,11 @@ Json texture_entry(const ContentTexture& texture, bool decoded) {
         Json files = Json::array();
         for (int face = 0; decoded && face < view.faces; ++face)
             files.push_back(texture.exr_file(level, face));
-        levels.push_back({{"width", view.width[level]},
+        levels.push_back({{"width", side_of_level(view, level).width},
                           {"height", texture.rows(level)},
                           {"bytes", texture.bytes_file(level)},
                           {"exr", files}});
+        if (!has_mip_sizes(view)) levels.back()["used"] = {view.width[level], view.height[level]};
     }
     const char* kind = texture.shape == TextureShape::cube     ? "cube"
                        : texture.shape == TextureShape::layers ? "2d-array"
