@@ -228,7 +228,7 @@ TEST(SceneBuffers, BytesOfTexelsDecodeToTheVeryValues) {
             }
 }
 
-/// A pyramid of 15x15 cells: 15, 8, 4, 2, 1.
+/// A pyramid of 17x17 cells: 17, 9, 5, 3, 2, 1.
 TEST(SceneBuffers, PyramidsAreMipChainsOfAPowerOfTwo) {
     TextureOptions options;
     options.swizzle = "r";
@@ -241,7 +241,7 @@ TEST(SceneBuffers, PyramidsAreMipChainsOfAPowerOfTwo) {
     const TexelLayout layout = texel_layout(*pyramid, "glsl");
     for (int level = 0; level < view.levels; ++level) {
         const LevelSide side = side_of_level(view, level);
-        EXPECT_EQ(side.width, 16 >> level);
+        EXPECT_EQ(side.width, 32 >> level);
         const std::string bytes = level_bytes(*pyramid, level, layout);
         ASSERT_EQ(bytes.size(), std::size_t(side.width) * std::size_t(side.height) * 4);
         const Image image = texture_level(*pyramid, level);
