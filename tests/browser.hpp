@@ -23,7 +23,7 @@ inline constexpr const char* no_browser = "no chromium, chromium-browser or goog
 /// "out/page.html#place". Standard output goes into the file `out`, errors into the file err.
 inline bool browse(const testing_films::TemporaryFolder& folder, const std::string& page,
                    const std::string& options, const std::string& out) {
-    const std::string line = "cd '" + folder.path().string() + "' && HOME=. timeout 60 " +
+    const std::string line = "cd '" + folder.path().string() + "' && HOME=. timeout 120 " +
                              browser() + " --headless --no-sandbox --hide-scrollbars " + options +
                              " 'file://" + (folder / page).string() + "' >" + out + " 2>err";
     return std::system(line.c_str()) == 0;

@@ -12,14 +12,21 @@ async function inflated(bytes) {
 }
 /* What packed_bits (src/page/bits.hpp) did, undone. */
 async function unpackedBits(base64, count, earlier) {
-  const bytes = await inflated(bytesOf(base64));
-  if (bytes.length !== 4 * count) throw new Error(`${bytes.length} bytes instead of ${4 * count}`);
-  const bits = new Uint32Array(count);
-  let last = 0, at = 0;
+  const bytes = await inflated(bytesOf(base64)), head = 5;
+  if (bytes.length !== 4 * count + head) throw new Error(`${bytes.length} bytes instead of ${4 * count + head}`);
+  const bits = new Uint32Array(count), [ofBytes, left, plane] = [0, 1, 2], prediction = bytes[0];
+  const width = new DataView(bytes.buffer, bytes.byteOffset).getUint32(1, true);
+  let last = 0, at = head;
   for (let shift = 0; shift < 32; shift += 8)
     for (let i = 0; i < count; i += 1) {
-      last = (last + bytes[at++]) & 255;
+      last = prediction === ofBytes ? (last + bytes[at++]) & 255 : bytes[at++];
       bits[i] |= last << shift;
+    }
+  if (prediction === left || prediction === plane)
+    for (let i = 0; i < count; i += 1) {
+      const hasLeft = prediction === left ? i > 0 : i % width > 0, hasAbove = prediction === plane && i >= width;
+      const above = hasAbove ? bits[i - width] - (hasLeft ? bits[i - width - 1] : 0) : 0;
+      bits[i] = ((bits[i] >>> 1) ^ -(bits[i] & 1)) + (hasLeft ? bits[i - 1] : 0) + above;
     }
   if (earlier) for (let i = 0; i < count; i += 1) bits[i] ^= earlier[i];
   return bits;

@@ -24,6 +24,7 @@ function hexFloatOf(bits) {
   const power = exponent === 0 ? -126 : exponent - 127;
   return `${sign}0x${exponent === 0 ? 0 : 1}${digits ? "." + digits : ""}p${power < 0 ? "" : "+"}${power}`;
 }
+const counted = (n, what) => `${n} ${what}${n === 1 ? "" : "s"}`;
 function short(x) {
   if (x === null || x === undefined) return "–";
   if (!Number.isFinite(x)) return Number.isNaN(x) ? "NaN" : x > 0 ? "inf" : "-inf";

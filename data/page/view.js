@@ -29,6 +29,10 @@ function makeChoices() {
   made.sort((x, y) => (y.label === "R G B") - (x.label === "R G B"));
   return [...made, ...channelNames().map((name) => ({ label: name, names: [name] }))];
 }
+/* What all sources have, if anything. */
+function firstChoice() {
+  return choices.find(({ names }) => names.every((name) => sources.every((source) => source.channels.has(name)))) || choices[0];
+}
 const views = [["both", "Side by side"], ["a", "First"], ["b", "Second"], ["difference", "Difference"], ["heat", "Heat map"],
                ["classes", "Classes"]];
 const classes = () => (b() ? classesOf(a(), b(), state.choice) : null);
@@ -155,15 +159,16 @@ function rangeCell(name, place) {
   return html("td", { className: "word" }, html("i", { className: "box", style: `background:rgb(${classColours[found]})` }), " " + classNames[found],
     html("small", {}, `${short(ranges.low.values[i])} to ${short(ranges.high.values[i])}`));
 }
+const hasRanges = () => Boolean(b()) && channelNames().some((name) => rangesOf(a(), name));
 function showValues() {
   const place = state.kept || state.hovered, head = byId("values").tHead, body = byId("values").tBodies[0];
   byId("place").textContent = place ? `${place.x}, ${place.y}` : "";
   byId("hint").hidden = Boolean(place);
   byId("values").parentElement.hidden = !place;
   if (!place) return;
-  const ranged = b() && channelNames().some((name) => rangesOf(a(), name));
+  const ranged = hasRanges();
   head.replaceChildren(html("tr", {}, ...["Channel", ...sources.map((s) => s.name), ...(b() ? ["Apart"] : []), ...(ranged ? ["Range"] : [])]
-    .map((text) => html("th", { scope: "col", title: text }, text))));
+    .map((text) => html("th", { scope: "col", title: text, className: text === "Range" ? "word" : "" }, text))));
   const chosen = state.choice.names, rest = channelNames().filter((name) => !chosen.includes(name));
   body.replaceChildren(...[...chosen, ...rest].map((name) => html("tr", { className: chosen.includes(name) ? "chosen" : "" },
     html("th", { scope: "row" }, name), ...sources.map((source, k) => valueCell(source, k, name, place)),
@@ -247,12 +252,14 @@ function showAttributes() {
   }));
 }
 function showSummary() {
-  const about = sources.map((s) => `${s.name}: ${s.width} × ${s.height}${s.x0 || s.y0 || s.width !== s.frame[2] - s.frame[0] || s.height !== s.frame[3] - s.frame[1] ? ` at ${s.x0}, ${s.y0} of ${s.frame[2] - s.frame[0]} × ${s.frame[3] - s.frame[1]}` : ""}, ${s.channels.size} channels`);
+  const about = sources.map((s) => `${s.name}: ${s.width} × ${s.height}${s.x0 || s.y0 || s.width !== s.frame[2] - s.frame[0] || s.height !== s.frame[3] - s.frame[1] ? ` at ${s.x0}, ${s.y0} of ${s.frame[2] - s.frame[0]} × ${s.frame[3] - s.frame[1]}` : ""}, ${counted(s.channels.size, "channel")}`);
   let text = about.join(". ") + ".";
   if (b() && a().fits(b())) {
     const shared = channelNames().filter((name) => a().channels.has(name) && b().channels.has(name));
     const apart = shared.filter((name) => comparisonOf(a().channels.get(name), b().channels.get(name)).unequal);
-    text += apart.length ? ` ${apart.length} of ${shared.length} shared channels differ.` : ` All ${shared.length} shared channels are equal, bit for bit.`;
+    const all = shared.length === 1 ? "The one shared channel is equal" : `All ${shared.length} shared channels are equal`;
+    text += apart.length ? ` ${apart.length} of ${counted(shared.length, "shared channel")} ${apart.length === 1 ? "differs" : "differ"}.` :
+      shared.length ? ` ${all}, bit for bit.` : " No channel is in both.";
   }
   byId("summary").textContent = text;
 }
@@ -278,7 +285,7 @@ function showControls() {
 function show() {
   showControls();
   showPanels(byId("pictures"), shownPanels(), { hover: hover, choose });
-  byId("stage").className = panels.length > 1 ? "many" : "one";
+  byId("stage").className = (panels.length > 1 ? "many" : "one") + (hasRanges() ? " ranged" : "");
   sizePanels();
   showLegend();
   showWorst();
@@ -319,7 +326,7 @@ function remember() {
 }
 function recall() {
   const parts = new URLSearchParams(location.hash.slice(1)), [x, y] = (parts.get("pixel") || "").split(",").map(Number);
-  state.choice = choices.find((choice) => choice.label === parts.get("channel")) || choices[0];
+  state.choice = choices.find((choice) => choice.label === parts.get("channel")) || firstChoice();
   if (views.some(([id]) => id === parts.get("view"))) state.view = parts.get("view");
   byId("channel").value = state.choice.label;
   if (Number.isInteger(x) && Number.isInteger(y)) state.kept = chosenPixel = { x, y };

@@ -14,7 +14,7 @@ vec4 pack_rgba8(uint bits) {
 // check byte. Two draws, or two halves of one target, carry a value.
 vec4 pack_rgb8(uint bits, uint high) {
     uint half_bits = (bits >> (16u * high)) & 65535u;
-    uint check = ((half_bits ^ (half_bits >> 8u)) & 255u) ^ (high == 0u ? 90u : 165u);
+    uint check = (3u * (half_bits & 255u) + 7u * (half_bits >> 8u) + (high == 0u ? 90u : 165u)) & 255u;
     return vec4(vec3(uvec3(half_bits & 255u, half_bits >> 8u, check)) / 255.0, 1.0);
 }
 

@@ -13,7 +13,7 @@ float4 pack_rgba8(uint bits) {
 // check byte. Two draws, or two halves of one target, carry a value.
 float4 pack_rgb8(uint bits, uint high) {
     uint half_bits = (bits >> (16 * high)) & 65535u;
-    uint check = ((half_bits ^ (half_bits >> 8)) & 255u) ^ (high == 0 ? 90u : 165u);
+    uint check = (3u * (half_bits & 255u) + 7u * (half_bits >> 8) + (high == 0 ? 90u : 165u)) & 255u;
     return float4(float3(uint3(half_bits & 255u, half_bits >> 8, check)) / 255.0, 1.0);
 }
 

@@ -13,7 +13,7 @@ fn pack_rgba8(bits: u32) -> vec4f {
 // check byte. Two draws, or two halves of one target, carry a value.
 fn pack_rgb8(bits: u32, high: u32) -> vec4f {
     let half_bits = (bits >> (16u * high)) & 65535u;
-    let check = ((half_bits ^ (half_bits >> 8u)) & 255u) ^ select(165u, 90u, high == 0u);
+    let check = (3u * (half_bits & 255u) + 7u * (half_bits >> 8u) + select(165u, 90u, high == 0u)) & 255u;
     return vec4f(vec3f(vec3u(half_bits & 255u, half_bits >> 8u, check)) / 255.0, 1.0);
 }
 

@@ -68,7 +68,8 @@ struct ChannelReport {
     std::uint64_t nan_mismatches = 0;       ///< of these: NaN on one side only
     std::uint64_t infinite_mismatches = 0;  ///< of these: infinite on one side only, or other signs
     double max_abs = 0, mean_abs = 0, rms = 0;
-    /// Peak signal-to-noise ratio in dB for a peak of 1: -20 log10(rms); +inf if rms is 0.
+    /// Peak signal-to-noise ratio in dB for a peak of 1: -20 log10(rms); +inf if rms is 0,
+    /// NaN if it is and there are pixels of which one side alone is finite.
     double psnr = 0;
     std::uint32_t max_ulp = 0;  ///< in units of the encoding; floats only
     /// The worst pixels beyond the tolerance: a NaN on one side before anything infinite before any

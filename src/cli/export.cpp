@@ -105,6 +105,8 @@ void set_parameter(std::vector<ChosenStage>& stages, const std::string& text) {
     std::vector<std::string> known;
     for (const ChosenStage& stage : stages)
         for (const ParameterText& of : stage.stage->parameters) known.emplace_back(of.name);
+    if (std::find(known.begin(), known.end(), text) != known.end())
+        throw UsageError(fmt::format("-D: found \"{}\", expected {}=VALUE", text, text));
     throw UsageError(
         fmt::format("-D: found \"{}\", expected {}=VALUE", text,
                     known.empty() ? "no parameter of this stage, NAME" : one_of(name, known)));
@@ -169,6 +171,8 @@ void check_inputs(const InputRecord& inputs, const std::filesystem::path& folder
 }
 
 ExitCode write_scene(const ExportArguments& arguments) {
+    if (arguments.language == "wgsl")
+        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a scene");
     if (arguments.output.empty()) throw UsageError("export: expected -o DIR for a scene");
     if (arguments.output == "-")
         throw UsageError("-o: found -, expected the name of a folder for a scene");
@@ -196,8 +200,6 @@ ExitCode run_export(const ExportArguments& arguments) {
     if (arguments.list) return list_stages();
     if (arguments.snippets.given())
         return run_snippets(arguments.snippets, arguments.language, arguments.output);
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl here");
     if (!arguments.scene.empty()) return write_scene(arguments);
     if (!arguments.stages.empty()) return write_stages(arguments);
     throw UsageError("export: expected a SCENE, --stage ID, --list, --snippets or --pattern");
@@ -206,6 +208,8 @@ ExitCode run_export(const ExportArguments& arguments) {
 void add_stage_options(CLI::App& verb, ExportArguments& a) {
     verb.add_option("--stage", a.stages, "linear, or trace/linear; repeatable: one file with all")
         ->allow_extra_args(false);
+    verb.add_flag("--uniforms", a.plain.uniforms,
+                  "parameters are uniforms where they can be (default: constants)");
     verb.add_option("--side", a.plain.side, "of the maps in texels, which searches of cells know")
         ->check(whole_number(1, 16384))
         ->capture_default_str();
@@ -254,8 +258,8 @@ void add_export(CLI::App& app, Action& action) {
         ->type_name("DIR|FILE");
     verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
-    const std::vector<const char*> of_stages = {"--side", "--wrap", "--seat", "--lights",
-                                                "--light"};
+    const std::vector<const char*> of_stages = {"--uniforms", "--side",   "--wrap",
+                                                "--seat",     "--lights", "--light"};
     const auto exclude = [&](const char* form, std::initializer_list<const char*> others) {
         for (const char* const other : others) verb->get_option(form)->excludes(other);
     };

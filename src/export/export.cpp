@@ -60,6 +60,7 @@ std::string export_stages(std::span<const StageUse> stages, const ExportOptions&
         options.wrap_u,
         options.wrap_v,
         options.seat,
+        options.uniforms ? 1 : 0,
         [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
         &text};
     if (!export_table().write(&request)) throw UsageError("export: " + text);

@@ -19,6 +19,7 @@ struct ExportOptions {
     int lights = 2;
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;  ///< of the maps
     float seat = 1;                                     ///< height at which the polygon lies
+    bool uniforms = false;  ///< parameters are uniforms where they can be, not constants
 };
 
 struct ExportRow {

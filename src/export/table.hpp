@@ -31,6 +31,7 @@ struct ExportRequest {
     std::int32_t lights;
     Wrap wrap_u, wrap_v;  ///< of the maps
     float seat;
+    std::int32_t uniforms;  ///< 1: parameters are uniforms where they can be; 0: constants
     /// Receives the text, or why there is none.
     void (*put)(void* to, const char* text);
     void* to;

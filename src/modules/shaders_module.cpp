@@ -26,7 +26,9 @@ std::string written(const ExportRequest& request) {
         scene.light = use.light;
         FunctionText function;
         try {
-            function = write_stage(stage, scene, use.params, {}, *dialect);
+            function = write_stage(
+                stage, scene, use.params, {}, *dialect, "",
+                request.uniforms != 0 ? ParametersAs::uniforms : ParametersAs::constants);
         } catch (const RecordingError& error) {
             throw RecordingError(std::string(use.id) + ": " + error.what());
         }
@@ -103,9 +105,9 @@ void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
 
 extern "C" __attribute__((visibility("default"))) const quadrel::ExportTable*
 quadrel_export_table() {
-    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl"};
+    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl", "wgsl"};
     static constexpr quadrel::ExportTable table{
-        quadrel::export_magic, quadrel::export_abi_version, languages, 3, &quadrel::list_stages,
+        quadrel::export_magic, quadrel::export_abi_version, languages, 4, &quadrel::list_stages,
         &quadrel::write,       &quadrel::write_program};
     return &table;
 }

@@ -25,8 +25,10 @@ Json channel_json(const ViewSource& source, const Plane& plane, const Plane* ear
             {"type", plane.type == ChannelType::uint32 ? "uint32" : "float32"},
             {"stored", storage_name(source.image.stored.at(plane.name))},
             {"against", earlier != nullptr},
-            {"bits", earlier != nullptr ? packed_bits(plane.bits, earlier->bits)
-                                        : packed_bits(plane.bits)}};
+            {"bits", packed_bits(plane.bits,
+                                 earlier != nullptr ? std::span<const std::uint32_t>(earlier->bits)
+                                                    : std::span<const std::uint32_t>(),
+                                 static_cast<std::size_t>(source.image.film.window.width()))}};
 }
 
 Json source_json(const ViewSource& source, const ViewSource* earlier) {

@@ -28,6 +28,43 @@ TEST(ExportCommand, WritesAFunctionWithItsParametersByName) {
     EXPECT_EQ(run({"export", "--stage", "linear", "-D", "steps=64"}).out, outcome.out);
     const std::string hlsl = run({"export", "--stage", "linear", "--language", "hlsl"}).out;
     EXPECT_TRUE(says(hlsl, "height_map.SampleGrad(height_map_sampler, ")) << hlsl;
+    const std::string wgsl = run({"export", "--stage", "linear", "--language", "wgsl"}).out;
+    EXPECT_TRUE(says(wgsl, "textureSampleGrad(height_map, height_map_sampler, ")) << wgsl;
+    EXPECT_TRUE(says(wgsl, ") -> TraceLinear {")) << wgsl;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++count;
+    return count;
+}
+
+/// What a text computes by a function of its own is one in the shader, under its name.
+TEST(ExportCommand, HelpersAreFunctions) {
+    const std::string text = run({"export", "--stage", "max-mip"}).out;
+    EXPECT_EQ(count_of(text, "\nfloat max_mip_exit("), 1u) << text;
+    EXPECT_GE(count_of(text, " = max_mip_exit("), 2u) << text;
+    const std::string wgsl = run({"export", "--stage", "max-mip", "--language", "wgsl"}).out;
+    EXPECT_EQ(count_of(wgsl, "\nfn max_mip_exit("), 1u) << wgsl;
+}
+
+TEST(ExportCommand, UniformsStandForParameters) {
+    for (const char* const stage : {"linear", "steep", "pom", "relief-binary"}) {
+        const std::string text = run({"export", "--stage", stage, "--uniforms"}).out;
+        EXPECT_TRUE(says(text, "uniform int ")) << text;
+        EXPECT_FALSE(says(text, "const int steps")) << text;
+    }
+    // Their values are no part of the text.
+    const Words with = {"export", "--stage", "linear", "--uniforms", "-D", "steps=77"};
+    EXPECT_EQ(run(with).out, run({"export", "--stage", "linear", "--uniforms"}).out);
+}
+
+TEST(ExportCommand, SaysWhatParametersAreAndWhichAreWrittenIn) {
+    const std::string text = run({"export", "--stage", "linear"}).out;
+    EXPECT_TRUE(says(text, "; 1 to ")) << text;
+    const std::string babylon = run({"export", "--stage", "babylon"}).out;
+    EXPECT_TRUE(says(babylon, "// Written for ")) << babylon;
 }
 
 TEST(ExportCommand, WritesAFile) {
@@ -151,6 +188,8 @@ TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
                            {"export", "--snippets", "--stage", "linear"},
                            {"export", "--snippets", "-D", "steps=3"}};
     for (const Words& words : wrong) EXPECT_EQ(run(words).code, 2) << words.back();
+    const Outcome bare = run({"export", "--stage", "linear", "-D", "steps"});
+    EXPECT_TRUE(says(bare.err, "found \"steps\", expected steps=VALUE")) << bare.err;
 }
 
 }  // namespace

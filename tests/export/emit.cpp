@@ -1,4 +1,5 @@
-// Writes all stages that can be exported for the tests, as C++ and in each language as one shader:
+// Writes all stages that can be exported for the tests, as C++, in each language as one shader, and
+// as a shader each in WGSL:
 //
 //     quadrel-emit-functions OUTPUT.cpp FOLDER
 #include <algorithm>
@@ -66,9 +67,9 @@ bool uses_neighbours(const std::string& text) {
 }
 
 /// The row of a table.
-std::string row_of(const FunctionText& function, const char* id) {
+std::string row_of(const FunctionText& function, const char* id, const std::string& space = "") {
     return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
-           ", glsl::run_" + function.name + "}";
+           ", glsl::" + space + "run_" + function.name + "}";
 }
 
 /// An error of a printer: what it writes in the place of what is right.
@@ -81,7 +82,7 @@ constexpr Planted all_planted[] = {
     {"linear", "i <= steps", "i < steps", "one step less"},
     {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
-    {"max-mip", ": INFINITY;", ": -INFINITY;", "an infinity of the other sign"},
+    {"max-mip", ": INFINITY;\n}", ": -INFINITY;\n}", "an infinity of the other sign"},
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
@@ -118,24 +119,77 @@ class Emitter {
         function.text = with_error(function.text, planted);
         if (function.text.empty())
             throw RecordingError(std::string(planted.id) + " has no " + planted.right);
-        const std::string name = function.name + "_planted" + std::to_string(planted_++);
-        for (std::size_t at = function.text.find(function.name + "("); at != std::string::npos;
-             at = function.text.find(function.name + "(", at + name.size()))
-            function.text.replace(at, function.name.size(), name);
-        function.name = name;
+        const std::string space = "planted" + std::to_string(planted_++);
+        out_ << "namespace " << space << " {\n";
         write_function(out_, function, dialect_);
-        planted_rows_ += "    {" + row_of(function, planted.id) + ", \"" + planted.what + "\"},\n";
+        out_ << "}\n";
+        planted_rows_ +=
+            "    {" + row_of(function, planted.id, space + "::") + ", \"" + planted.what + "\"},\n";
+    }
+
+    /// The function with other numbers in the places of its constants.
+    void edit(const RecordedStage& stage) {
+        FunctionText function;
+        try {
+            function = write_stage(stage, scene_, nullptr, {}, dialect_);
+        } catch (const RecordingError&) {
+            return;
+        }
+        std::string values;
+        int count = 0;
+        for (const Parameter& constant : function.parameters) {
+            const ParameterText& parameter = parameter_of(stage, constant);
+            const double value = other_value(constant, parameter);
+            put(function.text, constant, value);
+            char number[64];
+            std::snprintf(number, sizeof number, "%a", value);
+            values += "{\"" + std::string(parameter.name) + "\", " + number + "}, ";
+            ++count;
+        }
+        if (count == 0) return;
+        const std::string space = "edited" + std::to_string(edited_++);
+        out_ << "namespace " << space << " {\n"
+             << "const EditedParameter parameters[] = {" << values << "};\n";
+        write_function(out_, function, dialect_);
+        out_ << "}\n";
+        edited_rows_ += "    {" + row_of(function, stage.text->id, space + "::") +
+                        ", glsl::" + space + "::parameters, " + std::to_string(count) + "},\n";
     }
 
     void finish() {
         out_ << "}  // namespace quadrel::glsl\n\nnamespace quadrel::export_tests {\n";
         table("ExportedFunction", "exported_functions", "exported_count", rows_);
         table("PlantedFunction", "planted_functions", "planted_count", planted_rows_);
+        table("EditedFunction", "edited_functions", "edited_count", edited_rows_);
         table("NotExported", "not_exported", "not_exported_count", reasons_);
         out_ << "}\n";
     }
 
   private:
+    static const ParameterText& parameter_of(const RecordedStage& stage, const Parameter& of) {
+        for (int i = 0; i < stage.parameter_count; ++i) {
+            const std::string name = as_word(stage.parameters[i].name);
+            if (of.name == name || of.name == name + "_") return stage.parameters[i];
+        }
+        throw RecordingError(of.name + " is no parameter");
+    }
+    static double other_value(const Parameter& of, const ParameterText& parameter) {
+        if (of.type == Type::integer) return std::min(of.value + 3, parameter.maximum);
+        return static_cast<float>(of.value + 0.125 * (std::min(parameter.maximum, 8.0) - of.value));
+    }
+    /// Changes the constant in a text.
+    void put(std::string& text, const Parameter& of, double value) const {
+        const auto constant = [&](double number) {
+            return dialect_.parameter(of.type, of.name,
+                                      of.type == Type::integer
+                                          ? std::to_string(static_cast<int>(number))
+                                          : dialect_.real(static_cast<float>(number)));
+        };
+        const std::size_t at = text.find(constant(of.value));
+        if (at == std::string::npos) throw RecordingError(of.name + " is no constant");
+        text.replace(at, constant(of.value).size(), constant(value));
+    }
+
     void table(const char* type, const char* name, const char* count, const std::string& rows) {
         out_ << "const " << type << " " << name << "[] = {\n"
              << rows << "};\nconst int " << count << " = "
@@ -145,8 +199,8 @@ class Emitter {
     std::ostream& out_;
     const Dialect& dialect_;
     ShaderScene scene_;
-    std::string rows_, planted_rows_, reasons_;
-    int planted_ = 0;
+    std::string rows_, planted_rows_, edited_rows_, reasons_;
+    int planted_ = 0, edited_ = 0;
 };
 
 void write_all(std::ostream& out) {
@@ -154,23 +208,44 @@ void write_all(std::ostream& out) {
     Emitter emitter(out, *dialect);
     for (const RecordedStage& stage : all_recorded_stages()) emitter.emit(stage);
     for (const Planted& planted : all_planted) emitter.plant(planted);
+    for (const RecordedStage& stage : all_recorded_stages())
+        if (stage.parameter_count > 0) emitter.edit(stage);
     emitter.finish();
 }
 
 /// All functions in one file, which a compiler of that language takes.
-void write_shader(std::ostream& out, const char* language, const char* main) {
+void write_shader(std::ostream& out, const char* language, const char* main,
+                  ParametersAs parameters = ParametersAs::constants) {
     const auto dialect = find_dialect(language);
     const ShaderScene scene = plain_scene({exported_side, exported_lights});
     FunctionText all;
     for (const RecordedStage& stage : all_recorded_stages()) {
         try {
-            const FunctionText function = write_stage(stage, scene, nullptr, {}, *dialect);
+            const FunctionText function =
+                write_stage(stage, scene, nullptr, {}, *dialect, "", parameters);
             all.text += function.text + "\n";
             add_uniforms(all.uniforms, function.uniforms);
         } catch (const RecordingError&) {  // the other program's table has it
         }
     }
     out << whole_file(all.text, all.uniforms, *dialect) << main;
+}
+
+/// A file each, behind a line with its stage's name. Odd ones have uniforms for parameters.
+void write_each(std::ostream& out, const char* language) {
+    const auto dialect = find_dialect(language);
+    const ShaderScene scene = plain_scene({exported_side, exported_lights});
+    int number = 0;
+    for (const RecordedStage& stage : all_recorded_stages()) {
+        try {
+            const FunctionText function =
+                write_stage(stage, scene, nullptr, {}, *dialect, "",
+                            number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
+            out << "=== " << stage.text->id << "\n"
+                << whole_file(function.text, function.uniforms, *dialect);
+        } catch (const RecordingError&) {  // the other program's table has it
+        }
+    }
 }
 
 }  // namespace
@@ -186,11 +261,15 @@ int main(int argc, char** argv) {
     try {
         write_all(out);
         std::ofstream glsl(folder + "/all.glsl.frag"), es(folder + "/all.es.frag"),
-            hlsl(folder + "/all.hlsl.frag");
+            hlsl(folder + "/all.hlsl.frag"), uniforms(folder + "/all.uniforms.frag"),
+            wgsl(folder + "/each.wgsl");
         write_shader(glsl, "glsl", "void main() {}\n");
         write_shader(es, "glsl-es", "void main() {}\n");
         write_shader(hlsl, "hlsl", "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n");
-        if (!glsl.flush() || !es.flush() || !hlsl.flush()) return 1;
+        write_shader(uniforms, "glsl", "void main() {}\n", ParametersAs::uniforms);
+        write_each(wgsl, "wgsl");
+        for (std::ofstream* of : {&glsl, &es, &hlsl, &uniforms, &wgsl})
+            if (!of->flush()) return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <span>
 
 #include "export/exported.hpp"
 #include "export/fragments.hpp"
@@ -26,9 +27,10 @@ class Comparison {
     }
 
     /// What differs first; empty if nothing does.
-    std::string difference(const ExportedFunction& function) {
+    std::string difference(const ExportedFunction& function,
+                           std::span<const EditedParameter> edits = {}) {
         bind_maps(function.uses_neighbours);
-        run_stage_itself(*find_stage(function.id));
+        run_stage_itself(*find_stage(function.id), edits);
         for (int lane = 0; lane < compared_lanes; lane += 4) run_quad(function, lane);
         return compared();
     }
@@ -46,9 +48,12 @@ class Comparison {
         glsl::height_map_nearest.map = &nearest_;
     }
 
-    void run_stage_itself(const StageInfo& stage) {
+    void run_stage_itself(const StageInfo& stage, std::span<const EditedParameter> edits) {
         std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
         stage.set_defaults(params.data());
+        for (const EditedParameter& edit : edits)
+            for (const ParameterText& of : stage.parameters)
+                if (std::string_view(of.name) == edit.name) of.set(params.data(), edit.value);
         // Inputs first: a stage may store what others load.
         for (int slot = 0; slot < slot_count; ++slot)
             std::copy_n(inputs_.at(slot), batch_lanes, expected_.at(slot));
@@ -134,6 +139,21 @@ TEST(Export, FunctionsHaveTheBitsOfTheirStages) {
     Comparison comparison(1);
     for (int i = 0; i < exported_count; ++i)
         EXPECT_EQ(comparison.difference(exported_functions[i]), "") << exported_functions[i].id;
+}
+
+/// A constant at a function's top is the parameter, wherever the text has it.
+TEST(Export, ConstantsAreTheParameters) {
+    Comparison comparison(2);
+    int unlike = 0;
+    for (int i = 0; i < edited_count; ++i) {
+        const EditedFunction& edited = edited_functions[i];
+        const std::span parameters(edited.parameters, static_cast<std::size_t>(edited.count));
+        EXPECT_EQ(comparison.difference(edited.function, parameters), "") << edited.function.id;
+        if (!comparison.difference(edited.function).empty()) ++unlike;
+    }
+    EXPECT_GT(edited_count, 50);
+    // Without them most are other functions.
+    EXPECT_GT(2 * unlike, edited_count);
 }
 
 TEST(Export, ErrorsOfAPrinterAreFound) {

@@ -28,6 +28,19 @@ struct PlantedFunction {
 extern const PlantedFunction planted_functions[];
 extern const int planted_count;
 
+/// Functions whose constants for parameters are changed in their text, and to what.
+struct EditedParameter {
+    const char* name;
+    double value;
+};
+struct EditedFunction {
+    ExportedFunction function;
+    const EditedParameter* parameters;
+    int count;
+};
+extern const EditedFunction edited_functions[];
+extern const int edited_count;
+
 /// A stage that no function was made of, and why.
 struct NotExported {
     const char* id;

@@ -9,6 +9,7 @@
 #include "quadrel/num/functions.hpp"
 #include "quadrel/num/math.hpp"
 #include "quadrel/quad/uniforms.hpp"
+#include "quadrel/quad/value.hpp"
 #include "quadrel/texture/cube.hpp"
 #include "quadrel/texture/sampler.hpp"
 
@@ -21,6 +22,9 @@ using Packet = Quad<float>;
 
 inline constexpr int STATUS_NONE = 0, STATUS_HIT = 1, STATUS_FLOOR = 2, STATUS_CAP = 3,
                      STATUS_CLIP = 4, STATUS_NO_FRAME = 5, STATUS_NAN = 6, STATUS_OUTSIDE = 7;
+inline constexpr int FLAG_DEGENERATE_UV = HitFlag::uv_degenerate,
+                     FLAG_AMBIGUOUS = HitFlag::ambiguous, FLAG_START_BELOW = HitFlag::start_below,
+                     FLAG_WRAPPED = HitFlag::wrapped, FLAG_NAN_LOOK_UP = HitFlag::nan_look_up;
 
 inline vec2 xy(const vec3& v) { return {v.x, v.y}; }
 inline vec2 xy(const vec4& v) { return {v.x, v.y}; }

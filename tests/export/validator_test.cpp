@@ -13,6 +13,7 @@ struct Language {
 };
 constexpr Language languages[] = {{"all.glsl.frag", "-S frag"},
                                   {"all.es.frag", "-S frag"},
+                                  {"all.uniforms.frag", "-S frag"},
                                   {"all.hlsl.frag", "-D -V -S frag -e main -o /dev/null"}};
 
 bool is_valid(const std::string& file, const std::string& options) {

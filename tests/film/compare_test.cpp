@@ -160,6 +160,11 @@ TEST(Compare, ReportsStatisticsAndTheWorstPixel) {
     EXPECT_EQ(with_nan.worst[0].x, 10);
     EXPECT_EQ(with_nan.max_abs, 2.0);
     EXPECT_EQ(with_nan.mean_abs, 2.5 / 7);
+    EXPECT_TRUE(std::isfinite(with_nan.psnr));
+    Film lost = a;
+    EXPECT_EQ(compare(a, lost).channels[0].psnr, INFINITY);
+    lost.planes[0].bits[0] = bits(NAN);
+    EXPECT_TRUE(std::isnan(compare(a, lost).channels[0].psnr));
 }
 
 /// 13 pixels differ by 1 to 13 steps, in some order; the worst ten come first, largest first.

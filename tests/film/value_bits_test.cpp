@@ -62,8 +62,8 @@ ComparableImage rgb8(const Plane& plane, bool with_alpha = false) {
         return x < 17 ? plane.bits[from] % 65536 : plane.bits[from] / 65536;
     };
     const auto check = [half](std::size_t i) {
-        const std::uint32_t sum = half(i) % 256 ^ half(i) / 256;
-        return sum ^ (i % 34 < 17 ? 90u : 165u);
+        const std::uint32_t sum = half(i) % 256 * 3 + half(i) / 256 * 7;
+        return (sum + (i % 34 < 17 ? 90 : 165)) % 256;
     };
     std::vector<std::pair<std::string, Code>> channels = {
         {"R", [half](std::size_t i) { return half(i) % 256; }},
@@ -102,6 +102,17 @@ TEST(ValueBits, ComeBackFromEveryLayout) {
                 image_of(17, 13, {{"R", bits_from(plane, 0, 16)}, {"G", bits_from(plane, 16, 16)}},
                          65535, storage);
             EXPECT_TRUE(comes_back(decoded(image, "rg16" + channel, film), film));
+            if (storage != Storage::unorm16) continue;
+            const auto opaque = image_of(
+                17, 13,
+                {{"B", [](std::size_t) { return 0; }}, {"A", [](std::size_t) { return 65535; }}},
+                65535, storage);
+            ComparableImage four = image;
+            for (const Plane& plane_of : opaque.film.planes) {
+                four.film.planes.push_back(plane_of);
+                four.stored[plane_of.name] = storage;
+            }
+            EXPECT_TRUE(comes_back(decoded(four, "bits" + channel, film), film));
         }
     }
 }
@@ -127,6 +138,9 @@ TEST(ValueBits, ComeBackFromTenBits) {
                                                : std::floor(std::bit_cast<float>(word) * 65535) /
                                                      65535);
         EXPECT_TRUE(comes_back(decoded(image, "rgb10a2:Z", film), film));
+        if (storage == Storage::unorm16) {
+            EXPECT_TRUE(comes_back(decoded(image, "bits:Z", film), film));
+        }
     }
 }
 
@@ -210,6 +224,13 @@ TEST(ValueBits, WhatIsNoCarrierIsRefused) {
     for (const auto& [error, spoil] : spoils)
         EXPECT_TRUE(says(refusal(changed(right, spoil), "rgb8:R"), "the check byte"))
             << static_cast<int>(error);
+    const char* const orders[] = {"BGR", "GRB", "RBG", "GBR", "BRG"};
+    for (const char* order : orders) {
+        ComparableImage other = right;
+        for (std::size_t i = 0; i < 3; ++i)
+            other.film.find(std::string(1, order[i]))->bits = right.film.planes[i].bits;
+        EXPECT_TRUE(says(refusal(other, "rgb8:R"), "the check byte")) << order;
+    }
     EXPECT_TRUE(says(refusal(changed(right, [](float v) { return v * 0.999f; }), "rgb8:R"),
                      "a code of 8 bits"));
 }

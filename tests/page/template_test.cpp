@@ -41,5 +41,13 @@ TEST(Bits, EqualOnesTakeNoRoom) {
     EXPECT_LT(page::packed_bits(bits, bits).size(), 100u);
 }
 
+/// What bends from row to row is what its neighbours say.
+TEST(Bits, SlopesTakeLessInRows) {
+    std::vector<std::uint32_t> bits(4096);
+    for (std::uint32_t i = 0; i < bits.size(); ++i)
+        bits[i] = 0x3f800000u + i % 64 * (i % 64) * (i / 64) * 7919;
+    EXPECT_LT(page::packed_bits(bits, {}, 64).size(), page::packed_bits(bits).size() / 4);
+}
+
 }  // namespace
 }  // namespace quadrel::page_tests

@@ -134,6 +134,17 @@ TEST_F(View, ShowsTheBitsOfBothImagesAndVerdicts) {
     EXPECT_FALSE(counts_verdicts(text, film, other)) << static_cast<int>(PageError::wrong_verdict);
 }
 
+TEST_F(View, OpensOnWhatBothHave) {
+    std::erase_if(other.planes, [](const Plane& plane) { return plane.name != "hit.P.X"; });
+    write_two();
+    const char* const lacks = "id=\"worst-lead\">One of the images lacks this channel";
+    const std::string text = dom("");
+    EXPECT_EQ(text.find(lacks), std::string::npos);
+    EXPECT_NE(text.find(", 1 channel. 1 of 1 shared channel differs."), std::string::npos);
+    // A channel that one of them alone has is shown when asked for.
+    EXPECT_NE(dom("#channel=R").find(lacks), std::string::npos);
+}
+
 TEST_F(View, NoticesDamage) {
     write_two();
     std::string html = testing_films::file_bytes(folder / "view.html");

@@ -99,6 +99,20 @@ inline std::string shader_name(Value value, int light = 0, const char* part = ""
     return name + part;
 }
 
+/// A bit of hit.flags under its name. Texts that are annotated (src/tools/annotate) have it where
+/// they say Int<F>(HitFlag::...).
+template <Number F>
+Int<F> hit_flag(std::int32_t bit) {
+    static_assert(std::same_as<F, Shader>);
+    std::string name = "FLAG_";
+    for (const HitFlagName& of : hit_flag_names)
+        if (of.bit == bit)
+            for (const char c : of.name)
+                name +=
+                    c == '-' ? '_' : static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+    return Int<F>(recorded::Recorder::current().symbol(recorded::Type::integer, name));
+}
+
 template <class Stage>
 class StageIo<Stage, Shader> {
   public:

@@ -64,9 +64,9 @@ class BakedLookUp<slot, channels, StageIo<Stage, Shader>, what> {
     Texel<channels, Shader> operator()(const ShaderMask&, const vec2<Shader>& uv,
                                        const ShaderInt& layer) const {
         using namespace recorded;
-        const vec3<Shader> at(uv.x, uv.y, to_float<Shader>(layer));
-        return texel(
-            look_up("textureLod", map_, {pack<3>(at), literal(Type::real, 0)}, "sampler2DArray"));
+        return texel(look_up("textureLayer", map_,
+                             {pack<2>(uv), layer.node(), literal(Type::real, 0)},
+                             "sampler2DArray"));
     }
     vec2<Shader> size() const { return TexelSize<Shader>(map_).texels; }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "export/print/hlsl.hpp"
+#include "export/print/wgsl.hpp"
 
 namespace quadrel::recorded {
 
@@ -49,8 +50,15 @@ std::string Dialect::call(const Node& node, const std::vector<std::string>& argu
     if (node.text == "textureSize")
         return "textureSize(" + arguments[0] + ", " + arguments[1] + ")" +
                (arguments[2] == "0" ? ".x" : ".y");
+    if (node.text == "textureLayer")
+        return "textureLod(" + arguments[0] + ", " + type(Type::vec3) + "(" + arguments[1] + ", " +
+               "float(" + arguments[2] + ")), " + arguments[3] + ")";
     return node.text + "(" + join(arguments) + ")";
 }
+
+int Dialect::operand_level(const Node&, const Node&, int otherwise) const { return otherwise; }
+
+std::string Dialect::shift_count(const Node&, const std::string& text) const { return text; }
 
 std::string Dialect::choice(const std::string& condition, const std::string& a,
                             const std::string& b) const {
@@ -73,11 +81,24 @@ std::string Dialect::parameter(Type of, const std::string& name, const std::stri
 }
 
 std::string Dialect::counted_loop(const std::string& index, const std::string& first,
-                                  const std::string& last) const {
-    return "for (int " + index + " = " + first + "; " + index + " <= " + last + "; ++" + index +
-           ") {";
+                                  const std::string& condition) const {
+    return "for (int " + index + " = " + first + "; " + condition + "; ++" + index + ") {";
 }
 std::string Dialect::endless_loop() const { return "for (;;) {"; }
+
+std::string Dialect::guarded(const std::string& head, const std::string& statement) const {
+    return head + " " + statement;
+}
+
+std::string Dialect::declarations(const std::string&, const std::vector<Named>&) const {
+    return "";
+}
+std::string Dialect::first_line(const std::string&) const { return ""; }
+std::string Dialect::last_line() const { return ""; }
+
+std::string Dialect::store(const std::string& output, const std::string& value) const {
+    return output + " = " + value + ";";
+}
 
 std::string Dialect::head(const std::string& name, const std::vector<Named>& inputs,
                           const std::vector<Named>& outputs) const {
@@ -87,10 +108,26 @@ std::string Dialect::head(const std::string& name, const std::vector<Named>& inp
     return "void " + name + "(" + join(parameters) + ") {";
 }
 
+std::string Dialect::helper_head(Type result, const std::string& name,
+                                 const std::vector<Named>& inputs) const {
+    std::vector<std::string> parameters;
+    for (const Named& of : inputs) parameters.push_back(type(of.type) + " " + of.name);
+    return type(result) + " " + name + "(" + join(parameters) + ") {";
+}
+
 std::string Dialect::uniform(const Uniform& uniform) const {
     const std::string count = uniform.count > 0 ? "[" + std::to_string(uniform.count) + "]" : "";
     return "uniform " + uniform.type + " " + uniform.name + count + ";";
 }
+
+std::string Dialect::uniforms(const std::vector<Uniform>& all, const std::string&) const {
+    std::string lines;
+    for (const Uniform& of : all)
+        lines += uniform(of) + (of.comment.empty() ? "" : "  // " + of.comment) + "\n";
+    return lines;
+}
+
+std::string Dialect::use_of(const Uniform&, const std::string& text) const { return text; }
 
 bool Dialect::has_word(const std::string& text, const std::string& word) {
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
@@ -109,6 +146,10 @@ std::string Dialect::prelude(const std::string& text) const {
          "// hit_status and frame_status\n"
          "const int STATUS_NONE = 0, STATUS_HIT = 1, STATUS_FLOOR = 2, STATUS_CAP = 3;\n"
          "const int STATUS_CLIP = 4, STATUS_NO_FRAME = 5, STATUS_NAN = 6, STATUS_OUTSIDE = 7;\n"},
+        {"FLAG_",
+         "// bits of hit_flags and frame_flags\n"
+         "const int FLAG_DEGENERATE_UV = 1, FLAG_AMBIGUOUS = 2, FLAG_START_BELOW = 4;\n"
+         "const int FLAG_WRAPPED = 8, FLAG_NAN_LOOK_UP = 32;\n"},
         {"INFINITY", "#define INFINITY intBitsToFloat(0x7f800000)\n"},
         {"NAN", "#define NAN intBitsToFloat(0x7fc00000)\n"},
         {"power_of_two(",
@@ -196,6 +237,7 @@ std::unique_ptr<Dialect> made() {
 const DialectRow dialects[] = {{"glsl", made<Dialect>},
                                {"glsl-es", made<EsDialect>},
                                {"hlsl", made<HlslDialect>},
+                               {"wgsl", made<WgslDialect>},
                                {"c++", made<CppDialect>}};
 
 }  // namespace
@@ -214,28 +256,45 @@ std::vector<std::string> dialect_names() {
 
 bool is_reserved(const std::string& word) {
     static const char* const words[] = {
-        "active",    "alignas",  "as",        "asm",       "auto",        "bool",     "break",
-        "case",      "cast",     "centroid",  "class",     "clip",        "common",   "const",
-        "continue",  "cross",    "default",   "discard",   "distance",    "do",       "dot",
-        "double",    "else",     "enum",      "exp",       "export",      "extern",   "external",
-        "false",     "filter",   "fixed",     "flat",      "float",       "floor",    "fn",
-        "for",       "fract",    "frac",      "from",      "goto",        "half",     "highp",
-        "if",        "in",       "inline",    "inout",     "input",       "int",      "interface",
-        "invariant", "layout",   "length",    "let",       "lerp",        "line",     "linear",
-        "log",       "long",     "loop",      "lowp",      "matrix",      "max",      "mediump",
-        "min",       "mix",      "mod",       "move",      "namespace",   "new",      "noise",
-        "normalize", "not",      "of",        "operator",  "or",          "and",      "out",
-        "output",    "override", "packed",    "partition", "pass",        "patch",    "point",
-        "pow",       "precise",  "precision", "private",   "public",      "ref",      "reflect",
-        "refract",   "register", "resource",  "return",    "sample",      "sampler",  "saturate",
-        "self",      "set",      "shader",    "shared",    "short",       "sign",     "signed",
-        "sizeof",    "smooth",   "sqrt",      "static",    "step",        "struct",   "superp",
-        "switch",    "target",   "template",  "texture",   "this",        "triangle", "true",
-        "type",      "typedef",  "uniform",   "union",     "unsigned",    "using",    "var",
-        "varying",   "vector",   "virtual",   "void",      "volatile",    "where",    "while",
-        "with",      "xor",      "yield",     "exponent",  "significand", "copysign", "abs",
-        "trunc",     "ceil",     "clamp",     "select",    "all",         "any",      "transpose",
-        "inverse",   "uint",     "ptr",       "array",     "atomic",      "storage",  "workgroup"};
+        "abs",        "abstract",    "acos",       "active",     "alias",       "alignas",
+        "all",        "and",         "any",        "array",      "as",          "asin",
+        "asm",        "async",       "atan",       "atomic",     "attribute",   "auto",
+        "await",      "become",      "bitcast",    "bool",       "break",       "case",
+        "cast",       "catch",       "ceil",       "centroid",   "clamp",       "class",
+        "clip",       "coherent",    "common",     "concept",    "const",       "continue",
+        "continuing", "copysign",    "cos",        "crate",      "cross",       "debugger",
+        "default",    "delete",      "demote",     "diagnostic", "discard",     "distance",
+        "do",         "dot",         "double",     "dpdx",       "dpdy",        "else",
+        "enable",     "enum",        "exp",        "exp2",       "explicit",    "exponent",
+        "export",     "extends",     "extern",     "external",   "fallthrough", "false",
+        "filter",     "final",       "finally",    "fixed",      "flat",        "float",
+        "floor",      "fma",         "fn",         "for",        "frac",        "fract",
+        "friend",     "from",        "get",        "goto",       "half",        "highp",
+        "if",         "impl",        "implements", "import",     "in",          "infinity",
+        "inline",     "inout",       "input",      "int",        "interface",   "invariant",
+        "inverse",    "inversesqrt", "layout",     "length",     "lerp",        "let",
+        "line",       "linear",      "log",        "log2",       "long",        "loop",
+        "lowp",       "macro",       "match",      "matrix",     "max",         "mediump",
+        "meta",       "min",         "mix",        "mod",        "module",      "modulo",
+        "move",       "mut",         "mutable",    "namespace",  "nan",         "new",
+        "nil",        "noise",       "normalize",  "not",        "null",        "nullptr",
+        "of",         "operator",    "or",         "out",        "output",      "override",
+        "package",    "packed",      "partition",  "pass",       "patch",       "point",
+        "pow",        "precise",     "precision",  "priv",       "private",     "protected",
+        "ptr",        "pub",         "public",     "readonly",   "ref",         "reflect",
+        "refract",    "register",    "require",    "requires",   "resource",    "restrict",
+        "return",     "round",       "sample",     "sampler",    "saturate",    "select",
+        "self",       "set",         "shader",     "shared",     "short",       "sign",
+        "signed",     "significand", "sin",        "sizeof",     "smooth",      "snorm",
+        "sqrt",       "static",      "std",        "step",       "storage",     "struct",
+        "super",      "superp",      "switch",     "tan",        "target",      "template",
+        "texture",    "this",        "throw",      "trait",      "transpose",   "triangle",
+        "true",       "trunc",       "try",        "type",       "typedef",     "typeid",
+        "typename",   "typeof",      "uint",       "uniform",    "uniforms",    "union",
+        "unless",     "unorm",       "unsafe",     "unsigned",   "use",         "using",
+        "var",        "varying",     "vector",     "virtual",    "void",        "volatile",
+        "where",      "while",       "with",       "workgroup",  "writeonly",   "xor",
+        "yield"};
     return std::any_of(std::begin(words), std::end(words),
                        [&](const char* known) { return word == known; });
 }

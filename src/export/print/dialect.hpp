@@ -23,6 +23,13 @@ class Dialect {
     virtual std::string call(const Node& node, const std::vector<std::string>& arguments) const;
     virtual std::string choice(const std::string& condition, const std::string& a,
                                const std::string& b) const;
+    /// Whether `choice` is a call, not an operator.
+    virtual bool chooses_by_function() const { return false; }
+    /// The weakest operator that needs no parentheses in the place of `of` in `in`: `otherwise`,
+    /// but where operators may not stand beside each other.
+    virtual int operand_level(const Node& in, const Node& of, int otherwise) const;
+    /// How many bits are shifted by, the right side of a shift.
+    virtual std::string shift_count(const Node& count, const std::string& text) const;
     /// The first components of a vector.
     virtual std::string prefix(const std::string& vector, int components) const;
 
@@ -35,13 +42,28 @@ class Dialect {
     virtual std::string parameter(Type type, const std::string& name,
                                   const std::string& value) const;
     virtual std::string counted_loop(const std::string& index, const std::string& first,
-                                     const std::string& last) const;
+                                     const std::string& condition) const;
     virtual std::string endless_loop() const;
+    /// One statement behind `if (...)` or `else`.
+    virtual std::string guarded(const std::string& head, const std::string& statement) const;
 
-    /// `void name(...)`, and what stands at the beginning and the end of its body.
+    /// `void name(...)`: what stands in front of it, and at the beginning and the end of its body;
+    /// empty for nothing.
+    virtual std::string declarations(const std::string& name,
+                                     const std::vector<Named>& outputs) const;
     virtual std::string head(const std::string& name, const std::vector<Named>& inputs,
                              const std::vector<Named>& outputs) const;
+    /// `type name(...)`, of what returns a value.
+    virtual std::string helper_head(Type result, const std::string& name,
+                                    const std::vector<Named>& inputs) const;
+    virtual std::string first_line(const std::string& name) const;
+    virtual std::string store(const std::string& output, const std::string& value) const;
+    virtual std::string last_line() const;
     virtual std::string uniform(const Uniform& uniform) const;
+    /// All that `text` reads.
+    virtual std::string uniforms(const std::vector<Uniform>& all, const std::string& text) const;
+    /// `text`, a uniform or an element of it, as an expression.
+    virtual std::string use_of(const Uniform& uniform, const std::string& text) const;
     /// What `text` needs in front of it: the version, then constants and functions.
     virtual std::string first_lines(const std::string& text) const;
     virtual std::string prelude(const std::string& text) const;
@@ -54,8 +76,8 @@ class Dialect {
     static std::string shortest(float value);
 };
 
-/// By its name on the command line: glsl, glsl-es, hlsl, c++; null where there is none of that
-/// name.
+/// By its name on the command line: glsl, glsl-es, hlsl, wgsl, c++; null where there is none of
+/// that name.
 std::unique_ptr<Dialect> find_dialect(std::string_view name);
 /// Their names.
 std::vector<std::string> dialect_names();

@@ -38,8 +38,11 @@ std::string key_of(const Node& node) {
     char part[64];
     std::snprintf(part, sizeof part, "%a", node.value);
     key += part;
-    std::snprintf(part, sizeof part, "|%p", static_cast<const void*>(node.variable));
-    key += part;
+    for (const void* of :
+         {static_cast<const void*>(node.variable), static_cast<const void*>(node.loop)}) {
+        std::snprintf(part, sizeof part, "|%p", of);
+        key += part;
+    }
     for (const Node* argument : node.arguments) {
         std::snprintf(part, sizeof part, "|%p", static_cast<const void*>(argument));
         key += part;
@@ -101,7 +104,8 @@ bool takes_a_number(const Node& operation, std::size_t argument) {
 void Folder::run() {
     for (const auto& node : graph_.nodes) folded_[node.get()] = folded(*node);
     for (const auto& loop : graph_.loops) {
-        if (loop->condition != nullptr) loop->condition = folded_.at(loop->condition);
+        for (Node** of : {&loop->condition, &loop->first, &loop->last})
+            if (*of != nullptr) *of = folded_.at(*of);
         for (const auto& variable : loop->variables)
             variable->initial = folded_.at(variable->initial);
     }
@@ -228,10 +232,14 @@ Node* Folder::simple_logic(Node& node) {
 Node* Folder::counted(const Node& node) {
     if (node.kind != Kind::binary || node.text != "<=") return nullptr;
     const Node &counter = *node.arguments[0], &most = *node.arguments[1];
-    if (!is_operation(counter, Kind::call, "float") || most.kind != Kind::literal) return nullptr;
+    if (!is_operation(counter, Kind::call, "float")) return nullptr;
     const Node& of = *counter.arguments[0];
-    const bool is_below = of.kind == Kind::symbol && of.value > 0 && of.value <= most.value;
-    return is_below && of.value < 16777216 ? literal(Type::boolean, 1) : nullptr;
+    if (of.loop == nullptr) return nullptr;
+    const Node* const last = folded_.at(of.loop->last);
+    const bool is_last = is_operation(most, Kind::call, "float") && most.arguments[0] == last;
+    const bool is_below = last->kind == Kind::literal && most.kind == Kind::literal &&
+                          last->value <= most.value && last->value < 16777216;
+    return is_last || is_below ? literal(Type::boolean, 1) : nullptr;
 }
 
 /// x - 0, x + -0, x * 1 and x / 1 are x, whatever x is; 0 + x is not where x is -0.

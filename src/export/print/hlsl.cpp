@@ -33,7 +33,7 @@ std::string function_of(const Node& node) {
 /// A look-up as the texture's method; empty for other functions.
 std::string method_of(const Node& node, bool has_bias) {
     if (node.text == "texture") return has_bias ? "SampleBias" : "Sample";
-    if (node.text == "textureLod") return "SampleLevel";
+    if (node.text == "textureLod" || node.text == "textureLayer") return "SampleLevel";
     if (node.text == "textureGrad") return "SampleGrad";
     return node.text == "textureGather" ? "Gather" : "";
 }
@@ -62,6 +62,10 @@ std::string HlslDialect::call(const Node& node, const std::vector<std::string>& 
     if (method.empty()) return function_of(node) + "(" + join(arguments) + ")";
     std::vector<std::string> rest = {first + "_sampler"};
     rest.insert(rest.end(), arguments.begin() + 1, arguments.end());
+    if (node.text == "textureLayer") {
+        rest[1] = "float3(" + rest[1] + ", float(" + rest[2] + "))";
+        rest.erase(rest.begin() + 2);
+    }
     if (method == "Gather") {
         static constexpr const char* channels[] = {"Red", "Green", "Blue", "Alpha"};
         method += channels[arguments[2][0] - '0'];

@@ -14,6 +14,9 @@ namespace {
 bool is_cheap(const Node& node) {
     if (is_leaf(node) || node.kind == Kind::component) return true;
     if (node.kind == Kind::unary) return node.name.empty() && is_cheap(*node.arguments[0]);
+    // The number of a step, or a parameter, as a float.
+    if (node.kind == Kind::call && node.text == "float")
+        return node.name.empty() && node.arguments[0]->kind == Kind::symbol;
     return node.kind == Kind::construct &&
            std::all_of(node.arguments.begin(), node.arguments.end(),
                        [](const Node* argument) { return is_leaf(*argument); });
@@ -28,10 +31,8 @@ int end_of(const Node& read) {
 
 }  // namespace
 
-Locals::Locals(Graph& graph, const std::set<std::string>& wanted) : graph_(graph) {
-    for (const auto& node : graph.nodes) info_[node.get()];
-    drop_unwanted(wanted);
-    want_all();
+Locals::Locals(Graph& graph, const std::set<std::string>& wanted)
+    : graph_(graph), needs_(graph, wanted) {
     collect_roots(graph.top);
     count_uses();
     declare();
@@ -51,55 +52,6 @@ Variable* Locals::continued(const Variable* variable) const {
 Variable* Locals::condition_of(const Event* leave) const {
     const auto found = conditions_.find(leave);
     return found != conditions_.end() ? found->second : nullptr;
-}
-
-// ---- What is needed -----------------------------------------------------------------------------
-
-void Locals::drop_unwanted(const std::set<std::string>& wanted) {
-    if (wanted.empty()) return;
-    std::erase_if(graph_.outputs, [&](const Named& of) { return wanted.count(of.name) == 0; });
-    std::erase_if(graph_.top.events, [&](const Event& event) {
-        return event.kind == Event::Kind::store && wanted.count(event.text) == 0;
-    });
-}
-
-void Locals::want_all() {
-    want_roots(graph_.top);
-    while (!work_.empty()) {
-        Node* const node = work_.back();
-        work_.pop_back();
-        if (node->kind == Kind::symbol) symbols_.insert(node->text);
-        for (Node* argument : node->arguments) want(argument);
-        if (node->kind != Kind::read || !variables_.insert(node->variable).second) continue;
-        want(node->variable->initial);
-        want_assignments(graph_.top, node->variable);
-    }
-}
-
-void Locals::want(Node* node) {
-    Info& info = info_[node];
-    if (info.needed) return;
-    info.needed = true;
-    work_.push_back(node);
-}
-
-void Locals::want_assignments(Region& region, const Variable* variable) {
-    for (Event& event : region.events) {
-        for (const Assignment& assignment : event.assignments)
-            if (assignment.variable == variable) want(assignment.value);
-        if (event.kind == Event::Kind::loop) want_assignments(event.loop->body, variable);
-    }
-}
-
-void Locals::want_roots(Region& region) {
-    for (Event& event : region.events) {
-        if (event.value != nullptr) want(event.value);
-        if (event.kind != Event::Kind::loop) continue;
-        if (event.loop->condition != nullptr) want(event.loop->condition);
-        for (const auto& variable : event.loop->variables)
-            if (variable->guards) want(variable->initial);
-        want_roots(event.loop->body);
-    }
 }
 
 // ---- What refers to what ------------------------------------------------------------------------
@@ -125,8 +77,8 @@ void Locals::collect_roots(Region& region) {
                     roots_.push_back({of.value, of.order, &region, true});
                 break;
             case Event::Kind::loop:
-                if (event.loop->condition != nullptr)
-                    roots_.push_back({event.loop->condition, event.order, &region, false});
+                for (Node* of : {event.loop->condition, event.loop->first, event.loop->last})
+                    if (of != nullptr) roots_.push_back({of, event.order, &region, false});
                 for (const auto& of : event.loop->variables)
                     if (is_needed(of.get()) || (of->guards && event.loop->condition == nullptr))
                         roots_.push_back({of->initial, event.order, &region, false});
@@ -202,6 +154,10 @@ bool Locals::declare_difference(Node* node) {
         (node->text != "dFdx" && node->text != "dFdy" && node->text != "texture"))
         return false;
     Info& info = info_[node];
+    // Stored or assigned as it is.
+    if (info.uses.size() == 1 && info.uses[0].node == nullptr &&
+        info.uses[0].region == node->region)
+        return true;
     const bool has_one_user = info.uses.size() == 1 && info.uses[0].node != nullptr;
     const Node* const user = has_one_user ? info.uses[0].node : nullptr;
     info_[user != nullptr && user->kind == Kind::component ? user : node].declared = true;
@@ -210,7 +166,7 @@ bool Locals::declare_difference(Node* node) {
 
 void Locals::declare_if_used_much(Node* node, const std::set<const Node*>& assigned) {
     Info& info = info_[node];
-    if (!info.needed || is_cheap(*node)) return;
+    if (!is_needed(node) || is_cheap(*node)) return;
     if (declare_difference(node)) return;
     const auto& arguments = node->arguments;
     // A negation of what has a name, or is a variable, is said again.

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "export/print/needs.hpp"
 #include "quadrel/num/shader/graph.hpp"
 
 namespace quadrel::recorded {
@@ -17,9 +18,9 @@ class Locals {
     /// needs are taken out of the graph.
     Locals(Graph& graph, const std::set<std::string>& wanted);
 
-    bool is_needed(const Node* node) const { return find(node).needed; }
+    bool is_needed(const Node* node) const { return needs_.is_needed(node); }
     bool is_declared(const Node* node) const { return find(node).declared; }
-    bool is_needed(const Variable* variable) const { return variables_.count(variable) != 0; }
+    bool is_needed(const Variable* variable) const { return needs_.is_needed(variable); }
     /// How often it is used.
     std::size_t uses_of(const Node* node) const { return find(node).uses.size(); }
     /// The loop's variable that a block's variable stands for; null where it is one of its own.
@@ -27,7 +28,7 @@ class Locals {
     /// The variable that an assignment just before has given the condition to stay in a loop.
     Variable* condition_of(const Event* leave) const;
     /// Names of symbols that are read.
-    const std::set<std::string>& symbols() const { return symbols_; }
+    const std::set<std::string>& symbols() const { return needs_.symbols(); }
 
   private:
     struct Use {
@@ -36,7 +37,7 @@ class Locals {
         const Region* region;
     };
     struct Info {
-        bool needed = false, declared = false;
+        bool declared = false;
         std::vector<Use> uses;
     };
     struct Root {
@@ -47,12 +48,6 @@ class Locals {
     };
 
     const Info& find(const Node* node) const;
-
-    void drop_unwanted(const std::set<std::string>& wanted);
-    void want(Node* node);
-    void want_all();
-    void want_roots(Region& region);
-    void want_assignments(Region& region, const Variable* variable);
 
     void collect_roots(Region& region);
     void order_assignments(Event& event);
@@ -70,13 +65,11 @@ class Locals {
     bool is_stale(const Node* node, int order) const;
 
     Graph& graph_;
+    Needs needs_;
     std::unordered_map<const Node*, Info> info_;
-    std::set<const Variable*> variables_;
     std::unordered_map<const Variable*, Variable*> continued_;
     std::unordered_map<const Event*, Variable*> conditions_;
     std::unordered_map<const Node*, std::set<const Variable*>> reads_;
-    std::set<std::string> symbols_;
-    std::vector<Node*> work_;
     std::vector<Root> roots_;
 };
 

@@ -11,6 +11,7 @@ constexpr std::size_t longest_line = 100;
 /// `line` may be broken behind position i.
 bool breaks_at(const std::string& line, std::size_t i) {
     if (line[i] != ' ' || std::strchr(",=+-*/?:&|<>", line[i - 1]) == nullptr) return false;
+    if (line[i - 1] == ':') return line[i - 2] == ' ';  // of a choice, not of a type
     return line[i - 1] != '&' || line[i - 2] == ' ' || line[i - 2] == '&';
 }
 

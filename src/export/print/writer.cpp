@@ -1,11 +1,12 @@
 #include "export/print/writer.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <climits>
 #include <cmath>
 
+#include "export/print/described.hpp"
 #include "export/print/fold.hpp"
+#include "export/print/names.hpp"
 #include "export/print/wrapped_line.hpp"
 
 namespace quadrel::recorded {
@@ -17,11 +18,7 @@ namespace {
 /// How weakly operators bind.
 constexpr int unary_level = 2, or_level = 13, choice_level = 14;
 
-int level_of(const Node& node) {
-    if (node.kind == Kind::literal) return std::signbit(node.value) ? unary_level : 0;
-    if (node.kind == Kind::unary) return unary_level;
-    if (node.kind == Kind::select) return choice_level;
-    if (node.kind != Kind::binary) return 0;
+int level_of_operator(const std::string& text) {
     struct Row {
         const char* text;
         int level;
@@ -30,7 +27,7 @@ int level_of(const Node& node) {
                                    {"<", 6}, {">", 6}, {"<=", 6}, {">=", 6}, {"==", 7}, {"!=", 7},
                                    {"&", 8}, {"^", 9}, {"|", 10}, {"&&", 11}};
     for (const Row& row : rows)
-        if (node.text == row.text) return row.level;
+        if (text == row.text) return row.level;
     return or_level;
 }
 
@@ -43,7 +40,7 @@ std::string Writer::function(const std::string& name, const std::vector<std::str
     for (const auto& loop : graph_.loops)
         if (!loop->index.empty()) names_.insert(loop->index);
     for (const Uniform& uniform : graph_.uniforms) names_.insert(uniform.name);
-    choose_parameters(inputs);
+    choose_inputs(inputs);
     std::vector<Named> outputs = graph_.outputs;
     for (Named& output : outputs) {
         if (names_.count(output.name) != 0) {
@@ -52,13 +49,47 @@ std::string Writer::function(const std::string& name, const std::vector<std::str
         }
         names_.insert(output.name);
     }
-    out_ = wrapped_line(dialect_.head(name, inputs_, outputs)) + "\n";
+    out_ = dialect_.declarations(name, outputs) +
+           wrapped_line(dialect_.head(name, inputs_, outputs)) + "\n";
+    write_body(name);
+    return out_;
+}
+
+std::string Writer::helper(const Helper& helper) {
+    names_.insert(helper.name);
+    for (const Uniform& uniform : graph_.uniforms) names_.insert(uniform.name);
+    for (const Named& input : graph_.inputs) names_.insert(input.name);
+    out_ = wrapped_line(dialect_.helper_head(helper.type, helper.name, graph_.inputs)) + "\n";
     region(graph_.top, 1);
     out_ += "}\n";
     return out_;
 }
 
-void Writer::choose_parameters(const std::vector<std::string>& order) {
+void Writer::write_body(const std::string& name) {
+    write_parameters();
+    if (const std::string first = dialect_.first_line(name); !first.empty()) line(1, first);
+    region(graph_.top, 1);
+    if (const std::string last = dialect_.last_line(); !last.empty()) line(1, last);
+    out_ += "}\n";
+}
+
+void Writer::write_parameters() {
+    for (const Parameter& of : graph_.parameters) {
+        if (locals_.symbols().count(of.name) == 0) continue;
+        const std::string value = of.type == Type::integer
+                                      ? std::to_string(static_cast<std::int32_t>(of.value))
+                                      : dialect_.real(static_cast<float>(of.value));
+        const std::string constant = dialect_.parameter(of.type, of.name, value);
+        if (constant.size() + of.comment.size() < 90) {
+            out_ += "    " + constant + "  // " + of.comment + "\n";
+        } else {
+            line(1, "// " + of.comment);
+            line(1, constant);
+        }
+    }
+}
+
+void Writer::choose_inputs(const std::vector<std::string>& order) {
     for (const Named& input : graph_.inputs)
         if (locals_.symbols().count(input.name) != 0) inputs_.push_back(input);
     const auto rank = [&](const Named& of) {
@@ -69,27 +100,38 @@ void Writer::choose_parameters(const std::vector<std::string>& order) {
     for (const Named& input : inputs_) names_.insert(input.name);
 }
 
-/// A name that nothing has yet: `hint` as far as that is one.
 std::string Writer::unique(const std::string& hint, const char* otherwise) {
-    std::string from = hint.empty() ? otherwise : hint, name;
-    if (from.rfind("this->", 0) == 0) from.erase(0, 6);
-    for (const char c : from) {
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-            name += c;
-        else if (!name.empty() && name.back() != '_')
-            name += '_';
-    }
-    while (!name.empty() && name.back() == '_') name.pop_back();
-    if (name.empty()) name = otherwise;
-    if (is_reserved(name)) name += '_';
-    std::string result = name;
-    for (int i = 1; names_.count(result) != 0; ++i)
-        result = name + (name.back() == '_' ? "" : "_") + std::to_string(i);
-    names_.insert(result);
-    return result;
+    return unique_name(hint, otherwise, names_);
 }
 
 // ---- Expressions --------------------------------------------------------------------------------
+
+int Writer::level_of(const Node& node) const {
+    if (node.kind == Kind::literal) return std::signbit(node.value) ? unary_level : 0;
+    if (node.kind == Kind::unary) return unary_level;
+    if (node.kind == Kind::select) return dialect_.chooses_by_function() ? 0 : choice_level;
+    return node.kind == Kind::binary ? level_of_operator(node.text) : 0;
+}
+
+/// A uniform, or whatever else has a name of its own.
+std::string Writer::symbol(const Node& node) const {
+    const std::string name = node.text.substr(0, node.text.find('['));
+    for (const Uniform& uniform : graph_.uniforms)
+        if (uniform.name == name) return dialect_.use_of(uniform, node.text);
+    return node.text;
+}
+
+std::string Writer::operands(const Node& node, int level) const {
+    const Node &a = *node.arguments[0], &b = *node.arguments[1];
+    const auto operand = [&](const Node& of, int within) {
+        return text(
+            &of, local_names_.count(&of) != 0 ? within : dialect_.operand_level(node, of, within));
+    };
+    const bool is_shift = node.text == "<<" || node.text == ">>";
+    const std::string right = operand(b, level - 1);
+    return operand(a, level) + " " + node.text + " " +
+           (is_shift ? dialect_.shift_count(b, right) : right);
+}
 
 std::string Writer::text(const Node* node, int within) const {
     const auto name = local_names_.find(node);
@@ -121,14 +163,13 @@ std::string Writer::bare(const Node& node, int level) const {
         case Kind::literal:
             return literal(node);
         case Kind::symbol:
-            return node.text;
+            return symbol(node);
         case Kind::read:
             return name_of(node.variable);
         case Kind::unary:
             return node.text + text(arguments[0], unary_level - 1);
         case Kind::binary:
-            return text(arguments[0], level) + " " + node.text + " " +
-                   text(arguments[1], level - 1);
+            return operands(node, level);
         case Kind::select:
             return dialect_.choice(text(arguments[0], or_level), text(arguments[1], or_level),
                                    text(arguments[2], choice_level));
@@ -160,6 +201,7 @@ void Writer::declare(const Node& node, int depth) {
         hint = value + "_before";
     } else {
         value = bare(node, level_of(node));
+        if (hint.empty()) hint = described(node);
     }
     for (const std::string& comment : node.comments) line(depth, "// " + comment);
     const char* const otherwise = node.type == Type::boolean   ? "is"
@@ -168,6 +210,15 @@ void Writer::declare(const Node& node, int depth) {
     const std::string name = unique(hint, otherwise);
     local_names_[&node] = name;
     line(depth, dialect_.constant(node.type, name, value));
+}
+
+/// What a helper gives has no name.
+void Writer::write_store(const Event& event, int depth) {
+    const std::string value = text(event.value, choice_level);
+    const bool is_changed = changed_outputs_.count(event.text) != 0;
+    line(depth, event.text.empty()
+                    ? "return " + value + ";"
+                    : dialect_.store(event.text + (is_changed ? "_out" : ""), value));
 }
 
 void Writer::region(const Region& region, int depth) {
@@ -185,9 +236,7 @@ void Writer::region(const Region& region, int depth) {
         const Event& event = region.events[i];
         declare_up_to(event.order);
         if (event.kind == Event::Kind::store) {
-            const bool is_changed = changed_outputs_.count(event.text) != 0;
-            line(depth, event.text + (is_changed ? "_out" : "") + " = " +
-                            text(event.value, choice_level) + ";");
+            write_store(event, depth);
         } else if (event.kind == Event::Kind::assign) {
             const bool leaves =
                 i + 1 < region.events.size() && region.events[i + 1].kind == Event::Kind::leave;
@@ -214,6 +263,26 @@ std::string Writer::guard_of(const Loop& loop) const {
     return all;
 }
 
+namespace {
+
+/// What the first value that a variable is given is; empty where that has no name either.
+std::string described_by_assignments(const Region& region, const Variable* variable) {
+    for (const Event& event : region.events) {
+        for (const Assignment& of : event.assignments)
+            if (of.variable == variable) {
+                const Node& value = *of.value;
+                return described(value.kind == Kind::select ? *value.arguments[1] : value);
+            }
+        const std::string inner = event.kind == Event::Kind::loop
+                                      ? described_by_assignments(event.loop->body, variable)
+                                      : std::string();
+        if (!inner.empty()) return inner;
+    }
+    return "";
+}
+
+}  // namespace
+
 void Writer::begin_variables(const Loop& loop, int depth) {
     for (const auto& variable : loop.variables) {
         if (!locals_.is_needed(variable.get())) continue;
@@ -233,7 +302,8 @@ void Writer::begin_variables(const Loop& loop, int depth) {
         std::string hint;
         for (const std::string& name : variable->names)
             if (!name.empty()) hint = name;
-        if (hint.empty()) hint = initial.name.empty() ? initial.weak_name : initial.name;
+        if (hint.empty()) hint = described(initial);
+        if (hint.empty()) hint = described_by_assignments(loop.body, variable.get());
         const std::string name = unique(hint, "v");
         variable_names_[variable.get()] = name;
         line(depth, dialect_.variable(variable->type, name, text(&initial, choice_level)));
@@ -243,7 +313,17 @@ void Writer::begin_variables(const Loop& loop, int depth) {
 std::string Writer::begin_of(const Loop& loop) const {
     if (loop.kind == Loop::Kind::block) return "if (" + text(loop.condition, choice_level) + ") {";
     if (loop.kind == Loop::Kind::rounds) return dialect_.endless_loop();
-    return dialect_.counted_loop(loop.index, std::to_string(loop.first), std::to_string(loop.last));
+    return dialect_.counted_loop(loop.index, text(loop.first, choice_level), condition_of(loop));
+}
+
+/// `i <= last`, or `i < n` where `last` is n - 1.
+std::string Writer::condition_of(const Loop& loop) const {
+    constexpr int sum_level = 4;
+    const Node& last = *loop.last;
+    const bool is_before = last.kind == Kind::binary && last.text == "-" &&
+                           is_literal(*last.arguments[1], 1) && local_names_.count(&last) == 0;
+    if (is_before) return loop.index + " < " + text(last.arguments[0], sum_level);
+    return loop.index + " <= " + text(&last, sum_level);
 }
 
 void Writer::write_loop(const Loop& loop, int depth) {
@@ -259,11 +339,11 @@ void Writer::write_loop(const Loop& loop, int depth) {
 
 std::string Writer::leave_line(const Event& leave) const {
     if (const Variable* const condition = locals_.condition_of(&leave))
-        return "if (!" + name_of(condition) + ") break;";
+        return dialect_.guarded("if (!" + name_of(condition) + ")", "break;");
     const Node* const stay = leave.value;
     if (stay->kind == Kind::unary && stay->text == "!" && local_names_.count(stay) == 0)
-        return "if (" + text(stay->arguments[0], choice_level) + ") break;";
-    return "if (!" + text(stay, unary_level) + ") break;";
+        return dialect_.guarded("if (" + text(stay->arguments[0], choice_level) + ")", "break;");
+    return dialect_.guarded("if (!" + text(stay, unary_level) + ")", "break;");
 }
 
 // ---- Assignments --------------------------------------------------------------------------------
@@ -358,7 +438,7 @@ void Writer::write_groups(const std::vector<Group>& groups, bool independent, in
             condition.find(' ') == std::string::npos;
         const std::string head = is_else ? "else" : "if (" + condition + ")";
         if (group.lines.size() == 1) {
-            line(depth, head + " " + group.lines[0]);
+            line(depth, dialect_.guarded(head, group.lines[0]));
         } else {
             line(depth, head + " {");
             for (const std::string& text : group.lines) line(depth + 1, text);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "export/print/dialect.hpp"
+#include "export/print/helpers.hpp"
 #include "export/print/locals.hpp"
 #include "quadrel/num/shader/graph.hpp"
 
@@ -22,6 +23,9 @@ class Writer {
     std::string function(const std::string& name, const std::vector<std::string>& inputs,
                          const std::vector<std::string>& taken);
 
+    /// A helper, whose graph this writer has.
+    std::string helper(const Helper& helper);
+
     /// What the function reads and gives, once it is written.
     const std::vector<Named>& inputs() const { return inputs_; }
     const std::vector<Named>& outputs() const { return graph_.outputs; }
@@ -33,10 +37,15 @@ class Writer {
         std::vector<std::string> lines;
     };
 
-    void choose_parameters(const std::vector<std::string>& order);
+    void choose_inputs(const std::vector<std::string>& order);
+    void write_parameters();
+    void write_body(const std::string& name);
     std::string unique(const std::string& hint, const char* otherwise);
 
     // Expressions: `within` is the weakest operator that needs no parentheses.
+    int level_of(const Node& node) const;
+    std::string symbol(const Node& node) const;
+    std::string operands(const Node& node, int level) const;
     std::string text(const Node* node, int within) const;
     std::string bare(const Node& node, int level) const;
     std::string literal(const Node& node) const;
@@ -46,10 +55,12 @@ class Writer {
     void line(int depth, const std::string& text);
     void region(const Region& region, int depth);
     void declare(const Node& node, int depth);
+    void write_store(const Event& event, int depth);
     void write_loop(const Loop& loop, int depth);
     std::string guard_of(const Loop& loop) const;
     void begin_variables(const Loop& loop, int depth);
     std::string begin_of(const Loop& loop) const;
+    std::string condition_of(const Loop& loop) const;
     void write_assignments(const Event& event, const Event* leave, int depth);
     std::vector<Group> groups_of(const Event& event) const;
     bool are_independent(const Event& event) const;

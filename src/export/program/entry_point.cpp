@@ -75,8 +75,7 @@ std::string EntryPoint::begin(const std::string& comment, const std::string& all
     const std::string prelude = dialect_.prelude(all);
     if (!prelude.empty()) text += (prelude[0] == '\n' ? "" : "\n") + prelude;
     text += "\n";
-    for (const Uniform& uniform : uniforms) text += dialect_.uniform(uniform) + "\n";
-    return text + "\n";
+    return text + dialect_.uniforms(uniforms, all) + "\n";
 }
 
 std::string EntryPoint::lod_statements(const std::string& map, const std::string& version) const {

@@ -32,6 +32,14 @@ std::string wrap_text(const PlainScene& plain) {
     return u == v ? u : u + " along u and " + v + " along v";
 }
 
+/// Parameters as uniforms of their names.
+void make_uniforms(Graph& graph) {
+    for (const Parameter& of : graph.parameters)
+        graph.uniforms.push_back(
+            {of.name, of.type == Type::integer ? "int" : "float", 0, of.comment});
+    graph.parameters.clear();
+}
+
 }  // namespace
 
 std::string as_word(const std::string& text) {
@@ -45,25 +53,33 @@ std::string as_word(const std::string& text) {
 
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect,
-                         const std::string& suffix) {
+                         const std::string& suffix, ParametersAs parameters_as) {
     FunctionText result;
     result.name = function_name(*stage.text) + suffix;
-    const NamedParameters parameters(stage, params);
-    const auto write = [&](const void* values) {
-        Graph graph;
-        stage.record(graph, scene, values);
-        Folder(graph).run();
-        const Locals locals(graph, outputs);
-        Writer writer(graph, locals, dialect);
-        const std::string text = writer.function(result.name, stage.inputs(), parameters.names());
-        result.inputs = writer.inputs();
-        result.outputs = writer.outputs();
-        result.uniforms = graph.uniforms;
-        return text;
-    };
-    const std::string function = parameters.written(write, dialect);
-    result.text = comment(std::string(stage.text->id) + ": " + stage.text->summary) +
-                  comment(std::string("Source: ") + stage.text->source) + function;
+    const NamedParameters parameters(stage, scene, params);
+    Graph graph;
+    parameters.record(graph);
+    const std::string written_in = parameters.written_in(graph);
+    if (parameters_as == ParametersAs::uniforms) make_uniforms(graph);
+    Folder(graph).run();
+    const Helpers helpers(graph, outputs, as_word(stage.text->id) + suffix);
+    std::vector<std::string> taken = parameters.names();
+    for (const auto& helper : helpers.all()) {
+        const Locals locals(helper->graph, {});
+        result.text += Writer(helper->graph, locals, dialect).helper(*helper) + "\n";
+        taken.push_back(helper->name);
+    }
+    const Locals locals(graph, outputs);
+    Writer writer(graph, locals, dialect);
+    const std::string function = writer.function(result.name, stage.inputs(), taken);
+    result.inputs = writer.inputs();
+    result.outputs = writer.outputs();
+    result.uniforms = graph.uniforms;
+    result.parameters = graph.parameters;
+    result.text += comment(std::string(stage.text->id) + ": " + stage.text->summary) +
+                   comment(std::string("Source: ") + stage.text->source);
+    if (!written_in.empty()) result.text += comment("Written for " + written_in + ".");
+    result.text += function;
     return result;
 }
 
@@ -95,11 +111,9 @@ void add_uniforms(std::vector<Uniform>& all, const std::vector<Uniform>& more) {
 
 std::string whole_file(const std::string& functions, const std::vector<Uniform>& uniforms,
                        const Dialect& dialect) {
-    std::string declared;
-    for (const Uniform& uniform : uniforms) declared += dialect.uniform(uniform) + "\n";
     std::string file;
-    for (const std::string& part :
-         {dialect.first_lines(functions), dialect.prelude(functions), declared, functions})
+    for (const std::string& part : {dialect.first_lines(functions), dialect.prelude(functions),
+                                    dialect.uniforms(uniforms, functions), functions})
         if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
     return file;
 }

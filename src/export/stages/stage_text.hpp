@@ -16,13 +16,19 @@ struct FunctionText {
     std::string text;  ///< comments and the function
     std::vector<Named> inputs, outputs;
     std::vector<Uniform> uniforms;
+    std::vector<Parameter> parameters;  ///< the constants at its top
 };
+
+/// What parameters become that are used in sums, products and as ends of loops alone. The others
+/// are part of the text, which names them in a comment.
+enum class ParametersAs { constants, uniforms };
 
 /// `params`: the stage's, or null for the defaults. `outputs`: those that are needed; all if empty.
 /// `suffix`: of the function's name. Throws RecordingError.
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect,
-                         const std::string& suffix = "");
+                         const std::string& suffix = "",
+                         ParametersAs parameters = ParametersAs::constants);
 
 /// What the function takes for granted of its scene, of which a shader cannot tell: comment lines.
 std::string assumptions(const RecordedStage& stage, const FunctionText& function,

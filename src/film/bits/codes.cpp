@@ -49,6 +49,31 @@ bool Codes::is_everywhere(const std::string& channel, std::uint32_t code) const 
     return true;
 }
 
+bool Codes::are_codes(const char* channel, int bits) const {
+    const Plane& plane = *image_.film.find(channel);
+    const double most = (1 << bits) - 1;
+    for (std::size_t i = 0; i < plane.bits.size(); ++i) {
+        // Rounded down or to the nearest of 65535.
+        const double steps = double{plane.as_float(i)} * most;
+        if (!(std::fabs(steps - std::nearbyint(steps)) < most / 60000)) return false;
+    }
+    return true;
+}
+
+bool Codes::is_constant(const char* channel, float value) const {
+    const Plane& plane = *image_.film.find(channel);
+    for (std::size_t i = 0; i < plane.bits.size(); ++i)
+        if (plane.as_float(i) != value) return false;
+    return true;
+}
+
+bool Codes::are_of_ten_bits() const {
+    for (const char* channel : {"R", "G", "B", "A"})
+        if (!has(channel)) return false;
+    if (is_constant("B", 0) && is_constant("A", 1)) return false;
+    return are_codes("R", 10) && are_codes("G", 10) && are_codes("B", 10) && are_codes("A", 2);
+}
+
 bool Codes::has_check_bytes() const {
     for (std::size_t i = 0; i < image_.film.window.area(); ++i) {
         const std::uint32_t half = at("R", 8, i) | at("G", 8, i) << 8, check = at("B", 8, i);

@@ -32,7 +32,14 @@ class Codes {
     /// Whether every pixel has the check byte of either half.
     bool has_check_bytes() const;
 
+    /// Whether R, G, B and A of 16 bits are codes of 10, 10, 10 and 2 bits throughout, and not all
+    /// of B 0 and A opaque, as what carries 16 bits in R and G may have them.
+    bool are_of_ten_bits() const;
+
   private:
+    bool are_codes(const char* channel, int bits) const;
+    bool is_constant(const char* channel, float value) const;
+
     const ComparableImage& image_;
 };
 

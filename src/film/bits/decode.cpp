@@ -19,6 +19,7 @@ BitLayout layout_of(const Codes& codes) {
             return codes.is_everywhere("A", 255) && codes.has_check_bytes() ? BitLayout::rgb8
                                                                             : BitLayout::rgba8;
         case Storage::unorm16:
+            return codes.are_of_ten_bits() ? BitLayout::rgb10a2 : BitLayout::rg16;
         case Storage::uint32:
             return BitLayout::rg16;
         case Storage::half:
@@ -63,7 +64,7 @@ std::uint32_t half_at(const Codes& codes, std::size_t i, bool is_high) {
                      fmt::format("that of bits {}", is_high ? "16-31" : "0-15"));
     codes.reject(i, "B", fmt::format("the check byte {}", check),
                  fmt::format("{}: codes as the shader wrote them, without sRGB, gamma, blending, "
-                             "dithering, scaling or lossy compression",
+                             "dithering, scaling, another order of channels or lossy compression",
                              check_byte(half, is_high)));
 }
 

@@ -72,6 +72,7 @@ class ChannelComparison {
         const Kind kind = classify(type, reference, test);
         if (kind == Kind::equal) return;
         ++report_.unequal;
+        if (kind != Kind::finite) ++not_finite_;
         const double error = kind == Kind::finite ? add_finite(reference, test) : 0;
         if (!exceeds(type, report_.encoding, report_.tolerance, reference, test)) return;
         ++report_.differing;
@@ -84,7 +85,8 @@ class ChannelComparison {
         const double count = finite_ > 0 ? static_cast<double>(finite_) : 1.0;
         report_.mean_abs = sum_ / count;
         report_.rms = std::sqrt(sum_of_squares_ / count);
-        report_.psnr = psnr_of(report_.rms);
+        const bool is_unknown = not_finite_ > 0 && !(report_.rms > 0);
+        report_.psnr = is_unknown ? std::numeric_limits<double>::quiet_NaN() : psnr_of(report_.rms);
         for (const Worst& worst : worst_) report_.worst.push_back(worst.pixel);
         return report_;
     }
@@ -116,7 +118,7 @@ class ChannelComparison {
     Window window_;
     ChannelReport report_;
     std::vector<Worst> worst_;
-    std::uint64_t finite_ = 0;
+    std::uint64_t finite_ = 0, not_finite_ = 0;  ///< the latter: on one side, or otherwise
     double sum_ = 0, sum_of_squares_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 
 #include "film/compare/preparation.hpp"
 #include "text/printable.hpp"
@@ -39,9 +40,10 @@ std::string tolerance_text(const Tolerance& tolerance) {
 std::string statistics_text(const ChannelReport& channel) {
     std::string text = fmt::format("max {:.6g}, mean {:.6g}, rms {:.6g}", channel.max_abs,
                                    channel.mean_abs, channel.rms);
-    if (channel.type == ChannelType::float32)
-        text += fmt::format(", psnr {:.2f} dB, {} {}", channel.psnr, channel.max_ulp,
-                            ulp_unit(channel.encoding));
+    if (channel.type == ChannelType::float32) {
+        if (!std::isnan(channel.psnr)) text += fmt::format(", psnr {:.2f} dB", channel.psnr);
+        text += fmt::format(", {} {}", channel.max_ulp, ulp_unit(channel.encoding));
+    }
     if (channel.nan_mismatches > 0)
         text += fmt::format(", NaN on one side: {}", channel.nan_mismatches);
     if (channel.infinite_mismatches > 0)

@@ -186,11 +186,13 @@ std::string with_named_results(const std::string& text, const Structs& structs) 
 
 std::string with_names(const std::string& text, const Structs& structs) {
     static const std::regex count(R"((\n\s*)count_in<F>\(([\w.>-]+), ([^;]*)\);)");
-    static const std::regex block(R"(\bif \(when\()");
+    static const std::regex block(R"(\bif \(when\()"), flag(R"(\bInt<F>\(HitFlag::)");
     const std::string values = with_named_values(with_named_results(text, structs));
     const std::string counts =
         std::regex_replace(values, count, "$1count_in<F>($2, $3); $2 = named(\"$2\", $2);");
-    return std::regex_replace(counts, block, "if (const auto in_block = branch(");
+    const std::string blocks =
+        std::regex_replace(counts, block, "if (const auto in_block = branch(");
+    return std::regex_replace(blocks, flag, "hit_flag<F>(HitFlag::");
 }
 
 }  // namespace quadrel::annotate

@@ -23,7 +23,8 @@ struct Variable;
 struct Region;
 struct Loop;
 
-/// An expression. `text` is its operator, function or symbol, as GLSL has it.
+/// An expression. `text` is its operator, function or symbol, as GLSL has it; `textureLayer` is
+/// textureLod of an array, by coordinates, layer and level.
 struct Node {
     enum class Kind : std::int32_t {
         literal,
@@ -40,10 +41,11 @@ struct Node {
     Kind kind = Kind::literal;
     Type type = Type::real;
     std::string text;
-    double value = 0;  ///< of a literal; the last one of a loop's counter
+    double value = 0;  ///< of a literal
     int index = 0;
     std::vector<Node*> arguments;
     Variable* variable = nullptr;  ///< of a read
+    const Loop* loop = nullptr;    ///< whose counter a symbol is
 
     Region* region = nullptr;  ///< where it was made, and when
     int order = 0;
@@ -98,7 +100,7 @@ struct Loop {
     Kind kind = Kind::rounds;
     Node* condition = nullptr;  ///< of a block
     std::string index;          ///< of steps: name of the counter
-    std::int32_t first = 0, last = 0;
+    Node *first = nullptr, *last = nullptr;
     Region body;
     Region* outer = nullptr;
     int order = 0;
@@ -113,7 +115,16 @@ struct Named {
 /// A uniform as it is declared: `type` is a GLSL type, or a sampler.
 struct Uniform {
     std::string name, type;
-    int count = 0;  ///< of an array; else 0
+    int count = 0;             ///< of an array; else 0
+    std::string comment = {};  ///< what it means
+};
+
+/// A parameter of the text that has kept its name.
+struct Parameter {
+    std::string name;
+    Type type;
+    double value;
+    std::string comment;
 };
 
 /// A recorded text. Its nodes point into it.
@@ -127,6 +138,7 @@ struct Graph {
     Region top;
     std::vector<Named> inputs, outputs;
     std::vector<Uniform> uniforms;
+    std::vector<Parameter> parameters;
 };
 
 }  // namespace quadrel::recorded

@@ -33,19 +33,22 @@ class ShaderSteps {
             if (loop_ != nullptr) return false;
             recorded::Recorder& recorder = recorded::Recorder::current();
             loop_ = of_.endless_ ? recorder.begin_rounds()
-                                 : recorder.begin_steps(of_.first_, of_.last_);
+                                 : recorder.begin_steps(bound(of_.first_), bound(of_.last_));
             return true;
         }
         ShaderStep operator*() const {
             if (of_.endless_) return {nullptr};
             recorded::Node* const index =
                 recorded::Recorder::current().symbol(recorded::Type::integer, loop_->index);
-            index->value = loop_->last;
+            index->loop = loop_;
             return {index};
         }
         void operator++() { recorded::Recorder::current().end_loop(); }
 
       private:
+        static recorded::Node* bound(int step) {
+            return recorded::literal(recorded::Type::integer, step);
+        }
         const ShaderSteps& of_;
         recorded::Loop* loop_ = nullptr;
     };

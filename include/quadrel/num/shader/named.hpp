@@ -11,8 +11,8 @@ namespace recorded {
 /// `name`, and behind line breaks the comments that stand in front. A '?' first: a weak name.
 inline void give_name(Node* node, const std::string& name) {
     using Kind = Node::Kind;
-    if (node == nullptr || !node->name.empty() || node->kind == Kind::literal ||
-        node->kind == Kind::symbol || node->kind == Kind::read ||
+    if (node == nullptr || !node->name.empty() || node->kind == Kind::symbol ||
+        node->kind == Kind::read ||
         (node->kind == Kind::component && node->arguments[0]->kind == Kind::symbol))
         return;
     if (name[0] == '?') {

@@ -98,7 +98,7 @@ class Recorder {
         region_->events.push_back(std::move(event));
     }
 
-    Loop* begin_steps(std::int32_t first, std::int32_t last) {
+    Loop* begin_steps(Node* first, Node* last) {
         Loop* const loop = begin(Loop::Kind::steps, nullptr);
         loop->index = std::string(1, static_cast<char>('i' + steps_open_++));
         loop->first = first;
@@ -187,6 +187,7 @@ class Recorder {
         auto variable = std::make_unique<Variable>();
         variable->type = handle.node_->type;
         variable->initial = handle.node_;
+        variable->names.push_back(name_of(handle.node_));
         variable->guards = loop.condition != nullptr && handle.node_ == loop.condition;
         handle.node_ = variable->now = read(variable.get());
         loop.variables.push_back(std::move(variable));

@@ -1,0 +1,237 @@
+#include "export/print/helpers.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "export/print/described.hpp"
+#include "export/print/fold.hpp"
+#include "export/print/names.hpp"
+
+namespace quadrel::recorded {
+
+using Kind = Node::Kind;
+
+namespace {
+
+/// Fewer operations are said as soon as a call; more arguments are no help to a reader.
+constexpr int least_size = 5, most_helpers = 12;
+constexpr std::size_t most_arguments = 6;
+
+/// Differences of neighbours stay where all fragments come by.
+bool is_difference(const Node& node) {
+    return node.kind == Kind::call &&
+           (node.text == "dFdx" || node.text == "dFdy" || node.text == "texture");
+}
+
+/// A vector of literals, which is said wherever it stands.
+bool is_constant(const Node& node) {
+    return node.kind == Kind::construct &&
+           std::all_of(node.arguments.begin(), node.arguments.end(),
+                       [](const Node* of) { return of->kind == Kind::literal; });
+}
+
+bool is_operation(const Node& node) {
+    return node.kind == Kind::unary || node.kind == Kind::binary || node.kind == Kind::call ||
+           node.kind == Kind::select;
+}
+
+std::string name_of_result(const Node& node) {
+    return node.weak_name.empty() ? node.name : node.weak_name;
+}
+
+/// What an argument is called in all calls that name it; empty where these differ.
+template <class Cones>
+std::string name_of_argument(const Cones& group, std::size_t i) {
+    std::string name;
+    for (const auto& of : group) {
+        const std::string own = own_name(*of.arguments[i]);
+        if (!name.empty() && !own.empty() && own != name) return "";
+        if (!own.empty()) name = own;
+    }
+    return name;
+}
+
+}  // namespace
+
+Helpers::Helpers(Graph& graph, const std::set<std::string>& wanted, const std::string& prefix)
+    : graph_(graph) {
+    for (int i = 0; i < most_helpers; ++i) {
+        const Needs needs(graph, wanted);
+        count_uses(needs);
+        std::vector<Cone> group = best_group(needs);
+        if (group.empty()) return;
+        extract(group, prefix);
+    }
+}
+
+void Helpers::count_uses(const Needs& needs) {
+    uses_.clear();
+    const auto of_region = [&](const auto& self, const Region& region) -> void {
+        for (const Event& event : region.events) {
+            if (event.value != nullptr) use(event.value);
+            for (const Assignment& of : event.assignments)
+                if (needs.is_needed(of.variable)) use(of.value);
+            if (event.kind != Event::Kind::loop) continue;
+            for (const Node* of : {event.loop->condition, event.loop->first, event.loop->last})
+                if (of != nullptr) use(of);
+            for (const auto& of : event.loop->variables)
+                if (needs.is_needed(of.get()) || of->guards) use(of->initial);
+            self(self, event.loop->body);
+        }
+    };
+    of_region(of_region, graph_.top);
+    for (const auto& node : graph_.nodes)
+        if (needs.is_needed(node.get()))
+            for (const Node* argument : node->arguments) use(argument);
+}
+
+/// What a helper knows without being told.
+bool Helpers::is_global(const Node& node) const {
+    if (node.kind == Kind::literal) return true;
+    if (node.kind != Kind::symbol) return false;
+    const std::string name = node.text.substr(0, node.text.find('['));
+    return name.rfind("STATUS_", 0) == 0 || name.rfind("FLAG_", 0) == 0 ||
+           std::any_of(graph_.uniforms.begin(), graph_.uniforms.end(),
+                       [&](const Uniform& of) { return of.name == name; });
+}
+
+bool Helpers::is_body(const Node& node, const Node& root) const {
+    return !is_leaf(node) && !is_difference(node) && node.region == root.region;
+}
+
+std::set<const Node*> Helpers::alone_for(const Node& root) const {
+    std::set<const Node*> body = {&root};
+    std::unordered_map<const Node*, std::size_t> met;
+    std::vector<const Node*> work = {&root};
+    while (!work.empty()) {
+        const Node* const node = work.back();
+        work.pop_back();
+        for (const Node* argument : node->arguments)
+            if (++met[argument] == uses_.at(argument) && is_body(*argument, root) &&
+                body.insert(argument).second)
+                work.push_back(argument);
+    }
+    return body;
+}
+
+std::string Helpers::described(const Node* node, Cone& cone, const std::set<const Node*>& body,
+                               std::unordered_map<const Node*, int>& known) const {
+    char number[64];
+    if (node->kind == Kind::literal) {
+        std::snprintf(number, sizeof number, "%d:%a", static_cast<int>(node->type), node->value);
+        return number;
+    }
+    if (is_constant(*node)) {
+        std::string text = "[" + std::to_string(static_cast<int>(node->type));
+        for (const Node* argument : node->arguments)
+            text += " " + described(argument, cone, body, known);
+        return text + "]";
+    }
+    if (is_global(*node)) return node->text;
+    const auto found = known.find(node);
+    if (found != known.end()) return "#" + std::to_string(found->second);
+    const int id = static_cast<int>(known.size());
+    known[node] = id;
+    if (body.count(node) == 0) {
+        cone.arguments.push_back(const_cast<Node*>(node));
+        return "?" + std::to_string(static_cast<int>(node->type));
+    }
+    std::string text = "(" + std::to_string(static_cast<int>(node->kind)) + "," +
+                       std::to_string(static_cast<int>(node->type)) + "," + node->text + "," +
+                       std::to_string(node->index);
+    for (const Node* argument : node->arguments)
+        text += " " + described(argument, cone, body, known);
+    cone.body.push_back(node);
+    if (is_operation(*node)) ++cone.size;
+    return text + ")";
+}
+
+Helpers::Cone Helpers::cone_of(Node* root) const {
+    Cone cone{root, {}, {}, {}, 0};
+    std::unordered_map<const Node*, int> known;
+    cone.key = described(root, cone, alone_for(*root), known);
+    return cone;
+}
+
+/// Where a helper saves the most.
+std::vector<Helpers::Cone> Helpers::best_group(const Needs& needs) const {
+    std::map<std::string, std::vector<Cone>> groups;
+    for (const auto& node : graph_.nodes) {
+        if (!needs.is_needed(node.get()) || !is_operation(*node) || is_difference(*node)) continue;
+        Cone cone = cone_of(node.get());
+        if (cone.size >= least_size && cone.arguments.size() <= most_arguments)
+            groups[cone.key].push_back(std::move(cone));
+    }
+    std::vector<Cone> best;
+    int most = 0;
+    for (auto& [key, group] : groups) {
+        const int saved = (static_cast<int>(group.size()) - 1) * group[0].size;
+        const bool has_name = std::any_of(group.begin(), group.end(), [](const Cone& of) {
+            return !name_of_result(*of.root).empty();
+        });
+        if (group.size() < 2 || !has_name || saved <= most) continue;
+        most = saved;
+        best = group;
+    }
+    return best;
+}
+
+void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
+    const Cone& first = group[0];
+    auto helper = std::make_unique<Helper>();
+    helper->type = first.root->type;
+    helper->graph.uniforms = graph_.uniforms;
+    std::string name;
+    for (const Cone& of : group)
+        if (name.empty()) name = name_of_result(*of.root);
+    helper->name = unique_name(prefix + "_" + name, "helper", names_);
+    // The body's nodes, and inputs in the places of the arguments.
+    Graph& made = helper->graph;
+    std::unordered_map<const Node*, Node*> copies;
+    const auto copy = [&](Node node) {
+        node.region = &made.top;
+        node.order = static_cast<int>(made.nodes.size()) + 1;
+        made.nodes.push_back(std::make_unique<Node>(std::move(node)));
+        return made.nodes.back().get();
+    };
+    const auto copied = [&](const auto& self, const Node* node) -> Node* {
+        if (copies.count(node) == 0) {
+            Node constant = *node;
+            for (Node*& argument : constant.arguments) argument = self(self, argument);
+            copies[node] = copy(std::move(constant));
+        }
+        return copies.at(node);
+    };
+    std::set<std::string> inputs;
+    for (std::size_t i = 0; i < first.arguments.size(); ++i) {
+        const Node& of = *first.arguments[i];
+        const std::string letter(1, static_cast<char>('a' + i));
+        Node input;
+        input.kind = Kind::symbol;
+        input.type = of.type;
+        input.text = unique_name(name_of_argument(group, i), letter.c_str(), inputs);
+        made.inputs.push_back({input.text, input.type});
+        copies[&of] = copy(std::move(input));
+    }
+    for (const Node* of : first.body) {
+        Node node = *of;
+        for (Node*& argument : node.arguments) argument = copied(copied, argument);
+        copies[of] = copy(std::move(node));
+    }
+    Node* const result = copies.at(first.root);
+    result->name.clear();
+    result->comments.clear();
+    Event event(Event::Kind::store, static_cast<int>(made.nodes.size()) + 1);
+    event.value = result;
+    made.top.events.push_back(std::move(event));
+    for (const Cone& of : group) {
+        of.root->kind = Kind::call;
+        of.root->text = helper->name;
+        of.root->index = 0;
+        of.root->arguments = of.arguments;
+    }
+    all_.push_back(std::move(helper));
+}
+
+}  // namespace quadrel::recorded
