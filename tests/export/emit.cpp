@@ -100,7 +100,7 @@ std::string with_error(const std::string& text, const Planted& planted) {
 class Emitter {
   public:
     Emitter(std::ostream& out, const Dialect& dialect)
-        : out_(out), dialect_(dialect), scene_(plain_scene(exported_side, exported_lights)) {}
+        : out_(out), dialect_(dialect), scene_(plain_scene({exported_side, exported_lights})) {}
 
     void emit(const RecordedStage& stage) {
         try {
@@ -217,34 +217,32 @@ void write_all(std::ostream& out) {
 void write_shader(std::ostream& out, const char* language, const char* main,
                   ParametersAs parameters = ParametersAs::constants) {
     const auto dialect = find_dialect(language);
-    const ShaderScene scene = plain_scene(exported_side, exported_lights);
+    const ShaderScene scene = plain_scene({exported_side, exported_lights});
     FunctionText all;
     for (const RecordedStage& stage : all_recorded_stages()) {
         try {
             const FunctionText function =
-                write_stage(stage, scene, nullptr, {}, *dialect, parameters);
+                write_stage(stage, scene, nullptr, {}, *dialect, "", parameters);
             all.text += function.text + "\n";
-            for (const Uniform& uniform : function.uniforms)
-                if (std::none_of(all.uniforms.begin(), all.uniforms.end(),
-                                 [&](const Uniform& of) { return of.name == uniform.name; }))
-                    all.uniforms.push_back(uniform);
+            add_uniforms(all.uniforms, function.uniforms);
         } catch (const RecordingError&) {  // the other program's table has it
         }
     }
-    out << whole_file(all, *dialect) << main;
+    out << whole_file(all.text, all.uniforms, *dialect) << main;
 }
 
 /// A file each, behind a line with its stage's name. Odd ones have uniforms for parameters.
 void write_each(std::ostream& out, const char* language) {
     const auto dialect = find_dialect(language);
-    const ShaderScene scene = plain_scene(exported_side, exported_lights);
+    const ShaderScene scene = plain_scene({exported_side, exported_lights});
     int number = 0;
     for (const RecordedStage& stage : all_recorded_stages()) {
         try {
             const FunctionText function =
-                write_stage(stage, scene, nullptr, {}, *dialect,
+                write_stage(stage, scene, nullptr, {}, *dialect, "",
                             number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
-            out << "=== " << stage.text->id << "\n" << whole_file(function, *dialect);
+            out << "=== " << stage.text->id << "\n"
+                << whole_file(function.text, function.uniforms, *dialect);
         } catch (const RecordingError&) {  // the other program's table has it
         }
     }
