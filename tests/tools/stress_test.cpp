@@ -85,12 +85,12 @@ TEST(Stress, OnlyALogOfTheSameRunGoesOn) {
     EXPECT_EQ(logged("--seed 3 --look-ups 1e5"), 3);
     EXPECT_EQ(logged("--seed 2 --look-ups 2e5"), 3);
     EXPECT_EQ(read_whole_file(file), log);
-    testing_films::write_bytes(file, "a letter\nto someone\n");
-    EXPECT_EQ(logged("--seed 2 --look-ups 1e5"), 3);
-    EXPECT_EQ(read_whole_file(file), "a letter\nto someone\n");
-    testing_films::write_bytes(file, "a letter without an end");
-    EXPECT_EQ(logged("--seed 2 --look-ups 1e5"), 3);
-    EXPECT_EQ(read_whole_file(file), "a letter without an end");
+    for (const char* letter :
+         {"a letter\n", "a letter\nto someone\n", "one without an end", "[]\n"}) {
+        testing_films::write_bytes(file, letter);
+        EXPECT_EQ(logged("--seed 2 --look-ups 1e5"), 3) << letter;
+        EXPECT_EQ(read_whole_file(file), letter);
+    }
 }
 
 TEST(Stress, PlantedErrorsAreFound) {

@@ -37,7 +37,8 @@ void ResultLog::read(const std::string& text) {
         const Json line =
             Json::parse(text.begin() + static_cast<std::ptrdiff_t>(begin),
                         text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
-        if (begin == 0 && line != first_) refuse(text.substr(0, end));
+        // What is no JSON is neither equal to anything nor unequal.
+        if (begin == 0 && !(line == first_)) refuse(text.substr(0, end));
         if (begin == 0) continue;
         if (!line.is_object() || !line.contains("scene") || !line.contains("result"))
             throw InputError(file_.string(), "", "a line that is none of a log",
