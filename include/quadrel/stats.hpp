@@ -68,6 +68,23 @@ struct CertifiedStats {
     }
 };
 
+/// Covered lanes by what is proven of their pixels, whose exact rays are known to lie in a range
+/// (channels `certified.pixel` and `certified.pixel.reason`).
+struct CertifiedPixelStats {
+    bool drawn = false;  ///< else nothing was asked
+    std::uint64_t proven = 0;
+    std::uint64_t open = 0;            ///< whether it hits, or in which cell, is not
+    std::uint64_t apart = 0;           ///< it ends elsewhere than the drawn ray
+    std::uint64_t ray_not_proven = 0;  ///< nor is the hit of the drawn ray
+    std::uint64_t without_ray = 0;     ///< as CertifiedStats has them
+
+    /// Of the lanes with a ray, those whose pixel is proven; 1 where there are none.
+    double share() const {
+        const std::uint64_t rays = proven + open + apart + ray_not_proven;
+        return rays == 0 ? 1 : static_cast<double>(proven) / static_cast<double>(rays);
+    }
+};
+
 /// Samples of pixels that are integrals; the time that they take is that of drawing.
 struct IntegralStats {
     bool drawn = false;                 ///< else pixels are no integrals
@@ -101,6 +118,7 @@ struct RenderStats {
     /// lights.
     std::uint64_t trace_steps = 0, shadow_steps = 0;
     CertifiedStats certified;
+    CertifiedPixelStats certified_pixels;
     IntegralStats integral;
     KindStats kinds;
     PrimitiveCounts primitives;

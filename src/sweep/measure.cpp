@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "kernels/select.hpp"
-#include "quadrel/stats.hpp"
-#include "render/plan/prepared.hpp"
 #include "render/stats/stopwatch.hpp"
 
 namespace quadrel::sweep {
@@ -30,56 +28,68 @@ StageTimes draw_by_stages(Film& film, const PreparedRender& prepared,
     return record.stages;
 }
 
-void time_draws(const PreparedRender& prepared, const RenderOptions& options, int repeats,
-                const std::string& trace, RunTime& time) {
-    std::vector<double> draws, kernels, traces;
-    Film film;
-    draw_into(film, prepared, options, nullptr, Recording::nothing);  // caches, pages of the film
-    for (int i = 0; i < repeats; ++i) {
-        Stopwatch watch;
-        draw_into(film, prepared, options, nullptr, Recording::nothing);
-        draws.push_back(milliseconds(watch.lap(), options.threads));
-        const StageTimes stages = draw_by_stages(film, prepared, options);
-        kernels.push_back(milliseconds(total(stages).cpu_ns));
-        const auto search = stages.find(trace);
-        traces.push_back(search == stages.end() ? 0 : milliseconds(search->second.cpu_ns));
-    }
-    time.draw = summary_of(std::move(draws));
-    time.kernel = summary_of(std::move(kernels));
-    time.trace = summary_of(std::move(traces)).median;
+/// Plans and loads, and tells how long that took.
+PreparedRender prepare_timed(const Scene& scene, const RenderOptions& options, double& ms) {
+    Stopwatch watch;
+    PreparedRender prepared =
+        prepare_render(scene, options, select_kernels(options.number, options.isa));
+    ms = watch.lap().wall_ms;
+    return prepared;
 }
 
 }  // namespace
 
-RunTime time_run(const Scene& scene, const RenderOptions& options, int repeats,
-                 const std::string& trace) {
-    RenderOptions own = options;
-    own.channels = {"R", "G", "B", "A"};
-    RunTime time;
-    Stopwatch watch;
-    const PreparedRender prepared = prepare_render(scene, own, select_kernels(own.number, own.isa));
-    time.load_ms = watch.lap().wall_ms;
-    time_draws(prepared, own, repeats, trace, time);
-    return time;
+MeasuredRun::MeasuredRun(const Scene& scene, const RenderOptions& options)
+    : options_([&] {
+          RenderOptions own = options;
+          own.channels = {"R", "G", "B", "A"};
+          return own;
+      }()),
+      prepared_(prepare_timed(scene, options_, load_ms_)) {
+    draw_into(film_, prepared_, options_, &counted_, Recording::counts);
 }
 
-RunCounts count_run(const Scene& scene, RenderOptions options) {
-    RenderStats stats;
-    options.channels = {"R", "G", "B", "A"};
-    options.stats = &stats;
-    options.touched = true;
-    Film film;
-    render_into(film, scene, options);
+RunTime MeasuredRun::time(int repeats, double seconds, const std::string& trace) {
+    std::vector<double> draws, kernels, traces;
+    Stopwatch watch;
+    double spent_ms = 0;
+    const auto lap = [&] {
+        const double ms = milliseconds(watch.lap(), options_.threads);
+        spent_ms += ms;
+        return ms;
+    };
+    for (int i = 0; i < repeats && !(spent_ms > 1000 * seconds); ++i) {
+        draw_into(film_, prepared_, options_, nullptr, Recording::nothing);
+        draws.push_back(lap());
+        const StageTimes stages = draw_by_stages(film_, prepared_, options_);
+        kernels.push_back(milliseconds(total(stages).cpu_ns));
+        const auto search = stages.find(trace);
+        traces.push_back(search == stages.end() ? 0 : milliseconds(search->second.cpu_ns));
+        lap();
+    }
+    const auto made = static_cast<int>(draws.size());
+    return {summary_of(std::move(draws)), summary_of(std::move(kernels)),
+            summary_of(std::move(traces)).median, made, load_ms_};
+}
+
+RunCounts MeasuredRun::count() const {
+    DrawRecord marking;
+    const TouchedTexels touched = mark_touched(prepared_, options_, marking);
     RunCounts counts;
-    counts.fragments = stats.covered_lanes;
-    counts.helpers = stats.helper_lanes;
-    const auto fragments = static_cast<double>(std::max<std::uint64_t>(1, stats.covered_lanes));
-    for (const auto& [kind, look_ups] : stats.fetches_by_kind)
-        counts.look_ups[kind] = static_cast<double>(look_ups) / fragments;
-    counts.look_ups_in_all = static_cast<double>(stats.fetches.fetches) / fragments;
-    counts.texels = stats.touched.texels;
-    counts.lines = stats.touched.lines;
-    counts.steps = static_cast<double>(stats.trace_steps) / fragments;
+    counts.fragments = counted_.covered_lanes;
+    counts.helpers = counted_.helper_lanes;
+    const auto fragments = static_cast<double>(std::max<std::uint64_t>(1, counts.fragments));
+    for (int slot = 0; slot < texture_slot_count; ++slot) {
+        const auto look_ups =
+            static_cast<double>(marking.fetches[static_cast<std::size_t>(slot)].fetches);
+        if (look_ups == 0) continue;
+        counts.look_ups[std::string(slot_name(static_cast<TextureSlot>(slot)))] =
+            look_ups / fragments;
+        counts.look_ups_in_all += look_ups / fragments;
+    }
+    counts.texels = touched.total().texels;
+    counts.lines = touched.total().lines;
+    counts.steps = static_cast<double>(marking.trace_steps) / fragments;
     return counts;
 }
 

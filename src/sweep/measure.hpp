@@ -7,6 +7,7 @@
 
 #include "quadrel/film/film.hpp"
 #include "quadrel/render.hpp"
+#include "render/plan/prepared.hpp"
 
 namespace quadrel::sweep {
 
@@ -22,15 +23,11 @@ struct RunTime {
     /// Of it the search, the median: stages share a tile's time by what they take of the
     /// processor's counter, and one that was held up leaves too little to the others.
     double trace = 0;
+    int repeats = 0;
     double load_ms = 0;  ///< once: reading maps and deriving what the search needs, wall time
 };
 
-/// Draws R G B A `repeats` times with nothing that counts, and as often with a clock around each
-/// stage. Throws as `render` does.
-RunTime time_run(const Scene& scene, const RenderOptions& options, int repeats,
-                 const std::string& trace);
-
-/// Of one drawing, and of one that marks what is touched; nothing of it is timed.
+/// Nothing of it is timed.
 struct RunCounts {
     std::uint64_t fragments = 0, helpers = 0;
     std::map<std::string, double> look_ups;  ///< a fragment, by texture; helper lanes count
@@ -38,7 +35,27 @@ struct RunCounts {
     std::uint64_t texels = 0, lines = 0;  ///< distinct; lines of 64 bytes
     double steps = 0;                     ///< of the search, a fragment; helper lanes count
 };
-RunCounts count_run(const Scene& scene, RenderOptions options);
+
+/// A run's R G B A, planned, loaded and drawn once, to be timed and counted.
+class MeasuredRun {
+  public:
+    /// The scene must outlive it. Throws as `render` does.
+    MeasuredRun(const Scene& scene, const RenderOptions& options);
+
+    /// Draws `repeats` times with nothing that counts, and as often with a clock around each stage.
+    /// Begins no repetition once these have taken so many seconds, by the clock of the draws.
+    RunTime time(int repeats, double seconds, const std::string& trace);
+
+    /// Draws once more, and marks what is touched.
+    RunCounts count() const;
+
+  private:
+    RenderOptions options_;
+    double load_ms_ = 0;
+    PreparedRender prepared_;
+    Film film_;           ///< its pages are there when it is drawn into the next time
+    DrawRecord counted_;  ///< of the first drawing
+};
 
 /// Look-ups of the search by the channels hit.fetches and A.
 struct SearchCost {

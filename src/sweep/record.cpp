@@ -106,6 +106,7 @@ Json describe_run(const Plan& plan, const Run& run, const Machine& machine) {
 }
 
 void add_time(Json& record, const RunTime& time, int threads) {
+    record["repeats"] = time.repeats;
     record["clock"] = threads == 1 ? "cpu" : "wall";
     record["draw_ms"] = rounded(time.draw.least);
     record["draw_ms_median"] = rounded(time.draw.median);

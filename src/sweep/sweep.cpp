@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
@@ -74,16 +75,11 @@ class Sweeper {
 
     std::string key_of(const Scene& scene, const Run& run, const Machine& machine,
                        bool pictured) const {
-        const Json what{record_format,
-                        name_of(run),
-                        scene.hash,
-                        run.number,
-                        run.isa,
-                        run.threads,
+        const Json what{record_format, name_of(run), scene.hash, run.number, run.isa, run.threads,
                         plan_.repeats,
-                        machine.build,
-                        machine.processor,
-                        plan_.wrong_texels,
+                        // JSON has no infinity.
+                        std::min(plan_.repeat_seconds, std::numeric_limits<double>::max()),
+                        machine.build, machine.processor, plan_.wrong_texels,
                         pictured ? plan_.pictures.side : 0};
         return sha256_hex(what.dump()).substr(0, 32);
     }
@@ -158,14 +154,15 @@ class Sweeper {
     void measure_all(Json& record, const RunScene& scene, const Run& run, bool pictured) {
         const RenderOptions options = RunScenes::render_options(run);
         const AllowedThreads allowed(run.threads);
-        const RunTime time = time_run(scene.scene, options, plan_.repeats, record["trace"]);
+        MeasuredRun measured(scene.scene, options);
+        const RunTime time = measured.time(plan_.repeats, plan_.repeat_seconds, record["trace"]);
         const JudgedRun judged = scenes_.judge(
             scene, run,
             pictured ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{});
         record["map_width"] = judged.map.width;
         record["map_height"] = judged.map.height;
         add_time(record, time, run.threads);
-        add_counts(record, count_run(scene.scene, options), search_cost(judged.film));
+        add_counts(record, measured.count(), search_cost(judged.film));
         add_error(record, judged.error);
         if (!pictured) return;
         const int side = plan_.pictures.side;

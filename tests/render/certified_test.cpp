@@ -116,6 +116,58 @@ TEST(Certified, IsCounted) {
     EXPECT_EQ(flat.certified.without_ray, flat.covered_lanes);
 }
 
+/// The second level is counted as the film has it, and only where it is asked for.
+TEST(Certified, PixelsAreCountedAsTheyAreDrawn) {
+    constexpr const char* far = R"(material.texture_matrix={"offset":[40000.3,0.7]})";
+    const Scene scene = load_scene("bricks-45", {size_override("20x15"), far});
+    RenderOptions options;
+    RenderStats stats;
+    options.stats = &stats;
+    options.threads = 2;
+    options.channels = {"A", "certified.pixel.reason"};
+    const Film film = render(scene, options);
+    std::map<std::uint32_t, std::uint64_t> reasons;
+    for (std::size_t i = 0; i < film.window.area(); ++i)
+        if (film.find("A")->as_float(i) > 0)
+            ++reasons[film.find("certified.pixel.reason")->bits[i]];
+    const CertifiedPixelStats& pixels = stats.certified_pixels;
+    EXPECT_TRUE(pixels.drawn);
+    EXPECT_EQ(pixels.proven, reasons[static_cast<std::uint32_t>(Uncertified::proven)]);
+    EXPECT_EQ(pixels.open, reasons[static_cast<std::uint32_t>(oracle::pixel_open)]);
+    EXPECT_EQ(pixels.apart, reasons[static_cast<std::uint32_t>(oracle::pixel_apart)]);
+    EXPECT_GT(pixels.apart, 0u);
+    EXPECT_EQ(
+        pixels.proven + pixels.open + pixels.apart + pixels.ray_not_proven + pixels.without_ray,
+        stats.covered_lanes);
+    EXPECT_LT(pixels.share(), 1);
+    EXPECT_NE(to_json(stats).find("\"certified_pixel\""), std::string::npos);
+    options.channels = {"certified"};
+    RenderStats other;
+    options.stats = &other;
+    render(scene, options);
+    EXPECT_FALSE(other.certified_pixels.drawn);
+    EXPECT_EQ(to_json(other).find("\"certified_pixel\""), std::string::npos);
+}
+
+/// Without a frame or heights there is nothing to prove; noise has heights, and no proof.
+TEST(Certified, PixelsWithoutARayAreCountedApart) {
+    const auto counted = [](const char* name) {
+        RenderOptions options;
+        RenderStats stats;
+        options.stats = &stats;
+        options.channels = {"certified.pixel"};
+        render(load_scene(name, {size_override("20x15")}), options);
+        EXPECT_GT(stats.covered_lanes, 0u) << name;
+        return std::pair(stats.certified_pixels, stats.covered_lanes);
+    };
+    const auto [noise, noisy] = counted("rows/heights-noise");
+    EXPECT_EQ(noise.ray_not_proven, noisy);
+    EXPECT_EQ(noise.share(), 0);
+    const auto [flat, lanes] = counted("sampler-lod-bias");
+    EXPECT_EQ(flat.without_ray, lanes);
+    EXPECT_EQ(flat.share(), 1);
+}
+
 /// Of the pixels whose drawn ray is proven, those whose exact ray is shown to end in its cell.
 struct PixelShares {
     double covered = 0, pixel = 0;

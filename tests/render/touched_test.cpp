@@ -5,6 +5,7 @@
 
 #include "built_isas.hpp"
 #include "quadrel/probe.hpp"
+#include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
 #include "render/films.hpp"
 #include "render/scenes.hpp"
@@ -224,6 +225,31 @@ TEST(Touched, DoesNotDependOnHowTheRenderIsRun) {
         if (options.threads > 1) ++stats.touched.lines;
         return stats;
     }));
+}
+
+/// Drawing looks ahead, and learns whether that pays: what it leaves out, and what it has learnt,
+/// is in no count.
+TEST(Touched, LookUpsAreThoseOfEveryStep) {
+    const Scene scene = load_scene("rows/linear", {"size=[24,20]"});
+    RenderOptions options;
+    options.channels = {"R", "G", "B", "A"};
+    RenderStats every;
+    options.stats = &every;
+    options.skip = false;
+    render(scene, options);
+    options.skip = true;
+    bool leaves_out = false;
+    for (const std::string& isa : built_isas())
+        for (int drawn_before = 0; drawn_before < 3; ++drawn_before) {
+            options.isa = isa;
+            const RenderStats counted = stats_of(scene, options);
+            EXPECT_EQ(counted.fetches_by_kind, every.fetches_by_kind) << isa << drawn_before;
+            RenderStats drawn;
+            options.stats = &drawn;
+            render(scene, options);
+            leaves_out |= drawn.fetches.fetches < every.fetches.fetches;
+        }
+    EXPECT_TRUE(leaves_out);
 }
 
 /// What is not asked for is neither counted nor in the JSON. Look-ups are those of every step then,

@@ -7,6 +7,7 @@
 
 #include "kernels/select.hpp"
 #include "quadrel/scene/load.hpp"
+#include "quadrel/stats.hpp"
 #include "render/plan/prepared.hpp"
 
 namespace quadrel::sweep_tests {
@@ -27,6 +28,38 @@ TEST(Measure, AClockChangesNoBitAndCountsNothing) {
     draw(prepared, options, &counted, Recording::counts);
     EXPECT_GT(total(counted.stages).fetches, 0u);
     EXPECT_EQ(timed.stages.size(), counted.stages.size());
+}
+
+/// Counts are those of a render with statistics, whatever has been timed before.
+TEST(Measure, CountsAreThoseOfStatistics) {
+    for (const char* name : {"rows/linear", "rows/cone-step", "rows/max-mip", "thesis-sphere"}) {
+        const Scene scene = load_scene(name, {"size=[24,20]"});
+        RenderOptions options;
+        options.threads = 1;
+        MeasuredRun run(scene, options);
+        const RunTime time = run.time(2, 1e9, scene.materials[0].trace.id);
+        EXPECT_GT(time.trace, 0) << name;
+        EXPECT_EQ(time.repeats, 2) << name;
+        EXPECT_EQ(run.time(9, 1e-9, scene.materials[0].trace.id).repeats, 1) << name;
+        EXPECT_LE(time.draw.least, time.draw.median) << name;
+        const RunCounts counts = run.count();
+        RenderStats stats;
+        options.channels = {"R", "G", "B", "A"};
+        options.stats = &stats;
+        options.touched = true;
+        render(scene, options);
+        EXPECT_EQ(counts.fragments, stats.covered_lanes) << name;
+        EXPECT_EQ(counts.helpers, stats.helper_lanes) << name;
+        EXPECT_EQ(counts.texels, stats.touched.texels) << name;
+        EXPECT_EQ(counts.lines, stats.touched.lines) << name;
+        const auto fragments = static_cast<double>(stats.covered_lanes);
+        EXPECT_DOUBLE_EQ(counts.steps * fragments, static_cast<double>(stats.trace_steps)) << name;
+        EXPECT_EQ(counts.look_ups.size(), stats.fetches_by_kind.size()) << name;
+        for (const auto& [kind, look_ups] : stats.fetches_by_kind)
+            EXPECT_DOUBLE_EQ(counts.look_ups.at(kind) * fragments, static_cast<double>(look_ups));
+        EXPECT_NEAR(counts.look_ups_in_all * fragments, static_cast<double>(stats.fetches.fetches),
+                    1e-6);
+    }
 }
 
 /// 9 x 4 pixels: a block of 8 x 4, and a column that is one of its own.

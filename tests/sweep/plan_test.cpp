@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "quadrel/error.hpp"
@@ -37,6 +38,27 @@ TEST(Plan, ListsMultiply) {
     EXPECT_EQ(plan.algorithms.size(), 3u);
     EXPECT_EQ(plan.algorithms[1].name(), "linear steps=16");
     EXPECT_EQ(runs_of(plan).size(), 7u * 2 * 3);
+}
+
+/// A group of rows is what its name says, whatever else is asked for.
+TEST(Plan, GroupsOfRowsMayHoldWhatIsNamedBesideThem) {
+    const TemporaryFolder folder;
+    const auto named = [&](const std::string& algorithms) {
+        std::vector<std::string> names;
+        for (const Algorithm& algorithm :
+             plan_of(folder, replaced(small_plan(), R"("max-mip")", algorithms)).algorithms)
+            names.push_back(algorithm.name());
+        return names;
+    };
+    const std::vector<std::string> rows = named(R"({"rows": "oracles"}, {"rows": "oracles"})");
+    EXPECT_EQ(rows.size(), 2 + trace_rows(Rows::oracles).size());
+    EXPECT_EQ(named(R"({"rows": "oracles"}, "oracle-bilinear")"), rows);
+    EXPECT_EQ(std::ranges::count(named(R"({"rows": "oracles"}, {"rows": "all"})"), rows.back()), 1);
+    // The row of the group has these steps: it is the same search, by the name that was given.
+    const std::vector<std::string> all =
+        named(R"({"rows": "corrected"}, {"trace": "linear", "parameters": {"steps": 128}})");
+    EXPECT_EQ(std::ranges::count(all, "linear"), 0);
+    EXPECT_EQ(std::ranges::count(all, "linear steps=128"), 1);
 }
 
 /// Every trace, each once, and the ladder beside the row of the same id.
@@ -120,6 +142,11 @@ constexpr WrongPlan wrong_plans[] = {
     {R"("steps": [4, 16])", R"("steps": [4, 4])", "algorithms[0].parameters.steps[1]", "once"},
     {R"("repeats": 1)", R"("threads": [1, 2, 1])", "threads[2]", "each value once"},
     {R"("side": 16)", R"("angles": [60, 75])", "pictures.angles", "one of the views 0, 60"},
+    {R"("max-mip")", R"("max-mip", "max-mip")", "algorithms[2]", "max-mip a second time"},
+    {R"("max-mip")", R"({"trace": "linear", "parameters": {"steps": 16}})", "algorithms[1]",
+     "algorithms[0] has linear steps=16"},
+    {R"("max-mip")", R"("linear", {"trace": "linear", "parameters": {"steps": 128}})",
+     "algorithms[2]", "algorithms[1] has linear"},  // its default
     {R"("trace": "linear")", R"("trace": "linear", "published": {"45": 3})", "algorithms",
      "one of the views 0, 60"},
     {R"("trace": "linear")", R"("trace": "linear", "published": {"60": 3, "60.0": 4})",

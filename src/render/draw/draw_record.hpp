@@ -7,6 +7,7 @@
 
 #include "quadrel/errors.hpp"
 #include "quadrel/quad/uniforms.hpp"
+#include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "quadrel/texture/counters.hpp"
 #include "render/stats/stage_clock.hpp"
 
@@ -19,6 +20,9 @@ struct IntegralCounts {
     std::uint64_t above = 0;                     ///< pixels whose error is above the stated one
 };
 
+/// Codes of certified.pixel.reason.
+inline constexpr std::size_t pixel_reasons = static_cast<std::size_t>(oracle::pixel_apart) + 1;
+
 struct DrawRecord {
     std::uint64_t pixels = 0;  ///< of the film, with a visible fragment; the rest is on demand
     StageTimes stages;
@@ -27,6 +31,8 @@ struct DrawRecord {
     std::uint64_t trace_steps = 0, shadow_steps = 0;  ///< of a marking pass
     std::array<std::uint64_t, 3> certified{};         ///< covered lanes by Certificate
     std::uint64_t without_ray = 0;                    ///< of those of Certificate::none
+    /// Covered lanes by what certified.pixel.reason says; those that never have a ray as no_ray.
+    std::array<std::uint64_t, pixel_reasons> certified_pixels{};
     IntegralCounts integral;
     std::array<std::uint64_t, error_kinds> kinds{};  ///< covered lanes by ErrorKind
 };
@@ -51,6 +57,8 @@ inline void merge(DrawRecord& into, const DrawRecord& from) {
     into.shadow_steps += from.shadow_steps;
     for (std::size_t k = 0; k < into.certified.size(); ++k) into.certified[k] += from.certified[k];
     into.without_ray += from.without_ray;
+    for (std::size_t k = 0; k < pixel_reasons; ++k)
+        into.certified_pixels[k] += from.certified_pixels[k];
     merge(into.integral, from.integral);
     for (std::size_t k = 0; k < into.kinds.size(); ++k) into.kinds[k] += from.kinds[k];
 }

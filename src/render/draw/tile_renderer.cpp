@@ -75,8 +75,10 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
     if (!plan.bounds.materials.empty()) bounds_.emplace(plan.bounds);
     if (!plan.limits.materials.empty()) limits_.emplace(plan.limits);
     if (plan.integral) integral_.emplace(*plan.integral, target.background);
-    for (const ChannelSource& channel : *target.channels)
+    for (const ChannelSource& channel : *target.channels) {
         if (channel.name == "err.kind") kind_ = &channel;
+        certifies_pixels_ = certifies_pixels_ || certifies_pixels(channel);
+    }
 }
 
 std::uint32_t TileRenderer::material_of(const QuadCoverage& quad) const {
@@ -245,8 +247,11 @@ void TileRenderer::shade() {
         } else if (recording_ != Recording::marks) {
             const Judges judges = run_judges(material, quads_.data() + first, count);
             film_.add(batch_, quads_.data() + first, geometry_, buffer_, judges);
+            const std::span<const QuadCoverage> drawn(quads_.data() + first, end - first);
             if (recording_ == Recording::counts && judges.errors != nullptr)
-                count_kinds(*judges.errors, {quads_.data() + first, end - first});
+                count_kinds(*judges.errors, drawn);
+            if (recording_ == Recording::counts && certifies_pixels_)
+                count_certified_pixels(*judges.bounds, material, drawn);
         }
         first = end;
     }
@@ -330,33 +335,50 @@ void TileRenderer::mark(std::uint32_t material) {
         record_.fetches[static_cast<std::size_t>(slot)].marks = touched_->marks(material, slot);
 }
 
+/// count(lane) for every lane of the batch that is seen.
+template <class Count>
+void TileRenderer::for_each_seen(std::span<const QuadCoverage> quads, const Count& count) const {
+    for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
+        const auto q = static_cast<std::size_t>(lane / 4);
+        const auto k = static_cast<std::size_t>(lane % 4);
+        if (solid_ || quads[q].samples[k] != 0) count(lane);
+    }
+}
+
+/// Whether there is nothing to prove. Noise has heights that are not proven.
+bool TileRenderer::lacks_ray(std::uint32_t material, Uncertified reason) const {
+    const Material& of = scene_.materials[material];
+    const bool has_heights = of.noise || of.textures.contains("height");
+    return reason == Uncertified::no_ray || (reason == Uncertified::no_height_map && !has_heights);
+}
+
 /// What is proven of the fragments that are seen, where certificates are drawn.
 void TileRenderer::count_certified(std::uint32_t material, std::span<const QuadCoverage> quads) {
     constexpr auto certified = static_cast<std::size_t>(Value::certified);
     if (!plan_.materials[material].values[certified]) return;
-    // Noise has heights that are not proven; where there are none, there is nothing to prove.
-    const bool has_heights =
-        scene_.materials[material].noise || scene_.materials[material].textures.contains("height");
-    for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
-        const auto q = static_cast<std::size_t>(lane / 4), k = static_cast<std::size_t>(lane % 4);
-        if (!solid_ && quads[q].samples[k] == 0) continue;
+    for_each_seen(quads, [&](int lane) {
         ++record_.certified[batch_.integer(slot_of(Value::certified), lane)];
-        const auto reason =
-            static_cast<Uncertified>(batch_.integer(slot_of(Value::certified_reason), lane));
-        record_.without_ray +=
-            reason == Uncertified::no_ray || (reason == Uncertified::no_height_map && !has_heights);
-    }
+        record_.without_ray += lacks_ray(
+            material, Uncertified(batch_.integer(slot_of(Value::certified_reason), lane)));
+    });
+}
+
+/// The same of their pixels.
+void TileRenderer::count_certified_pixels(const RangeBatch& ranges, std::uint32_t material,
+                                          std::span<const QuadCoverage> quads) {
+    for_each_seen(quads, [&](int lane) {
+        const Uncertified reason = ranges.uncertified(lane);
+        const auto code = lacks_ray(material, reason) ? Uncertified::no_ray : reason;
+        ++record_.certified_pixels[static_cast<std::size_t>(code)];
+    });
 }
 
 /// Of the fragments that are seen, where their kinds are drawn. An image is no larger than the
 /// window, beyond which quads may reach: it is not counted.
 void TileRenderer::count_kinds(const ErrorBatch& errors, std::span<const QuadCoverage> quads) {
     if (kind_ == nullptr || plan_.judged != nullptr) return;
-    for (int lane = 0; lane < 4 * static_cast<int>(quads.size()); ++lane) {
-        const auto q = static_cast<std::size_t>(lane / 4), k = static_cast<std::size_t>(lane % 4);
-        if (solid_ || quads[q].samples[k] != 0)
-            ++record_.kinds[errors.bits(*kind_, batch_, lane, 0, 0)];
-    }
+    for_each_seen(quads,
+                  [&](int lane) { ++record_.kinds[errors.bits(*kind_, batch_, lane, 0, 0)]; });
 }
 
 void TileRenderer::count_steps(const MaterialPlan& plan) {

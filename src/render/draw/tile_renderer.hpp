@@ -82,6 +82,11 @@ class TileRenderer {
     void mark(std::uint32_t material);
     void count_steps(const MaterialPlan& plan);
     void count_certified(std::uint32_t material, std::span<const QuadCoverage> quads);
+    void count_certified_pixels(const RangeBatch& ranges, std::uint32_t material,
+                                std::span<const QuadCoverage> quads);
+    bool lacks_ray(std::uint32_t material, Uncertified reason) const;
+    template <class Count>
+    void for_each_seen(std::span<const QuadCoverage> quads, const Count& count) const;
     void count_kinds(const ErrorBatch& errors, std::span<const QuadCoverage> quads);
     std::uint32_t material_of(const QuadCoverage& quad) const;
     bool keeps_time() const {
@@ -108,6 +113,7 @@ class TileRenderer {
     std::vector<QuadCoverage> quads_;
     bool solid_ = false;                   ///< the quads are all those of the tile, and whole
     const ChannelSource* kind_ = nullptr;  ///< err.kind, where it is drawn
+    bool certifies_pixels_ = false;        ///< certified.pixel is
     bool solid_tiles_;                     ///< nothing asks for what only the buffer has
 };
 

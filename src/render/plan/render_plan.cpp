@@ -203,6 +203,10 @@ RenderPlan plan_with_steps(const RenderPlan& plan) {
             for (PlannedStage& stage : material.stages)
                 stage.checks = border_checks(stage, material.values);
         }
+    for (MaterialUniforms& material : counting.uniforms) {
+        material.heights_bounded = 0;
+        material.maxima = nullptr;
+    }
     return counting;
 }
 

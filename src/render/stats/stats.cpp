@@ -77,6 +77,15 @@ Json to_json(const CertifiedStats& certified) {
             {"without_ray", certified.without_ray}};
 }
 
+Json to_json(const CertifiedPixelStats& pixels) {
+    return {{"share", pixels.share()},
+            {"proven", pixels.proven},
+            {"open", pixels.open},
+            {"apart", pixels.apart},
+            {"ray_not_proven", pixels.ray_not_proven},
+            {"without_ray", pixels.without_ray}};
+}
+
 Json to_json(const IntegralStats& integral) {
     return {{"samples", integral.samples},
             {"least", integral.least},
@@ -169,6 +178,7 @@ void record_plan(const PreparedRender& prepared, const RenderOptions& options, R
     stats.left_out = left_out(prepared);
     for (const ChannelSource& channel : prepared.channels) {
         stats.certified.drawn |= channel.name == "certified";
+        stats.certified_pixels.drawn |= certifies_pixels(channel);
         stats.kinds.drawn |= channel.name == "err.kind" && prepared.plan.judged == nullptr;
     }
     stats.integral.drawn = prepared.plan.integral.has_value();
@@ -190,6 +200,18 @@ void record_fetches(const DrawRecord& record, RenderStats& stats) {
     }
 }
 
+void record_certified_pixels(const DrawRecord& record, CertifiedPixelStats& pixels) {
+    for (std::size_t code = 0; code < pixel_reasons; ++code) {
+        const auto reason = static_cast<Uncertified>(code);
+        std::uint64_t& of = reason == Uncertified::proven   ? pixels.proven
+                            : reason == Uncertified::no_ray ? pixels.without_ray
+                            : reason == oracle::pixel_open  ? pixels.open
+                            : reason == oracle::pixel_apart ? pixels.apart
+                                                            : pixels.ray_not_proven;
+        of += record.certified_pixels[code];
+    }
+}
+
 }  // namespace
 
 void record_drawing(const DrawRecord& record, RenderStats& stats) {
@@ -202,6 +224,7 @@ void record_drawing(const DrawRecord& record, RenderStats& stats) {
     certified.exactly += record.certified[static_cast<std::size_t>(Certificate::exact)];
     certified.not_proven += record.certified[0] - record.without_ray;
     certified.without_ray += record.without_ray;
+    record_certified_pixels(record, stats.certified_pixels);
     if (stats.integral.drawn)
         stats.integral = {true, record.integral.samples, record.integral.least,
                           record.integral.most, record.integral.above};
@@ -254,6 +277,7 @@ std::string to_json(const RenderStats& stats) {
                {"draw", to_json(stats.draw)}}},
              {"peak_memory_kib", stats.peak_memory_kib}};
     if (stats.certified.drawn) out["certified"] = to_json(stats.certified);
+    if (stats.certified_pixels.drawn) out["certified_pixel"] = to_json(stats.certified_pixels);
     if (stats.integral.drawn) out["integral"] = to_json(stats.integral);
     if (stats.kinds.drawn) out["errors"] = to_json(stats.kinds);
     if (stats.has_touched) {

@@ -239,15 +239,22 @@ std::string read_trace(const SceneValue& value) {
     return stage->text.id;
 }
 
-void read_algorithm(const SceneValue& value, std::vector<Algorithm>& all) {
+/// An algorithm and the entry of the plan that has it: by its name, or as one of a group of rows.
+struct PlannedAlgorithm {
+    Algorithm algorithm;
+    SceneValue entry;
+    bool is_named;
+};
+
+void read_algorithm(const SceneValue& value, std::vector<PlannedAlgorithm>& all) {
     if (value.json().is_string()) {
-        all.push_back({read_trace(value), {}, {}});
+        all.push_back({{read_trace(value), {}, {}}, value, true});
         return;
     }
     Fields fields(value);
     if (fields.has("rows")) {
         for (const std::string& id : trace_rows(fields.get("rows").word(row_words)))
-            all.push_back({id, {}, {}});
+            all.push_back({{id, {}, {}}, value, false});
         return fields.finish("an entry of rows");
     }
     const std::string trace = read_trace(fields.get("trace"));
@@ -255,23 +262,43 @@ void read_algorithm(const SceneValue& value, std::vector<Algorithm>& all) {
     if (fields.has("published")) published = read_published(fields.get("published"));
     std::vector<Parameters> sets{{}};
     if (fields.has("parameters")) sets = read_parameters_of(fields.get("parameters"), trace);
-    for (const Parameters& parameters : sets) all.push_back({trace, parameters, published});
+    for (const Parameters& parameters : sets)
+        all.push_back({{trace, parameters, published}, value, true});
     fields.finish("an algorithm");
 }
 
-/// Rows that are asked for twice are measured once; what was published stays with them.
-std::vector<Algorithm> without_repetition(const std::vector<Algorithm>& all) {
-    std::vector<Algorithm> kept;
-    for (const Algorithm& algorithm : all) {
-        const auto same = std::find_if(kept.begin(), kept.end(), [&](const Algorithm& other) {
-            return other.name() == algorithm.name();
+/// Whether two are one search: a parameter that is not given has its default.
+bool are_same(const Algorithm& a, const Algorithm& b) {
+    if (a.trace != b.trace) return false;
+    const auto value = [](const Algorithm& algorithm, const ParameterText& parameter) {
+        const auto given = algorithm.parameters.find(parameter.name);
+        if (given == algorithm.parameters.end()) return parameter.default_value;
+        return *number_of(parameter, given->second);
+    };
+    return std::ranges::all_of(find_stage(a.trace)->parameters,
+                               [&](const ParameterText& p) { return value(a, p) == value(b, p); });
+}
+
+/// Groups of rows may overlap, and hold what is named beside them: that is measured once, as it is
+/// named. What is named twice is refused.
+std::vector<Algorithm> each_once(const std::vector<PlannedAlgorithm>& all) {
+    std::vector<PlannedAlgorithm> kept;
+    for (const PlannedAlgorithm& one : all) {
+        const auto same = std::ranges::find_if(kept, [&](const PlannedAlgorithm& other) {
+            return are_same(one.algorithm, other.algorithm);
         });
         if (same == kept.end())
-            kept.push_back(algorithm);
-        else
-            same->published.insert(algorithm.published.begin(), algorithm.published.end());
+            kept.push_back(one);
+        else if (one.is_named && same->is_named)
+            one.entry.fail(one.algorithm.name() + " a second time: " + same->entry.path() +
+                               " has " + same->algorithm.name(),
+                           "each search with each set of parameters once");
+        else if (one.is_named)
+            *same = one;
     }
-    return kept;
+    std::vector<Algorithm> algorithms;
+    for (const PlannedAlgorithm& one : kept) algorithms.push_back(one.algorithm);
+    return algorithms;
 }
 
 // How they are run
@@ -306,6 +333,7 @@ void read_running(Fields& fields, Plan& plan) {
     read_size(fields, plan);
     fields.read("samples", plan.samples, 1, 16);
     fields.read("repeats", plan.repeats, 1, 1000);
+    fields.read("repeat_seconds", plan.repeat_seconds, above_zero);
     fields.read("wrong_texels", plan.wrong_texels, above_zero);
     fields.read("published_on", plan.published_on);
     if (fields.has("numbers")) {
@@ -327,10 +355,10 @@ void read_running(Fields& fields, Plan& plan) {
     read_pictures(fields, plan.pictures);
 }
 
-constexpr const char* plan_keys[] = {"sweep",   "title",      "scenes",       "maps",
-                                     "views",   "algorithms", "size",         "samples",
-                                     "repeats", "isa",        "wrong_texels", "published_on",
-                                     "numbers", "threads",    "pictures"};
+constexpr const char* plan_keys[] = {"sweep",        "title",          "scenes",  "maps",
+                                     "views",        "algorithms",     "size",    "samples",
+                                     "repeats",      "repeat_seconds", "isa",     "wrong_texels",
+                                     "published_on", "numbers",        "threads", "pictures"};
 
 SceneDocument open_plan(const std::filesystem::path& file) {
     SceneDocument document = parse_scene_text(read_whole_file(file), file);
@@ -374,10 +402,10 @@ Plan read_plan(const std::filesystem::path& file) {
         plan.maps.push_back(scene_map());
     for (const SceneValue& value : distinct_elements(fields.get("views")))
         plan.views.push_back(read_view(value));
-    std::vector<Algorithm> algorithms;
+    std::vector<PlannedAlgorithm> algorithms;
     for (const SceneValue& value : elements(fields.get("algorithms")))
         read_algorithm(value, algorithms);
-    plan.algorithms = without_repetition(algorithms);
+    plan.algorithms = each_once(algorithms);
     read_running(fields, plan);
     fields.finish("a plan");
     check_plan(plan, fields.value());

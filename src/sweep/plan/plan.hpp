@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -77,6 +78,8 @@ struct Plan {
     std::vector<std::string> isas{"auto"};
     std::vector<int> threads{1};
     int repeats = 5;
+    /// No drawing is repeated once those of its run have taken so long.
+    double repeat_seconds = std::numeric_limits<double>::infinity();
     double wrong_texels = 0.5;  ///< further from the true hit than this is late, or early
     std::string published_on;   ///< what the published figures were measured on; may be empty
     PictureSettings pictures;

@@ -13,21 +13,13 @@
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
+#include "stress/affordable.hpp"
 #include "stress/departure.hpp"
 #include "stress/planted.hpp"
 #include "stress/scenes/listings.hpp"
 
 namespace quadrel::stress {
 namespace {
-
-/// All that a scene stores on its way, but for exact derivatives and what judges hits.
-const std::vector<std::string>& plain_channels() {
-    static const std::vector<std::string> all = {
-        "R",     "G",    "B",    "A", "Z",      "depth", "P",    "Ng",       "uv", "dUVdx",
-        "dUVdy", "dPdx", "dPdy", "J", "T",      "B.X",   "B.Y",  "B.Z",      "r",  "relief.depth",
-        "K",     "lod",  "hit",  "N", "shadow", "light", "bary", "quad.lane"};
-    return all;
-}
 
 /// Tiles that a ray may pass before it takes too long to judge: some microseconds each.
 constexpr float most_tiles = 100;
@@ -42,27 +34,6 @@ float tiles_on_the_way(const Film& film) {
                 most = std::max(most, tiles);
     }
     return most;
-}
-
-/// Exact searches look at each tile on the way: of scenes whose rays pass a million of them so many
-/// pixels, from the middle of the frame, as take some seconds. None: all of them.
-std::optional<Window> affordable_window(const Scene& scene) {
-    constexpr double tiles_in_all = 3e6;
-    constexpr int fewest = 2;  // along an axis: a quad
-    RenderOptions options;
-    options.channels = {"K"};
-    options.isa = "scalar";
-    options.threads = 1;
-    const double tiles = tiles_on_the_way(render(scene, options));
-    const double pixels = double(scene.width) * scene.height;
-    if (tiles * pixels <= tiles_in_all) return std::nullopt;
-    const double share = std::sqrt(tiles_in_all / tiles / pixels);
-    const auto side = [&](int all) {
-        return std::min(all, std::max(fewest, static_cast<int>(share * all)));
-    };
-    const int width = side(scene.width), height = side(scene.height);
-    const int x0 = (scene.width - width) / 4 * 2, y0 = (scene.height - height) / 4 * 2;
-    return Window{x0, y0, x0 + width, y0 + height};
 }
 
 /// What all renders of a scene have in common.
@@ -235,18 +206,23 @@ void draw_otherwise(const Scene& scene, const StressScene& stress, std::uint64_t
     if (sample % 2 == 0) check_duals(scene, stress, drawn, result);
 }
 
-void draw_all(const Scene& scene, const StressScene& stress, std::uint64_t sample,
+void draw_all(const Scene& scene, const StressScene& stress, const CheckOptions& options,
               SceneResult& result) {
     plant_fault(stress);
     Drawn drawn;
-    if (!stress.measured_only) drawn.window = affordable_window(scene);
+    if (!stress.measured_only) drawn.window = affordable_window(scene, options.look_ups);
+    if (drawn.window)
+        result.left_out =
+            static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height) -
+            drawn.window->area();
     Film single = render(scene, options_for("float", "scalar", drawn));
     drawn.judged = result.judged = tiles_on_the_way(single) <= most_tiles;
     if (drawn.judged) single = render(scene, options_for("float", "scalar", drawn));
     Film lanes = stress.measured_only ? single : render(scene, options_for("float", "auto", drawn));
     plant_error(stress, single, lanes);
     count_pixels(single, result);
-    if (!stress.measured_only) draw_otherwise(scene, stress, sample, drawn, single, lanes, result);
+    if (!stress.measured_only)
+        draw_otherwise(scene, stress, options.sample, drawn, single, lanes, result);
     const Film exact = render(scene, options_for("double", "scalar", drawn));
     const auto look = [&](const Film& film, const char* number) {
         check_statuses(film, stress, scene, number, result);
@@ -260,10 +236,10 @@ void draw_all(const Scene& scene, const StressScene& stress, std::uint64_t sampl
 }  // namespace
 
 SceneResult check_scene(const std::filesystem::path& folder, const StressScene& scene,
-                        std::uint64_t sample) {
+                        const CheckOptions& options) {
     SceneResult result;
     try {
-        draw_all(load_scene(folder / "scene.json"), scene, sample, result);
+        draw_all(load_scene(folder / "scene.json"), scene, options, result);
     } catch (const InputError& error) {
         result.refused = true;
         result.refusal = gist(error.what());

@@ -43,12 +43,23 @@ struct SceneResult {
     std::string refusal;
     std::map<std::uint32_t, std::uint64_t> statuses;  ///< pixels by hit.status, by float
     std::uint64_t fragments = 0, certified = 0;
+    std::uint64_t left_out = 0;  ///< pixels that would have taken too long
     bool judged = true;  ///< whether the oracle was asked: not where rays pass too many tiles
     std::vector<Departure> departures;
 };
 
-/// Draws scene.json of a folder. `sample` varies what is done beside the usual, by its bits.
+/// Look-ups of a drawing that are waited for, unless another number is given: some seconds of plain
+/// numbers for all drawings of a scene.
+inline constexpr double usual_look_ups = 1e6;
+
+struct CheckOptions {
+    std::uint64_t sample = 0;  ///< varies what is done beside the usual, by its bits
+    /// That drawing all pixels once may take; of a scene that takes more a part is drawn.
+    double look_ups = usual_look_ups;
+};
+
+/// Draws scene.json of a folder.
 SceneResult check_scene(const std::filesystem::path& folder, const StressScene& scene,
-                        std::uint64_t sample);
+                        const CheckOptions& options);
 
 }  // namespace quadrel::stress

@@ -8,9 +8,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include "file/temporary_folder.hpp"
 #include "quadrel/error.hpp"
+#include "stress/log.hpp"
 #include "stress/planted.hpp"
 #include "stress/ranges/ranges.hpp"
 #include "stress/report.hpp"
@@ -23,10 +25,10 @@ namespace {
 struct Arguments {
     std::uint64_t seed = 1, scenes = 1000;
     std::size_t lists = 1;
-    std::string only, folder, plot, ranges;
+    std::string only, folder, plot, ranges, log;
     bool list = false, planted = false;
     int processes = 1;
-    double seconds = 20;
+    double seconds = 20, look_ups = usual_look_ups;
 };
 
 /// In a process of its own: what forks later has no threads that a library has started.
@@ -52,7 +54,7 @@ void run_shown(const Job& job, const Arguments& arguments, const std::filesystem
                const Done& done) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     std::uint64_t finished = 0;
-    run_scenes(job, {arguments.processes, arguments.seconds, folder},
+    run_scenes(job, {arguments.processes, arguments.seconds, arguments.look_ups, folder},
                [&](const StressScene& scene, const SceneResult& result) {
                    done(scene, result);
                    if (terminal && ++finished % 50 == 0)
@@ -62,11 +64,23 @@ void run_shown(const Job& job, const Arguments& arguments, const std::filesystem
     if (terminal) std::cerr << '\r' << std::string(40, ' ') << '\r';
 }
 
-bool run_job(const Arguments& arguments, const std::filesystem::path& folder) {
-    const Job job(arguments.seed, arguments.scenes, arguments.lists);
-    Report report;
-    run_shown(job, arguments, folder, [&](const StressScene& scene, const SceneResult& result) {
+/// The results that the log has of a job's scenes, which are left out of it then.
+void take_known(const ResultLog& log, Job& job, Report& report) {
+    for (const auto& [scene, result] : log.known()) {
+        const auto number = job.number_of(scene);
+        if (!number) continue;
+        job.leave_out(*number);
         report.add(scene, result);
+    }
+}
+
+bool run_job(const Arguments& arguments, const std::filesystem::path& folder, ResultLog* log) {
+    Job job(arguments.seed, arguments.scenes, arguments.lists);
+    Report report;
+    if (log != nullptr) take_known(*log, job, report);
+    run_shown(job, arguments, folder, [&](const StressScene& scene, const SceneResult& result) {
+        report.add(scene.name, result);
+        if (log != nullptr) log->add(scene.name, result);
     });
     std::cout << report.to_text();
     return !report.has_errors();
@@ -81,7 +95,7 @@ bool run_ranges(const Arguments& arguments, const std::filesystem::path& folder)
         run_shown(Job(range_scenes(room)), arguments, folder,
                   [&](const StressScene& scene, const SceneResult& result) {
                       results[scene.name] = result;
-                      report.add(scene, result);
+                      report.add(scene.name, result);
                   });
         tables.push_back(range_table(room, results));
         std::cout << to_text(tables.back()) << std::endl;
@@ -129,7 +143,7 @@ bool replay(const Arguments& arguments) {
     make_folder(arguments.folder);
     write_scene(arguments.folder, scene);
     Report report;
-    report.add(scene, check_scene(arguments.folder, scene, 0));
+    report.add(scene.name, check_scene(arguments.folder, scene, {0, arguments.look_ups}));
     std::cout << report.to_text();
     return !report.has_errors();
 }
@@ -137,12 +151,15 @@ bool replay(const Arguments& arguments) {
 /// What is asked for is done, or refused.
 void check(const Arguments& arguments) {
     if (!(arguments.seconds > 0)) throw UsageError("--seconds: found no number above 0");
+    if (!(arguments.look_ups > 0)) throw UsageError("--look-ups: found no number above 0");
     if (!arguments.plot.empty() && arguments.ranges.empty())
         throw UsageError("--plot: found no --ranges, expected it: it is what is plotted");
     if (!arguments.folder.empty() && arguments.only.empty())
         throw UsageError("-o: found no --only, expected the scene to write");
     const int tasks = int(arguments.list) + int(!arguments.only.empty()) + int(arguments.planted) +
                       int(!arguments.ranges.empty());
+    if (tasks > 0 && !arguments.log.empty())
+        throw UsageError("--log: found another task, expected scenes to run");
     if (tasks > 1)
         throw UsageError("found several of --list, --only, --planted and --ranges, expected one");
 }
@@ -154,11 +171,13 @@ bool run(const Arguments& arguments) {
         return true;
     }
     if (!arguments.only.empty()) return replay(arguments);
+    std::optional<ResultLog> log;
+    if (!arguments.log.empty()) log.emplace(arguments.log, arguments.seed, arguments.look_ups);
     const TemporaryFolder folder("quadrel-stress");
     setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
     write_maps_apart(folder.path());
     if (arguments.planted) return run_planted(arguments, folder.path());
-    return arguments.ranges.empty() ? run_job(arguments, folder.path())
+    return arguments.ranges.empty() ? run_job(arguments, folder.path(), log ? &*log : nullptr)
                                     : run_ranges(arguments, folder.path());
 }
 
@@ -189,6 +208,14 @@ void add_options(CLI::App& app, Arguments& a) {
                    "of processor time that a scene may take; ten times that on the clock")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
+    app.add_option("--look-ups", a.look_ups,
+                   "that drawing a scene once may take; of one that takes more a part is drawn")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--log", a.log,
+                   "keep the results in a file, and run no scene again that it has: of one build, "
+                   "which is not checked")
+        ->type_name("FILE");
     app.footer(
         "Exit codes: 0 nothing found; 1 something was found; 2 bad command line; 3 bad input; 4 an "
         "error of the program; 5 output could not be written.");

@@ -47,19 +47,23 @@ std::string departure_rows(const std::map<std::string, Departure>& rows, const c
 
 }  // namespace
 
-void Report::add(const StressScene& scene, const SceneResult& result) {
+void Report::add(const std::string& scene, const SceneResult& result) {
     ++scenes_;
     refused_ += result.refused;
     if (result.refused) ++refusals_[result.refusal];
     unjudged_ += !result.judged;
     if (result.judged) fragments_ += result.fragments;
     certified_ += result.certified;
-    for (const auto& [status, pixels] : result.statuses) statuses_[status] += pixels;
+    in_part_ += result.left_out > 0;
+    left_out_ += result.left_out;
+    for (const auto& [status, pixels] : result.statuses) {
+        statuses_[status] += pixels;
+        if (result.left_out > 0) pixels_ += pixels;
+    }
     for (const Finding& finding : result.findings) {
         errors_ += finding.is_error();
         FindingGroup& group = findings_[{finding.kind, finding.where}];
-        if (++group.count <= most_examples)
-            group.scenes.push_back(scene.name + ": " + finding.detail);
+        if (++group.count <= most_examples) group.scenes.push_back(scene + ": " + finding.detail);
     }
     for (const Departure& one : result.departures) {
         add_to(by_frame_[one.frame], one);
@@ -85,11 +89,18 @@ std::string Report::departures_text() const {
     return departure_rows(by_frame_, "frame") + "\n" + departure_rows(by_trace_, "trace");
 }
 
+std::string Report::left_out_text() const {
+    if (in_part_ == 0) return "";
+    return fmt::format(
+        " {} would have taken too long: {} of their {} pixels, around the middle, have been drawn.",
+        in_part_, pixels_, pixels_ + left_out_);
+}
+
 std::string Report::to_text() const {
     std::string text = fmt::format(
         "{} scenes, {} of them refused with a reason; {} with rays too long to be judged; of {} "
-        "fragments of the others {} % have a certified hit.\n\nPixels by status:",
-        scenes_, refused_, unjudged_, fragments_, share(certified_, fragments_));
+        "fragments of the others {} % have a certified hit.{}\n\nPixels by status:",
+        scenes_, refused_, unjudged_, fragments_, share(certified_, fragments_), left_out_text());
     for (const auto& [status, pixels] : statuses_)
         text += fmt::format(" {} {}", status < std::size(status_names) ? status_names[status] : "?",
                             pixels);

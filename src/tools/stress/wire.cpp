@@ -8,6 +8,7 @@ std::string to_line(const SceneResult& result) {
     json["refusal"] = result.refusal;
     json["fragments"] = result.fragments;
     json["certified"] = result.certified;
+    json["left_out"] = result.left_out;
     json["judged"] = result.judged;
     json["findings"] = json["statuses"] = json["departures"] = Json::array();
     for (const Finding& f : result.findings)
@@ -28,6 +29,7 @@ SceneResult from_line(const std::string& line) {
     result.refusal = json["refusal"];
     result.fragments = json["fragments"];
     result.certified = json["certified"];
+    result.left_out = json["left_out"];
     result.judged = json["judged"];
     for (const Json& f : json["findings"]) result.findings.push_back({f[0], f[1], f[2]});
     for (const Json& s : json["statuses"]) result.statuses[s[0]] = s[1];

@@ -1,4 +1,4 @@
-// Results as lines, from one process to another.
+// Results as lines, from one process to another and in a log.
 #pragma once
 
 #include <string>

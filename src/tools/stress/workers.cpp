@@ -51,8 +51,13 @@ void write_all(int to, const std::string& text) {
 /// A process that runs every `stride`-th scene from `first` on, and what it has told so far.
 class Worker {
   public:
-    Worker(const Job& job, std::filesystem::path folder, std::uint64_t first, std::uint64_t stride)
-        : job_(job), folder_(std::move(folder)), next_(first), stride_(stride) {}
+    Worker(const Job& job, std::filesystem::path folder, std::uint64_t first, std::uint64_t stride,
+           double look_ups)
+        : job_(job),
+          folder_(std::move(folder)),
+          next_(job.next(first, stride)),
+          stride_(stride),
+          look_ups_(look_ups) {}
     ~Worker() { stop(); }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -97,7 +102,7 @@ class Worker {
     bool ended() const { return ended_; }
 
     void advance() {
-        next_ += stride_;
+        next_ = job_.next(next_ + stride_, stride_);
         begin_scene();
     }
 
@@ -143,10 +148,11 @@ class Worker {
         const std::string log = (folder_ / "stderr").string();
         const int errors = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         dup2(errors, STDERR_FILENO);
-        for (; next_ < job_.count(); next_ += stride_) {
+        for (; !finished(); next_ = job_.next(next_ + stride_, stride_)) {
             const StressScene scene = job_.scene(next_);
             write_files(folder_, scene);
-            write_all(to_parent, to_line(check_scene(folder_, scene, next_)) + "\n");
+            const CheckOptions options{scene.number, look_ups_};
+            write_all(to_parent, to_line(check_scene(folder_, scene, options)) + "\n");
         }
         _exit(0);
     }
@@ -154,6 +160,7 @@ class Worker {
     const Job& job_;
     std::filesystem::path folder_;
     std::uint64_t next_, stride_;
+    double look_ups_;
     pid_t child_ = -1;
     int from_child_ = -1;
     Clock::time_point begun_;
@@ -182,7 +189,8 @@ void run_scenes(const Job& job, const WorkerOptions& options,
     const auto count = static_cast<std::uint64_t>(options.processes);
     for (int process = 0; process < options.processes; ++process)
         workers.push_back(std::make_unique<Worker>(job, make_folder(options.folder, process),
-                                                   static_cast<std::uint64_t>(process), count));
+                                                   static_cast<std::uint64_t>(process), count,
+                                                   options.look_ups));
     const auto give_up = [&](Worker& worker, const std::string& kind, const std::string& detail) {
         done(worker.scene(), lost(worker.scene(), kind, detail));
         worker.advance();

@@ -13,7 +13,8 @@ namespace quadrel::stress {
 struct WorkerOptions {
     int processes = 1;
     double seconds = 20;  ///< of processor time that a scene may take; ten times that on the clock
-    std::filesystem::path folder;  ///< with all maps; each process gets one of its own below it
+    double look_ups = usual_look_ups;  ///< CheckOptions has it
+    std::filesystem::path folder;      ///< with all maps; each process gets one of its own below it
 };
 
 /// Runs all scenes; `done` is told of each, in any order, one at a time. A crash, a failed check or

@@ -231,6 +231,7 @@ std::vector<StressScene> listed_scenes() {
         add_stages(scenes, room, room);
     add_stages(scenes, "frag-depth", "frag_depth");
     add_lights(scenes);
+    for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].number = i;
     return scenes;
 }
 

@@ -16,6 +16,7 @@ class Draw {
   public:
     Draw(std::uint64_t seed, std::uint64_t number) : random_(seed, number) {
         scene_.name = "random/" + std::to_string(number);
+        scene_.number = number;
         wild_ = random_.chance(0.3) ? 0 : random_.unit();
         corrected_ = random_.chance(0.6);
     }

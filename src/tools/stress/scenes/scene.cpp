@@ -50,7 +50,9 @@ Json texture_of(const MapName& map) {
 
 StressScene plain_scene(const std::string& name, const MapName& map, double degrees,
                         const std::string& trace) {
-    StressScene scene{name, {}, "", map.has_nan(), false, ""};
+    StressScene scene;
+    scene.name = name;
+    scene.has_nan = map.has_nan();
     const MapName colour{"noise", 16, 16};
     scene.document = {{"quadrel", 1},
                       {"size", {16, 16}},

@@ -13,10 +13,11 @@ namespace quadrel::stress {
 using Json = nlohmann::ordered_json;
 
 struct StressScene {
-    std::string name;      ///< "E.1/impulse-16x16/linear" or "random/17"
-    Json document;         ///< a scene file; maps and mesh lie beside it
-    std::string mesh;      ///< an OBJ file's text, or empty
-    bool has_nan = false;  ///< whether what it reads holds NaN or infinities
+    std::string name;          ///< "E.1/impulse-16x16/linear" or "random/17"
+    std::uint64_t number = 0;  ///< among the listed or the random ones
+    Json document;             ///< a scene file; maps and mesh lie beside it
+    std::string mesh;          ///< an OBJ file's text, or empty
+    bool has_nan = false;      ///< whether what it reads holds NaN or infinities
 
     bool measured_only = false;  ///< by floats and doubles; neither lanes nor duals nor all steps
     std::string planted;         ///< the finding that an error planted in it must give; mostly none
