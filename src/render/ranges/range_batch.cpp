@@ -1,12 +1,16 @@
 #include "render/ranges/range_batch.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <span>
 
 #include "quadrel/num/range/ranged.hpp"
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
+#include "render/inject/injected_values.hpp"
 
 namespace quadrel {
 namespace {
@@ -43,6 +47,12 @@ std::size_t stages_until_written(const MaterialPlan& plan, int slot) {
         for (const Value value : plan.stages[k - 1].info->outputs)
             if (slot >= slot_of(value) && slot < slot_of(value) + arrays_of(value)) return k;
     return 0;
+}
+
+bool is_integer(int slot) {
+    const auto end = std::ranges::upper_bound(first_slots, slot);
+    return value_table[static_cast<std::size_t>(end - first_slots.begin() - 1)].kind ==
+           ValueKind::integer;
 }
 
 /// Ranges that meet become one; what is left is disjoint.
@@ -91,7 +101,10 @@ void RangeBatch::prepare(const MaterialPlan& plan) {
 }
 
 void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch& drawn,
-                     const QuadCoverage* quads, const Geometry& geometry) {
+                     const QuadCoverage* quads, const Geometry& geometry,
+                     const InjectedValues* injected) {
+    injected_ = injected;
+    drawn_ = &drawn;
     const MaterialPlan& plan = plan_.materials[material];
     prepare(plan);
     context_ = plan_.table->context();
@@ -110,6 +123,8 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.values = values_.data();
         call_.lanes = quad_lanes;
         surface_ = plan_.surfaces[material];
+        quad_ = quads + q;
+        quad_number_ = q;
         run_quad(plan, q, quads[q]);
         for (int lane = 0; plan_.certifies && lane < quad_lanes; ++lane)
             if (quads[q].samples[static_cast<std::size_t>(lane)] != 0)
@@ -125,11 +140,46 @@ void RangeBatch::run_stages(const MaterialPlan& plan) {
         context_->kind = kind_of(*stage.info);
         call_.parameters = stage.params.data();
         call_.light = stage.light;
-        stage.run(&call_);
+        if (stage.run != nullptr)
+            stage.run(&call_);
+        else
+            take_drawn(stage);
         if (context_->too_many) return;
         ++stages_run_;
+        if (injected_ != nullptr) inject_after(stage);
         if (stores(stage, Value::hit_uv)) name_place();
     }
+}
+
+/// What a stage that has no function for ranges has drawn, as it is.
+void RangeBatch::take_drawn(const PlannedStage& stage) {
+    const int first = quad_lanes * quad_number_;
+    for (const Value value : stage.info->outputs)
+        for (int i = 0; i < arrays_of(value); ++i) {
+            const int slot = slot_of(value) + i;
+            void* const values = values_[static_cast<std::size_t>(slot)];
+            if (values == nullptr || !drawn_->has(slot)) continue;
+            for (int lane = 0; lane < quad_lanes; ++lane)
+                if (info(value).kind == ValueKind::integer) {
+                    static_cast<std::uint32_t*>(values)[lane] = drawn_->integer(slot, first + lane);
+                } else {
+                    const double number = drawn_->number(slot, first + lane);
+                    static_cast<Ranged*>(values)[lane] = Ranged(number, number);
+                }
+        }
+}
+
+void RangeBatch::inject_after(const PlannedStage& stage) {
+    injected_->replace(stage, std::span(quad_, 1), [&](int slot, int lane, std::uint32_t bits) {
+        void* const values = values_[static_cast<std::size_t>(slot)];
+        if (values == nullptr) return;
+        if (is_integer(slot)) {
+            std::memcpy(static_cast<std::uint32_t*>(values) + lane, &bits, sizeof(bits));
+            return;
+        }
+        const double number = std::bit_cast<float>(bits);
+        static_cast<Ranged*>(values)[lane] = Ranged(number, number);
+    });
 }
 
 /// What reads maps beside the hit reads them at places that move together.

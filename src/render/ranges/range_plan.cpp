@@ -8,6 +8,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/rooms.hpp"
 #include "render/errors/error_plan.hpp"
+#include "render/inject/injected_values.hpp"
 #include "render/ranges/limits.hpp"
 
 namespace quadrel {
@@ -22,13 +23,21 @@ void add_slot(RangePlan& plan, int slot) {
     if (std::ranges::count(plan.slots, slot) == 0) plan.slots.push_back(slot);
 }
 
+/// Whether all that is read of a stage is injected.
+bool is_known(const PlannedStage& stage, const ValueSet& read, const InjectedValues* injected) {
+    return injected != nullptr && std::ranges::all_of(stage.info->outputs, [&](Value v) {
+               return !read[static_cast<std::size_t>(v)] || injected->has(v, stage.light);
+           });
+}
+
 MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const Wanted& wanted,
-                            const RangeTable& table, const std::string& asked) {
+                            const RangeTable& table, const std::string& asked,
+                            const InjectedValues* injected) {
     MaterialPlan plan = plan_material(scene, material, wanted, scalar_double_kernels());
     for (PlannedStage& stage : plan.stages) {
         stage.run = find_kernel(table, stage.info->text.id);
         stage.checks = {};
-        if (stage.run == nullptr)
+        if (stage.run == nullptr && !is_known(stage, plan.values, injected))
             throw UsageError(
                 fmt::format("channel \"{}\": stage \"{}\" of material \"{}\" does not run on "
                             "ranges: its state is whole numbers, or a map's own texels",
@@ -42,7 +51,7 @@ MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const 
 bool is_range(const ChannelSource& channel) { return channel.range_set != RangeSet::none; }
 
 RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
-                      const std::string& limits) {
+                      const std::string& limits, const InjectedValues* injected) {
     RangePlan plan;
     std::vector<ChannelSource> asking;
     for (const ChannelSource& channel : channels)
@@ -68,7 +77,8 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
             for (int c = 0; c < 2; ++c) add_slot(plan, slot_of(v) + c);
         }
     for (const Material& material : scene.materials) {
-        plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table, asked));
+        plan.materials.push_back(
+            plan_on_ranges(scene, material, wanted, *plan.table, asked, injected));
         const auto judge = error_judge(scene, material);
         plan.surfaces.push_back(judge ? std::optional(judge->surface) : std::nullopt);
     }

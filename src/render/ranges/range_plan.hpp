@@ -10,6 +10,8 @@
 
 namespace quadrel {
 
+class InjectedValues;
+
 /// Ranges under one budget.
 struct RangePlan {
     ErrorBudget budget;
@@ -26,9 +28,10 @@ struct RangePlan {
 bool is_range(const ChannelSource& channel);
 
 /// What the channels of a set (exact arithmetic, or an implementation's) need; no materials where
-/// none asks. `limits`: as RenderOptions has it. Throws UsageError that names the first stage that
-/// does not run on ranges, or what else is in the way.
+/// none asks. `limits`: as RenderOptions has it. A stage that does not run on ranges has no
+/// function where all that is read of it is `injected` (or null): its values are then those that
+/// are drawn. Throws UsageError that names the first other one, or what else is in the way.
 RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
-                      const std::string& limits);
+                      const std::string& limits, const InjectedValues* injected = nullptr);
 
 }  // namespace quadrel
