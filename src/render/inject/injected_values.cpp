@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
@@ -114,14 +115,14 @@ const Plane* find_plane(const Film& image, const Component& component) {
 
 }  // namespace
 
-InjectedValues::InjectedValues(const std::vector<Injection>& injections, const Scene& scene,
+InjectedValues::InjectedValues(std::vector<Injection> injections, const Scene& scene,
                                const Window& window)
-    : viewport_{scene.width, scene.height, scene.conventions} {
-    if (!injections.empty() && scene.samples > 1)
+    : injections_(std::move(injections)), viewport_{scene.width, scene.height, scene.conventions} {
+    if (scene.samples > 1)
         throw UsageError(fmt::format(
             "--inject: the scene has {} samples a pixel, expected 1: images have one fragment",
             scene.samples));
-    for (const Injection& injection : injections) {
+    for (const Injection& injection : injections_) {
         options_.push_back(injection.values + "=" + injection.source);
         check_size(injection, scene, window);
         std::istringstream names(injection.values);

@@ -27,11 +27,12 @@ struct InjectedArray {
 
 class InjectedValues {
   public:
-    /// What `injections` name, for a render of that window. They must outlive it. Throws
+    /// What `injections` name, for a render of that window. Throws
     /// UsageError for a name that is no value of a stage, InputError for an image of another size,
     /// without the channels, or with other types or codes than stages store.
-    InjectedValues(const std::vector<Injection>& injections, const Scene& scene,
-                   const Window& window);
+    InjectedValues(std::vector<Injection> injections, const Scene& scene, const Window& window);
+    InjectedValues(const InjectedValues&) = delete;
+    InjectedValues& operator=(const InjectedValues&) = delete;
 
     /// NAME=FILE of each injection.
     std::span<const std::string> options() const { return options_; }
@@ -70,6 +71,7 @@ class InjectedValues {
         put(array.slot, static_cast<int>(4 * q) + lane, array.plane->bits[pixel]);
     }
 
+    std::vector<Injection> injections_;
     Viewport viewport_;
     std::vector<InjectedArray> arrays_;
     std::vector<std::string> options_;
