@@ -1,31 +1,39 @@
-// quadrel export: what other programs take over: stages as functions of shaders, snippets.
+// quadrel export: what other programs take over: scenes as folders, stages as functions of shaders,
+// snippets.
 #include "export/export.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
+#include "bake/wrap_names.hpp"
+#include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/validators.hpp"
 #include "cli/snippets.hpp"
 #include "cli/verbs.hpp"
+#include "export/scene/export_scene.hpp"
+#include "export/scene/output_folder.hpp"
 #include "file/atomic_file.hpp"
 #include "io/document/stage_parameters.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "quadrel/scene/load.hpp"
 
 namespace quadrel::cli {
 namespace {
 
 struct ExportArguments {
     SnippetArguments snippets;
-    std::string stage, language, output;
-    std::vector<std::string> parameters;
-    int side = 1024, lights = 2;
+    std::string scene, language, output, channels, size;
+    std::vector<std::string> stages, assignments, wrap;
+    ExportOptions plain;
+    int light = 0;
     bool list = false;
 };
 
@@ -62,43 +70,80 @@ ParameterValue value_of(const std::string& text) {
     return text;
 }
 
-void set_parameter(const StageInfo& stage, const std::string& text, void* params) {
+/// A stage with its parameters.
+struct ChosenStage {
+    const StageInfo* stage;
+    std::vector<std::max_align_t> params;
+
+    explicit ChosenStage(const StageInfo& of)
+        : stage(&of), params(of.params_size / sizeof(std::max_align_t) + 1) {
+        of.set_defaults(params.data());
+    }
+
+    /// False where it has no parameter of that name.
+    bool set(const std::string& name, const ParameterValue& value) {
+        const ParameterText* const parameter = find_parameter(stage->text.id, name);
+        if (parameter == nullptr) return false;
+        const std::optional<double> number = number_of(*parameter, value);
+        if (!number)
+            throw UsageError(fmt::format("-D {}: found {}, expected {}", name, text_of(value),
+                                         expected_of(*parameter, value)));
+        parameter->set(params.data(), *number);
+        return true;
+    }
+};
+
+/// In all stages that have the parameter; one has to.
+void set_parameter(std::vector<ChosenStage>& stages, const std::string& text) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
-    const ParameterText* const parameter = find_parameter(stage.text.id, name);
-    if (equals == std::string::npos || parameter == nullptr) {
-        std::vector<std::string> known;
-        for (const ParameterText& of : stage.parameters) known.emplace_back(of.name);
-        throw UsageError(
-            fmt::format("-D: found \"{}\", expected {}=VALUE", text,
-                        known.empty() ? "no parameter of this stage, NAME" : one_of(name, known)));
-    }
-    const ParameterValue value = value_of(text.substr(equals + 1));
-    const std::optional<double> number = number_of(*parameter, value);
-    if (!number)
-        throw UsageError(fmt::format("-D {}: found {}, expected {}", name, text_of(value),
-                                     expected_of(*parameter, value)));
-    parameter->set(params, *number);
+    bool is_set = false;
+    if (equals != std::string::npos)
+        for (ChosenStage& stage : stages)
+            is_set |= stage.set(name, value_of(text.substr(equals + 1)));
+    if (is_set) return;
+    std::vector<std::string> known;
+    for (const ChosenStage& stage : stages)
+        for (const ParameterText& of : stage.stage->parameters) known.emplace_back(of.name);
+    throw UsageError(
+        fmt::format("-D: found \"{}\", expected {}=VALUE", text,
+                    known.empty() ? "no parameter of this stage, NAME" : one_of(name, known)));
 }
 
-ExitCode run_export(const ExportArguments& arguments) {
-    if (arguments.list) return list_stages();
-    if (arguments.snippets.given())
-        return run_snippets(arguments.snippets, arguments.language, arguments.output);
-    if (arguments.stage.empty())
-        throw UsageError("export: expected --stage ID, --list, --snippets or --pattern");
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a stage");
+/// What is said of the scene of stages.
+ExportOptions plain_options(const ExportArguments& arguments) {
+    ExportOptions options = arguments.plain;
+    if (!arguments.language.empty()) options.language = arguments.language;
+    if (arguments.wrap.size() > 2)
+        throw UsageError("--wrap: expected one mode, or two: for u and for v");
+    if (!arguments.wrap.empty()) {
+        options.wrap_u = wrap_modes().at(arguments.wrap.front());
+        options.wrap_v = wrap_modes().at(arguments.wrap.back());
+    }
+    if (arguments.light != 0 && arguments.light >= options.lights)
+        throw UsageError(fmt::format("--light: found {}, expected one of {} lights",
+                                     arguments.light, options.lights));
+    return options;
+}
+
+ExitCode write_stages(const ExportArguments& arguments) {
+    const ExportOptions options = plain_options(arguments);
     CommandFiles files;
     files.add_output("-o", arguments.output);
     files.check_writable();
-    const StageInfo& stage = stage_of(arguments.stage);
-    std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
-    stage.set_defaults(params.data());
-    for (const std::string& text : arguments.parameters) set_parameter(stage, text, params.data());
-    const std::string text =
-        export_stage(stage.text.id, {arguments.language.empty() ? "glsl" : arguments.language,
-                                     params.data(), arguments.side, arguments.lights});
+    std::vector<ChosenStage> stages;
+    for (const std::string& name : arguments.stages) {
+        const StageInfo& stage = stage_of(name);
+        for (const ChosenStage& other : stages)
+            if (other.stage == &stage)
+                throw UsageError(fmt::format("--stage: found \"{}\" twice", name));
+        stages.emplace_back(stage);
+    }
+    for (const std::string& text : arguments.assignments) set_parameter(stages, text);
+    std::vector<StageUse> uses;
+    for (const ChosenStage& stage : stages)
+        uses.push_back({stage.stage->text.id, stage.params.data(), arguments.light});
+    const std::string text = export_stages(uses, options);
     if (arguments.output.empty()) {
         print(text);
         return ExitCode::ok;
@@ -110,36 +155,117 @@ ExitCode run_export(const ExportArguments& arguments) {
     return ExitCode::ok;
 }
 
+/// No input may go with a folder that is replaced.
+void check_inputs(const InputRecord& inputs, const std::filesystem::path& folder) {
+    const std::filesystem::path at = folder_at(folder);
+    for (const InputFile& input : inputs.files()) {
+        std::error_code error;
+        const auto file = std::filesystem::weakly_canonical(input.name, error);
+        const auto [end, rest] = std::mismatch(at.begin(), at.end(), file.begin(), file.end());
+        if (!error && end == at.end())
+            throw UsageError(fmt::format("-o {} has the input {}, expected another folder",
+                                         folder.string(), input.name.string()));
+    }
+}
+
+ExitCode write_scene(const ExportArguments& arguments) {
+    if (arguments.output.empty()) throw UsageError("export: expected -o DIR for a scene");
+    if (arguments.output == "-")
+        throw UsageError("-o: found -, expected the name of a folder for a scene");
+    const InputRecord inputs;
+    check_export_folder(arguments.output);
+    const Scene scene =
+        load_scene(arguments.scene, with_size(arguments.assignments, arguments.size));
+    say_notes(scene.notes);
+    SceneExport options;
+    if (!arguments.language.empty()) options.language = arguments.language;
+    if (!arguments.channels.empty())
+        options.channels = parse_list("--channels", arguments.channels);
+    ProgressBar bar;
+    options.progress = [&bar](double share) { bar.show(share); };
+    options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
+    options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
+    check_inputs(inputs, arguments.output);
+    export_scene(scene, options, arguments.output);
+    bar.clear();
+    say_written(std::filesystem::path(arguments.output) / "manifest.json");
+    return ExitCode::ok;
+}
+
+ExitCode run_export(const ExportArguments& arguments) {
+    if (arguments.list) return list_stages();
+    if (arguments.snippets.given())
+        return run_snippets(arguments.snippets, arguments.language, arguments.output);
+    if (arguments.language == "wgsl")
+        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl here");
+    if (!arguments.scene.empty()) return write_scene(arguments);
+    if (!arguments.stages.empty()) return write_stages(arguments);
+    throw UsageError("export: expected a SCENE, --stage ID, --list, --snippets or --pattern");
+}
+
+void add_stage_options(CLI::App& verb, ExportArguments& a) {
+    verb.add_option("--stage", a.stages, "linear, or trace/linear; repeatable: one file with all")
+        ->allow_extra_args(false);
+    verb.add_option("--side", a.plain.side, "of the maps in texels, which searches of cells know")
+        ->check(whole_number(1, 16384))
+        ->capture_default_str();
+    verb.add_option("--wrap", a.wrap,
+                    "how the maps go on, which searches of cells know (repeat); twice: along u and "
+                    "along v")
+        ->allow_extra_args(false)
+        ->check(one_word_of(wrap_modes()));
+    verb.add_option("--seat", a.plain.seat, "height at which the polygon lies, which searches know")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    verb.add_option("--lights", a.plain.lights, "of the scene; the first is directional")
+        ->check(whole_number(0, 8))
+        ->capture_default_str();
+    verb.add_option("--light", a.light, "that a shadow is of")
+        ->check(whole_number(0, 7))
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void add_export(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand(
         "export",
-        "stages as shader functions, out of their own texts, and exact values out of an engine");
+        "a scene as shaders with all that they draw; stages as functions; exact values out of an "
+        "engine");
     const auto a = std::make_shared<ExportArguments>();
-    verb->add_option("--stage", a->stage, "linear, or trace/linear");
+    verb->add_option("scene", a->scene, "scene file, or the name of an installed scene");
+    add_stage_options(*verb, *a);
     add_snippet_options(*verb, a->snippets);
     verb->add_option("--language", a->language,
-                     "of the function (default: glsl), of the snippets (default: all)")
+                     "of shaders (default: glsl), of the snippets (default: all)")
         ->check(one_word_of(std::vector<std::string>{"glsl", "glsl-es", "hlsl", "wgsl"}));
-    verb->add_option("-D", a->parameters, "a parameter of the stage, in place of its default")
-        ->type_name("NAME=VALUE");
-    verb->add_option("--side", a->side, "of the maps in texels, which searches of cells know")
-        ->check(whole_number(1, 16384))
-        ->capture_default_str();
-    verb->add_option("--lights", a->lights, "of the scene; the first is directional")
-        ->check(whole_number(0, 8))
-        ->capture_default_str();
-    verb->add_option("-o,--output", a->output, "file (default: standard output)")
-        ->type_name("FILE");
-    CLI::Option* const list =
-        verb->add_flag("--list", a->list, "all stages, and why some are not written");
+    verb->add_option(
+            "-D,--define", a->assignments,
+            "a value of the scene, as for render, or a parameter of the stages; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    verb->add_option("--size", a->size, "of the scene's image in pixels")->type_name("WxH");
+    verb->add_option("--channels", a->channels,
+                     "comma-separated channels that a scene's shaders write (default: all that "
+                     "they can)");
+    verb->add_option("-o,--output", a->output,
+                     "folder of a scene, replaced where it is an export; else a file (default: "
+                     "standard output)")
+        ->type_name("DIR|FILE");
+    verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
-    for (const char* const option : {"--stage", "--language", "-D", "--side", "--lights", "-o"})
-        list->excludes(option);
-    for (const char* const form : {"--list", "--stage", "-D", "--side", "--lights"})
-        for (const char* const other : {"--snippets", "--pattern"})
-            verb->get_option(other)->excludes(form);
+    const std::vector<const char*> of_stages = {"--side", "--wrap", "--seat", "--lights",
+                                                "--light"};
+    const auto exclude = [&](const char* form, std::initializer_list<const char*> others) {
+        for (const char* const other : others) verb->get_option(form)->excludes(other);
+    };
+    exclude("--list", {"scene", "--stage", "--language", "-D", "-o", "--size", "--channels"});
+    for (const char* const form : {"--snippets", "--pattern"})
+        exclude(form, {"scene", "--list", "--stage", "-D", "--size", "--channels"});
+    exclude("scene", {"--stage"});
+    exclude("--stage", {"--size", "--channels"});
+    for (const char* const option : of_stages)
+        exclude(option, {"scene", "--list", "--snippets", "--pattern"});
     add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_export(*a); }; });
 }

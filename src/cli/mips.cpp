@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <bit>
 #include <map>
 #include <memory>
 
@@ -14,10 +13,10 @@
 #include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
 #include "file/output_group.hpp"
+#include "film/image_film.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
-#include "texture/channel_names.hpp"
 #include "texture/texel_format.hpp"
 
 namespace quadrel::cli {
@@ -52,18 +51,6 @@ bool is_gray(const Image& image, const MipsArguments& arguments, int channels) {
     return channels == 1 || (arguments.swizzle.empty() && image.luminance && channels == 2);
 }
 
-Film to_film(const Image& level, bool gray) {
-    const std::vector<std::string> names = channel_names(gray, level.channels);
-    Film film;
-    film.frame = film.window = {0, 0, level.width, level.height};
-    for (int c = 0; c < level.channels; ++c) {
-        Plane& plane = film.add(names[c], ChannelType::float32);
-        for (std::size_t i = 0; i < plane.bits.size(); ++i)
-            plane.bits[i] = std::bit_cast<std::uint32_t>(level.values[i * level.channels + c]);
-    }
-    return film;
-}
-
 std::vector<std::string> level_files(const MipsArguments& arguments, int levels) {
     std::vector<std::string> files;
     for (int level = 0; level < levels; ++level)
@@ -83,7 +70,8 @@ ExitCode run_mips(const MipsArguments& arguments) {
     OutputGroup outputs;
     for (int level = 0; level < texture->view().levels; ++level)
         write_exr(
-            files[static_cast<std::size_t>(level)], to_film(texture_level(*texture, level), gray),
+            files[static_cast<std::size_t>(level)],
+            image_film(texture_level(*texture, level), gray),
             {{"quadrel:mipLevel", fmt::format("{}", level)}, {"quadrel:mipRule", arguments.rule}},
             {arguments.compression});
     outputs.commit();

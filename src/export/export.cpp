@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <sstream>
+
 #include "file/module_path.hpp"
 #include "quadrel/error.hpp"
 
@@ -47,17 +49,56 @@ std::vector<std::string> export_languages() {
     return {table.languages, table.languages + table.language_count};
 }
 
-std::string export_stage(std::string_view id, const ExportOptions& options) {
-    const std::string stage(id);
+std::string export_stages(std::span<const StageUse> stages, const ExportOptions& options) {
     std::string text;
     const ExportRequest request{
-        stage.c_str(),  options.language.c_str(),
-        options.params, options.side,
-        options.lights, [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
+        options.language.c_str(),
+        stages.data(),
+        static_cast<std::int32_t>(stages.size()),
+        options.side,
+        options.lights,
+        options.wrap_u,
+        options.wrap_v,
+        options.seat,
+        [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
         &text};
-    if (!export_table().write(&request))
-        throw UsageError(fmt::format("export: {}: {}", stage, text));
+    if (!export_table().write(&request)) throw UsageError("export: " + text);
     return text;
+}
+
+namespace {
+
+/// "TYPE NAME" or "TYPE NAME NUMBER".
+ProgramName program_name(const std::string& text) {
+    ProgramName of;
+    std::istringstream(text) >> of.type >> of.name >> of.number;
+    return of;
+}
+
+struct ProgramParts {
+    Program program;
+    std::string refusal;
+
+    void put(const std::string& part, const std::string& text) {
+        if (part == "vertex") program.vertex = text;
+        if (part == "fragment") program.fragment = text;
+        if (part == "attribute") program.attributes.push_back(program_name(text));
+        if (part == "uniform") program.uniforms.push_back(program_name(text));
+        if (part == "sampler") program.samplers.push_back(program_name(text));
+        if (part == "refusal") refusal = text;
+    }
+};
+
+}  // namespace
+
+Program export_program(ProgramRequest request) {
+    ProgramParts parts;
+    request.put = [](void* to, const char* part, const char* text) {
+        static_cast<ProgramParts*>(to)->put(part, text);
+    };
+    request.to = &parts;
+    if (!export_table().write_program(&request)) throw UsageError("export: " + parts.refusal);
+    return parts.program;
 }
 
 }  // namespace quadrel

@@ -1,8 +1,8 @@
 // Stages as shaders: the module quadrel-shaders, loaded when something is first exported.
 #pragma once
 
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "export/table.hpp"
@@ -12,11 +12,13 @@ namespace quadrel {
 /// The module's table. Throws UsageError where it is not installed.
 const ExportTable& export_table();
 
+/// What is said of the scene of stages that are written by themselves.
 struct ExportOptions {
     std::string language = "glsl";
-    const void* params = nullptr;  ///< the stage's Params; null: the defaults
-    int side = 1024;               ///< of the maps, in texels
+    int side = 1024;  ///< of the maps, in texels
     int lights = 2;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;  ///< of the maps
+    float seat = 1;                                     ///< height at which the polygon lies
 };
 
 struct ExportRow {
@@ -26,8 +28,25 @@ struct ExportRow {
 std::vector<ExportRow> export_rows();
 std::vector<std::string> export_languages();
 
-/// The stage's function and all that it needs. Throws UsageError with the reason where there is
+/// The stages' functions and all that they need. Throws UsageError with the reason where there is
 /// none.
-std::string export_stage(std::string_view id, const ExportOptions& options);
+std::string export_stages(std::span<const StageUse> stages, const ExportOptions& options);
+
+/// A uniform, sampler or attribute of a program.
+struct ProgramName {
+    std::string type;  ///< as GLSL has it; of an attribute the number of components
+    std::string name;
+    int number = 0;  ///< of a uniform the length of an array, of a sampler the texture slot
+};
+
+/// A material's stages as shaders.
+struct Program {
+    std::string vertex, fragment;
+    std::vector<ProgramName> attributes, uniforms, samplers;
+};
+
+/// `request` but for whom it tells. Throws UsageError with the stage and the reason where there is
+/// none.
+Program export_program(ProgramRequest request);
 
 }  // namespace quadrel

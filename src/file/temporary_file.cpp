@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <mutex>
 #include <set>
@@ -67,14 +68,29 @@ struct Descriptor {
 /// The lock is held until the name is gone: a writer that has just created the file, and has not
 /// locked it yet, finds it locked or without its name, and takes another.
 void remove_unless_locked(const std::filesystem::path& file) {
-    // Open for writing, which locks need on network file systems.
-    const Descriptor open_file(open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status = {};
-    if (open_file.descriptor < 0 || fstat(open_file.descriptor, &status) != 0) return;
-    if (!S_ISREG(status.st_mode) || status.st_uid != geteuid()) return;
-    if (try_lock(open_file.descriptor) != Lock::held) return;
+    if (lstat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return;
+    const bool is_folder = S_ISDIR(status.st_mode);
+    if (!is_folder && !S_ISREG(status.st_mode)) return;
+    // Open for writing, which locks need on network file systems; folders cannot be.
+    const int mode = is_folder ? O_RDONLY | O_DIRECTORY : O_RDWR;
+    const Descriptor opened(open(file.c_str(), mode | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (opened.descriptor < 0 || try_lock(opened.descriptor) != Lock::held) return;
     // Its writer may have renamed it just before: then this is the output.
-    if (leads_to(file, open_file.descriptor)) unlink(file.c_str());
+    if (!leads_to(file, opened.descriptor)) return;
+    std::error_code ignored;
+    std::filesystem::remove_all(file, ignored);
+}
+
+/// `descriptor` of what was made just now under `name`, locked; -1 with errno EEXIST, and the name
+/// free again, where somebody else locks it or has removed it.
+int locked(const std::filesystem::path& name, int descriptor) {
+    if (descriptor >= 0 && try_lock(descriptor) != Lock::taken && leads_to(name, descriptor))
+        return descriptor;
+    if (descriptor >= 0) close(descriptor);
+    std::remove(name.c_str());
+    errno = EEXIST;
+    return -1;
 }
 
 }  // namespace
@@ -114,12 +130,12 @@ bool leads_to(const std::filesystem::path& name, int descriptor) {
 
 int create_locked(const std::filesystem::path& name) {
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0) return -1;
-    if (try_lock(descriptor) != Lock::taken && leads_to(name, descriptor)) return descriptor;
-    close(descriptor);
-    unlink(name.c_str());
-    errno = EEXIST;
-    return -1;
+    return descriptor < 0 ? -1 : locked(name, descriptor);
+}
+
+int create_locked_folder(const std::filesystem::path& name) {
+    if (mkdir(name.c_str(), 0777) != 0) return -1;
+    return locked(name, open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
 void remove_abandoned(const std::filesystem::path& folder) {

@@ -1,6 +1,6 @@
-// Files under a name of their own, to be renamed when they are whole. The name says host and
-// process, and whoever writes holds a lock on the file (flock), so that what a killed process has
-// left can be told from what is being written: nobody locks it.
+// Files and folders under a name of their own, to be renamed when they are whole. The name says
+// host and process, and whoever writes holds a lock on the file (flock), so that what a killed
+// process has left can be told from what is being written: nobody locks it.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,11 @@ bool leads_to(const std::filesystem::path& name, int descriptor);
 /// another. -1 with any other errno where no file can be made there.
 int create_locked(const std::filesystem::path& name);
 
-/// Removes temporaries of this host and user in `folder` that nobody locks. Failing is no error.
+/// The same for a folder.
+int create_locked_folder(const std::filesystem::path& name);
+
+/// Removes temporaries of this host and user in `folder`, folders among them with all that is in
+/// them, that nobody locks. Failing is no error.
 void remove_abandoned(const std::filesystem::path& folder);
 
 /// The same, the first time that this process asks for the folder.

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "export/program/program.hpp"
 #include "export/stages/plain_scene.hpp"
 #include "export/stages/stage_text.hpp"
 #include "export/table.hpp"
@@ -11,30 +12,63 @@ namespace {
 
 using namespace recorded;
 
-std::string written(const ExportRequest& request, const RecordedStage& stage) {
+std::string written(const ExportRequest& request) {
     const auto dialect = find_dialect(request.language);
     if (dialect == nullptr) throw RecordingError("no such language");
-    const ShaderScene scene = plain_scene(request.side, request.lights);
-    FunctionText function = write_stage(stage, scene, request.params, {}, *dialect);
-    function.text = assumptions(stage, function, request.side) + function.text;
-    return whole_file(function, *dialect);
+    const PlainScene plain{request.side, request.lights, request.wrap_u, request.wrap_v,
+                           request.seat};
+    ShaderScene scene = plain_scene(plain);
+    std::string functions;
+    std::vector<Uniform> uniforms;
+    for (int i = 0; i < request.stage_count; ++i) {
+        const StageUse& use = request.stages[i];
+        const RecordedStage& stage = known_recorded_stage(use.id);
+        scene.light = use.light;
+        FunctionText function;
+        try {
+            function = write_stage(stage, scene, use.params, {}, *dialect);
+        } catch (const RecordingError& error) {
+            throw RecordingError(std::string(use.id) + ": " + error.what());
+        }
+        functions += (functions.empty() ? "" : "\n") +
+                     assumptions(stage, function, plain, use.light) + function.text;
+        add_uniforms(uniforms, function.uniforms);
+    }
+    return whole_file(functions, uniforms, *dialect);
 }
 
 bool write(const ExportRequest* request) {
     std::string text;
     bool is_written = false;
     try {
-        const RecordedStage* const stage = find_recorded_stage(request->stage);
-        text = stage != nullptr ? written(*request, *stage) : "is not a stage that is recorded";
-        for (const Refusal& refusal : refusals())
-            if (stage == nullptr && refusal.id == std::string_view(request->stage))
-                text = refusal.reason;
-        is_written = stage != nullptr;
+        text = written(*request);
+        is_written = true;
     } catch (const RecordingError& error) {
         text = error.what();
     }
     request->put(request->to, text.c_str());
     return is_written;
+}
+
+bool write_program(const ProgramRequest* request) {
+    const auto put = [&](const char* part, const std::string& text) {
+        request->put(request->to, part, text.c_str());
+    };
+    try {
+        const ProgramText text = compose_program(*request);
+        put("vertex", text.vertex);
+        put("fragment", text.fragment);
+        for (const Named& of : text.attributes)
+            put("attribute", std::to_string(components_of(of.type)) + " " + of.name);
+        for (const Uniform& of : text.numbers)
+            put("uniform", of.type + " " + of.name + " " + std::to_string(of.count));
+        for (const Uniform& of : text.samplers)
+            put("sampler", of.type + " " + of.name + " " + std::to_string(slot_of_map(of.name)));
+    } catch (const RecordingError& error) {
+        put("refusal", error.what());
+        return false;
+    }
+    return true;
 }
 
 /// Why a stage cannot be recorded; empty where it can.
@@ -51,7 +85,7 @@ std::string refusal_of(const RecordedStage& stage, const ShaderScene& scene) {
 }
 
 void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
-    const ShaderScene scene = plain_scene(64, 2);
+    const ShaderScene scene = plain_scene({64, 2});
     for (const RecordedStage& stage : all_recorded_stages()) {
         const std::string refusal = refusal_of(stage, scene);
         const ExportedStage row{stage.text->id, stage.text->room,
@@ -72,6 +106,6 @@ quadrel_export_table() {
     static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl"};
     static constexpr quadrel::ExportTable table{
         quadrel::export_magic, quadrel::export_abi_version, languages, 3, &quadrel::list_stages,
-        &quadrel::write};
+        &quadrel::write,       &quadrel::write_program};
     return &table;
 }

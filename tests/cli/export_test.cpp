@@ -1,6 +1,8 @@
 // quadrel export as a command.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cli/process.hpp"
 #include "film/films.hpp"
 
@@ -37,11 +39,89 @@ TEST(ExportCommand, WritesAFile) {
 TEST(ExportCommand, SaysWhatAFunctionTakesForGranted) {
     const std::string search = run({"export", "--stage", "max-mip", "--side", "512"}).out;
     EXPECT_TRUE(says(search, "// For a relief whose seat is 1")) << search;
-    EXPECT_TRUE(says(search, "maps of 512^2 that repeat")) << search;
+    EXPECT_TRUE(says(search, "maps of 512^2, repeat (--side, --wrap)")) << search;
     const std::string shading = run({"export", "--stage", "shade-phong"}).out;
     EXPECT_TRUE(says(shading, "// Light 0 is directional")) << shading;
     for (const char* const term : {"light1_constant", "light1_linear", "light1_quadratic"})
         EXPECT_TRUE(says(shading, std::string("uniform float ") + term)) << term;
+}
+
+TEST(ExportCommand, SeveralStagesAreOneFile) {
+    const Outcome outcome = run({"export", "--stage", "linear", "--stage", "max-mip", "--stage",
+                                 "shade-phong", "-D", "steps=48"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto count = [&](const std::string& part) {
+        int found = 0;
+        for (std::size_t at = outcome.out.find(part); at != std::string::npos;
+             at = outcome.out.find(part, at + 1))
+            ++found;
+        return found;
+    };
+    for (const char* const once : {"#version", "uniform sampler2D height_map;", "STATUS_NONE = 0",
+                                   "void trace_linear(", "void trace_max_mip(", "steps = 48;"})
+        EXPECT_EQ(count(once), 1) << once;
+    EXPECT_EQ(run({"export", "--stage", "linear", "--stage", "trace/linear"}).code, 2);
+    EXPECT_EQ(run({"export", "--stage", "linear", "--stage", "pom", "-D", "pace=1"}).code, 2);
+}
+
+TEST(ExportCommand, AStageIsOfALightWrapAndSeat) {
+    const Words shadow = {"export", "--stage", "shadow-march-thesis", "--lights", "3", "--light"};
+    const auto with = [](Words words, const char* word) {
+        words.emplace_back(word);
+        return words;
+    };
+    const std::string last = run(with(shadow, "2")).out;
+    EXPECT_TRUE(says(last, "uniform vec3 light2_position;")) << last;
+    EXPECT_FALSE(says(last, "light0_position")) << last;
+    EXPECT_EQ(run(with(shadow, "3")).code, 2);
+    const Words search = {"export", "--stage", "max-mip"};
+    const std::string repeating = run(search).out;
+    const std::string clamped = run(with(with(search, "--wrap"), "clamp-to-edge")).out;
+    EXPECT_TRUE(says(clamped, "clamp-to-edge (--side, --wrap)")) << clamped;
+    EXPECT_NE(clamped.substr(clamped.find("void ")), repeating.substr(repeating.find("void ")));
+    const std::string outset = run(with(with(search, "--seat"), "0.5")).out;
+    EXPECT_TRUE(says(outset, "whose seat is 0.5")) << outset;
+    EXPECT_NE(outset.substr(outset.find("void ")), repeating.substr(repeating.find("void ")));
+    EXPECT_EQ(run(with(with(search, "--seat"), "1.5")).code, 2);
+}
+
+TEST(ExportCommand, WritesASceneAsAFolder) {
+    const TemporaryFolder folder;
+    const Words words = {"export",     "thesis-quad", "--size", "16x16",
+                         "--channels", "hit,R",       "-D",     "material.relief.steps=8",
+                         "-o",         "out"};
+    const Outcome outcome = run(words, folder.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome.err, "manifest.json")) << outcome.err;
+    const std::string shader = file_bytes(folder / "out/bricks.frag");
+    EXPECT_TRUE(says(shader, "const int steps = 8;")) << shader;
+    for (const char* const file : {"out/README.md", "out/expected.exr", "out/vertices.bin"})
+        EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+    EXPECT_EQ(run(words, folder.path()).code, 0);  // in its own place
+    testing_films::write_bytes(folder / "out/mine.txt", "text");
+    const Outcome refused = run(words, folder.path());
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(says(refused.err, "mine.txt")) << refused.err;
+}
+
+TEST(ExportCommand, RefusesScenesInOneLine) {
+    const TemporaryFolder folder;
+    const auto export_to = [&](const Words& more) {
+        Words words = {"export", "--size", "8x8", "-o", "out"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run(words, folder.path());
+    };
+    const Outcome unknown = export_to({"no-such-scene"});
+    EXPECT_EQ(unknown.code, 3) << unknown.err;
+    const Outcome vertex = export_to({"rows/steep-published"});
+    EXPECT_EQ(vertex.code, 2);
+    EXPECT_TRUE(says(vertex.err, "steep@published: computes in its vertex shader")) << vertex.err;
+    EXPECT_EQ(std::count(vertex.err.begin(), vertex.err.end(), '\n'), 1) << vertex.err;
+    EXPECT_EQ(export_to({"thesis-quad", "--language", "wgsl"}).code, 2);
+    EXPECT_EQ(export_to({"thesis-quad", "--stage", "linear"}).code, 2);
+    EXPECT_EQ(export_to({"thesis-quad", "--side", "64"}).code, 2);
+    EXPECT_EQ(run({"export", "thesis-quad"}).code, 2);
+    EXPECT_EQ(folder.count(), 0u);
 }
 
 TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
@@ -64,6 +144,10 @@ TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
                            {"export", "--stage", "linear", "--side", "0"},
                            {"export", "--list", "-o", "list.txt"},
                            {"export", "--list", "--stage", "linear"},
+                           {"export", "--list", "thesis-quad"},
+                           {"export", "--stage", "linear", "--wrap", "around"},
+                           {"export", "--stage", "linear", "--size", "8x8"},
+                           {"export", "--snippets", "--seat", "0.5"},
                            {"export", "--snippets", "--stage", "linear"},
                            {"export", "--snippets", "-D", "steps=3"}};
     for (const Words& words : wrong) EXPECT_EQ(run(words).code, 2) << words.back();

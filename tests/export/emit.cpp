@@ -99,7 +99,7 @@ std::string with_error(const std::string& text, const Planted& planted) {
 class Emitter {
   public:
     Emitter(std::ostream& out, const Dialect& dialect)
-        : out_(out), dialect_(dialect), scene_(plain_scene(exported_side, exported_lights)) {}
+        : out_(out), dialect_(dialect), scene_(plain_scene({exported_side, exported_lights})) {}
 
     void emit(const RecordedStage& stage) {
         try {
@@ -160,20 +160,17 @@ void write_all(std::ostream& out) {
 /// All functions in one file, which a compiler of that language takes.
 void write_shader(std::ostream& out, const char* language, const char* main) {
     const auto dialect = find_dialect(language);
-    const ShaderScene scene = plain_scene(exported_side, exported_lights);
+    const ShaderScene scene = plain_scene({exported_side, exported_lights});
     FunctionText all;
     for (const RecordedStage& stage : all_recorded_stages()) {
         try {
             const FunctionText function = write_stage(stage, scene, nullptr, {}, *dialect);
             all.text += function.text + "\n";
-            for (const Uniform& uniform : function.uniforms)
-                if (std::none_of(all.uniforms.begin(), all.uniforms.end(),
-                                 [&](const Uniform& of) { return of.name == uniform.name; }))
-                    all.uniforms.push_back(uniform);
+            add_uniforms(all.uniforms, function.uniforms);
         } catch (const RecordingError&) {  // the other program's table has it
         }
     }
-    out << whole_file(all, *dialect) << main;
+    out << whole_file(all.text, all.uniforms, *dialect) << main;
 }
 
 }  // namespace

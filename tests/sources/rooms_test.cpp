@@ -27,7 +27,7 @@ AssertionResult keeps_simd_out(const SourceFile& file) {
 /// knows no rooms (tools) is none.
 constexpr std::array rooms = {"text",    "file",   "num",    "texture", "scene",   "raster",
                               "quad",    "relief", "shade",  "film",    "io",      "bake",
-                              "kernels", "export", "render", "sweep",   "modules", "cli"};
+                              "kernels", "render", "export", "sweep",   "modules", "cli"};
 
 /// The rooms of the headers that stand in front of all folders.
 const std::map<std::string, std::string> front = {

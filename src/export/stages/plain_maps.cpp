@@ -82,9 +82,9 @@ TextureView plain_view(TextureSlot slot, int side) {
     return view;
 }
 
-MaterialUniforms plain_material() {
+MaterialUniforms plain_material(float seat) {
     MaterialUniforms material{};
-    material.seat = 1;
+    material.seat = seat;
     material.depth = 0.1f;
     material.shininess = 60;
     for (float* color : {material.ambient, material.diffuse, material.specular})

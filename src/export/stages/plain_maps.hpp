@@ -18,7 +18,7 @@ TextureView plain_view(TextureSlot slot, int side);
 /// fades with the square of the distance.
 FrameUniforms plain_frame(int lights);
 
-/// White, its relief inset.
-MaterialUniforms plain_material();
+/// White, its relief inset unless `seat` says otherwise.
+MaterialUniforms plain_material(float seat = 1);
 
 }  // namespace quadrel::recorded

@@ -77,5 +77,7 @@ const std::vector<RecordedStage>& all_recorded_stages();
 const std::vector<Refusal>& refusals();
 /// Null where there is none of that id.
 const RecordedStage* find_recorded_stage(std::string_view id);
+/// The stage of that id. Throws RecordingError, "ID: why", where there is none.
+const RecordedStage& known_recorded_stage(std::string_view id);
 
 }  // namespace quadrel::recorded

@@ -1,6 +1,8 @@
 #include "export/stages/stage_text.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <cstdio>
 
 #include "export/print/fold.hpp"
 #include "export/print/wrapped_line.hpp"
@@ -16,6 +18,20 @@ std::string function_name(const StageText& text) {
 
 std::string comment(const std::string& text) { return wrapped_line("// " + text) + "\n"; }
 
+std::string seat_text(float seat) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", static_cast<double>(seat));
+    return text;
+}
+
+std::string wrap_text(const PlainScene& plain) {
+    static const char* const words[] = {"repeat", "mirrored-repeat", "clamp-to-edge",
+                                        "clamp-to-border", "mirror-once"};
+    const std::string u = words[static_cast<int>(plain.wrap_u)];
+    const std::string v = words[static_cast<int>(plain.wrap_v)];
+    return u == v ? u : u + " along u and " + v + " along v";
+}
+
 }  // namespace
 
 std::string as_word(const std::string& text) {
@@ -28,9 +44,10 @@ std::string as_word(const std::string& text) {
 }
 
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
-                         const std::set<std::string>& outputs, const Dialect& dialect) {
+                         const std::set<std::string>& outputs, const Dialect& dialect,
+                         const std::string& suffix) {
     FunctionText result;
-    result.name = function_name(*stage.text);
+    result.name = function_name(*stage.text) + suffix;
     const NamedParameters parameters(stage, params);
     const auto write = [&](const void* values) {
         Graph graph;
@@ -50,32 +67,39 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     return result;
 }
 
-std::string assumptions(const RecordedStage& stage, const FunctionText& function, int side) {
+std::string assumptions(const RecordedStage& stage, const FunctionText& function,
+                        const PlainScene& plain, int light) {
     const std::string room = stage.text->room;
     std::string lines;
     if (room == "trace")
-        lines += comment(
-            "For a relief whose seat is 1: heights of 1 lie in the polygon, uv is where the ray "
-            "enters.");
+        lines += comment("For a relief whose seat is " + seat_text(plain.seat) +
+                         ": uv is where the ray passes that height.");
     if (room == "trace" || room == "shadow" || room == "occlusion" || room == "surface")
-        lines += comment("Where it goes by texels: maps of " + std::to_string(side) +
-                         "^2 that repeat (--side).");
+        lines += comment("Where it goes by texels: maps of " + std::to_string(plain.side) + "^2, " +
+                         wrap_text(plain) + " (--side, --wrap).");
     for (const Uniform& uniform : function.uniforms)
         if (uniform.name == "light0_position")
             lines += comment(
                 "Light 0 is directional: light0_position is the direction to it. The others are "
                 "points.");
-    if (room == "shadow")
-        lines += comment("Of one light, 0: call it with another's uniforms for each.");
+    if (room == "shadow") lines += comment("Of light " + std::to_string(light) + " (--light).");
     return lines;
 }
 
-std::string whole_file(const FunctionText& function, const Dialect& dialect) {
-    std::string uniforms;
-    for (const Uniform& uniform : function.uniforms) uniforms += dialect.uniform(uniform) + "\n";
+void add_uniforms(std::vector<Uniform>& all, const std::vector<Uniform>& more) {
+    for (const Uniform& uniform : more)
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const Uniform& of) { return of.name == uniform.name; }))
+            all.push_back(uniform);
+}
+
+std::string whole_file(const std::string& functions, const std::vector<Uniform>& uniforms,
+                       const Dialect& dialect) {
+    std::string declared;
+    for (const Uniform& uniform : uniforms) declared += dialect.uniform(uniform) + "\n";
     std::string file;
-    for (const std::string& part : {dialect.first_lines(function.text),
-                                    dialect.prelude(function.text), uniforms, function.text})
+    for (const std::string& part :
+         {dialect.first_lines(functions), dialect.prelude(functions), declared, functions})
         if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
     return file;
 }

@@ -38,4 +38,11 @@ const RecordedStage* find_recorded_stage(std::string_view id) {
     return nullptr;
 }
 
+const RecordedStage& known_recorded_stage(std::string_view id) {
+    if (const RecordedStage* const stage = find_recorded_stage(id)) return *stage;
+    for (const Refusal& refusal : refusals())
+        if (id == refusal.id) throw RecordingError(std::string(id) + ": " + refusal.reason);
+    throw RecordingError(std::string(id) + ": is not one of Quadrel's own stages");
+}
+
 }  // namespace quadrel::recorded

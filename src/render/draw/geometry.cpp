@@ -13,53 +13,11 @@
 #include "quadrel/num/functions.hpp"
 #include "render/draw/primitive_frame.hpp"
 #include "render/draw/primitive_vertices.hpp"
+#include "render/draw/vertex_stage.hpp"
 #include "scene/degrees.hpp"
 
 namespace quadrel {
 namespace {
-
-/// Outputs of the vertex stage, float32 as on a GPU.
-struct ShadedVertices {
-    std::vector<glm::vec3> eye, normal;
-    std::vector<glm::vec4> clip;
-    std::vector<glm::vec2> uv;
-};
-
-glm::mat3 normal_matrix(const glm::mat4& model_view) {
-    return glm::mat3(glm::transpose(glm::inverse(glm::dmat3(glm::dmat4(model_view)))));
-}
-
-ShadedVertices shade_vertices(const Mesh& mesh, const Camera& camera, const glm::mat4& model_view,
-                              const glm::mat4& texture_matrix) {
-    ShadedVertices out;
-    const glm::mat3 normals = normal_matrix(model_view);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec4 eye = model_view * glm::vec4(mesh.positions[i], 1.0f);
-        out.eye.emplace_back(eye);
-        out.clip.push_back(camera.projection * eye);
-        out.normal.push_back(mesh.normals.empty() ? glm::vec3(0.0f) : normals * mesh.normals[i]);
-        const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0.0f) : mesh.uvs[i];
-        out.uv.emplace_back(texture_matrix * glm::vec4(uv, 0.0f, 1.0f));
-    }
-    return out;
-}
-
-/// Towards the counter-clockwise side, twice the area long.
-glm::dvec3 face_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a), v = glm::dvec3(c) - glm::dvec3(a);
-    return {u.y * v.z - v.y * u.z, u.z * v.x - v.z * u.x, u.x * v.y - v.x * u.y};
-}
-
-/// Unit normal of the counter-clockwise side; null for a triangle without area.
-glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    const glm::dvec3 n = face_vector(a, b, c);
-    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-    return length > 0 ? glm::vec3(n / length) : glm::vec3(0.0f);
-}
-
-bool is_flat(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-    return face_vector(a, b, c) == glm::dvec3(0.0);
-}
 
 /// Attributes of one piece of the triangle of vertices `index`.
 PrimitiveData primitive_data(const AssembledTriangle& piece, const ShadedVertices& vertices,
@@ -96,15 +54,11 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
         frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
     std::optional<VertexRows> rows;
     if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
-    // A mirroring transform turns the winding round; the outside stays the outside.
-    const bool mirrored = glm::determinant(glm::dmat3(glm::dmat4(model_view))) < 0;
+    const bool mirrored = is_mirrored(model_view);
     std::vector<AssembledTriangle> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        DrawnCorners drawn{t, {0, 1, 2}};
-        if (mirrored) std::swap(drawn.corner[1], drawn.corner[2]);
-        const auto& corners = mesh.triangles[t];
-        const std::array<std::uint32_t, 3> index{corners[drawn.corner[0]], corners[drawn.corner[1]],
-                                                 corners[drawn.corner[2]]};
+        const DrawnCorners drawn = drawn_corners(t, mirrored);
+        const std::array<std::uint32_t, 3> index = indices_of(mesh, drawn);
         // Without area in eye space it has no normal, and what rounding makes of it is not drawn.
         if (is_flat(vertices.eye[index[0]], vertices.eye[index[1]], vertices.eye[index[2]])) {
             ++geometry.counts.submitted;

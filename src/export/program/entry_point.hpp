@@ -1,0 +1,72 @@
+// Where a shader begins, in each language: what it is handed, and what it hands on.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "export/print/dialect.hpp"
+#include "export/program/varyings.hpp"
+
+namespace quadrel::recorded {
+
+struct FragmentText {
+    std::string comment;
+    std::vector<Varying> varyings;
+    bool centroid = false;  ///< they are taken at the centroid
+    std::vector<Uniform> uniforms;
+    std::string functions;
+    std::vector<std::string> statements;  ///< of the entry point, before it hands values on
+    /// Of each pass the targets, of each target its components; "" where there is none.
+    std::vector<std::vector<std::array<std::string, 4>>> passes;
+    std::string depth, discard;  ///< depth to write, and when not to; empty: none
+    std::string lod_map;         ///< map whose level of detail is asked for; empty: none
+};
+
+struct VertexText {
+    std::string comment;
+    std::vector<Named> attributes;
+    std::vector<Varying> varyings;
+    bool centroid = false;
+    std::vector<Uniform> uniforms;
+    std::string functions;
+    std::vector<std::string> values;  ///< an expression for each varying
+    std::string position;             ///< in clip space
+};
+
+/// The base is GLSL 330.
+class EntryPoint {
+  public:
+    explicit EntryPoint(const Dialect& dialect) : dialect_(dialect) {}
+    EntryPoint(const EntryPoint&) = delete;
+    EntryPoint& operator=(const EntryPoint&) = delete;
+    virtual ~EntryPoint() = default;
+
+    virtual std::string fragment(const FragmentText& text) const;
+    virtual std::string vertex(const VertexText& text) const;
+    /// Whether a shader can ask for levels of detail.
+    virtual bool has_lod() const { return true; }
+
+  protected:
+    /// Version, comment, the macro PASS where there are passes, constants, uniforms.
+    std::string begin(const std::string& comment, const std::string& all,
+                      const std::vector<Uniform>& uniforms, const std::string& extension,
+                      bool passes) const;
+    /// `level_of_detail`, a vector of two: the level that is read, and before clamps.
+    virtual std::string lod_statements(const std::string& map, const std::string& version) const;
+    /// What `assign(target, components)` says of each target, by pass.
+    template <class Assign>
+    std::string assignments(const FragmentText& text, const Assign& assign) const;
+
+    const Dialect& dialect_;
+};
+
+/// Null where no programs are written in the language.
+std::unique_ptr<EntryPoint> find_entry_point(std::string_view language, const Dialect& dialect);
+
+/// A statement of a body, in lines to read.
+std::string statement(const std::string& text);
+
+}  // namespace quadrel::recorded

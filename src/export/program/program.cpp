@@ -1,0 +1,321 @@
+#include "export/program/program.hpp"
+
+#include <set>
+
+#include "export/print/wrapped_line.hpp"
+#include "export/program/entry_point.hpp"
+#include "export/program/stage_calls.hpp"
+#include "export/stages/plain_maps.hpp"
+
+namespace quadrel::recorded {
+namespace {
+
+using Kind = ProgramChannel::Kind;
+
+bool is_sampler(const Uniform& uniform) { return uniform.type.rfind("sampler", 0) == 0; }
+
+/// The number of a fragment's value that a channel shows, as a shader calls it.
+struct Component {
+    std::string name;
+    Type type = Type::real;
+    int index = 0;
+};
+
+Component component_of(const ProgramChannel& channel) {
+    const ValueInfo& of = info(channel.value);
+    if (of.components == 6)
+        return {shader_name(channel.value, channel.light, channel.component < 3 ? "_u" : "_v"),
+                Type::vec3, channel.component % 3};
+    return {shader_name(channel.value, channel.light),
+            of.kind == ValueKind::integer ? Type::integer : vector_of(of.components),
+            channel.component};
+}
+
+std::string expression_of(const ProgramChannel& channel) {
+    switch (channel.kind) {
+        case Kind::none:
+            return "";
+        case Kind::coverage:
+            return "1.0";
+        case Kind::z:
+            return "-" + shader_name(Value::hit_P) + ".z";
+        case Kind::lod_level:
+            return "level_of_detail.x";
+        case Kind::lod_lambda:
+            return "level_of_detail.y";
+        case Kind::value:
+            break;
+    }
+    const Component component = component_of(channel);
+    if (component.type == Type::integer) return "float(" + component.name + ")";
+    if (component.type == Type::real) return component.name;
+    return component.name + "." + "xyzw"[component.index];
+}
+
+template <class Body>
+void for_each_channel(const ProgramRequest& request, const Body& body) {
+    for (int p = 0; p < request.pass_count; ++p)
+        for (int t = 0; t < request.passes[p].target_count; ++t)
+            for (const ProgramChannel& channel : request.passes[p].channels[t]) body(channel);
+}
+
+bool asks_lod(const ProgramRequest& request) {
+    bool asks = false;
+    for_each_channel(request, [&](const ProgramChannel& channel) {
+        asks |= channel.kind == Kind::lod_level || channel.kind == Kind::lod_lambda;
+    });
+    return asks;
+}
+
+/// What targets, depth and discarding are made of.
+ValueTypes wanted_values(const ProgramRequest& request) {
+    ValueTypes wanted;
+    for_each_channel(request, [&](const ProgramChannel& channel) {
+        if (channel.kind == Kind::z) wanted.emplace(shader_name(Value::hit_P), Type::vec3);
+        if (channel.kind != Kind::value) return;
+        const Component component = component_of(channel);
+        wanted.emplace(component.name, component.type);
+    });
+    if (asks_lod(request)) wanted.emplace("uv", Type::vec2);
+    if (request.discard_below >= 0) wanted.emplace(shader_name(Value::opacity), Type::real);
+    if (request.clips != 0) wanted.emplace(shader_name(Value::hit_status), Type::integer);
+    if (request.writes_depth != 0) wanted.emplace(shader_name(Value::frag_depth), Type::real);
+    return wanted;
+}
+
+std::vector<std::vector<std::array<std::string, 4>>> targets_of(const ProgramRequest& request) {
+    std::vector<std::vector<std::array<std::string, 4>>> passes;
+    for (int p = 0; p < request.pass_count; ++p) {
+        auto& pass = passes.emplace_back();
+        for (int t = 0; t < request.passes[p].target_count; ++t) {
+            auto& target = pass.emplace_back();
+            for (std::size_t c = 0; c < 4; ++c)
+                target[c] = expression_of(request.passes[p].channels[t][c]);
+        }
+    }
+    return passes;
+}
+
+std::string discard_condition(const ProgramRequest& request, const Dialect& dialect) {
+    std::string condition;
+    if (request.discard_below >= 0) condition = "opacity < " + dialect.real(request.discard_below);
+    if (request.clips != 0)
+        condition += (condition.empty() ? "" : " || ") + std::string("hit_status == STATUS_CLIP");
+    return condition;
+}
+
+/// Calls of the functions, one after the other, with a variable for each value.
+class Statements {
+  public:
+    explicit Statements(const Dialect& dialect) : dialect_(dialect) {}
+
+    void declare(const std::string& name, Type type, const std::string& value) {
+        all_.push_back(dialect_.type(type) + " " + name + " = " + value + ";");
+        declared_[name] = type;
+    }
+
+    void call(const FunctionText& function) {
+        for (const Named& output : function.outputs)
+            if (declared_.emplace(output.name, output.type).second)
+                all_.push_back(dialect_.type(output.type) + " " + output.name + ";");
+        std::string arguments;
+        for (const auto* list : {&function.inputs, &function.outputs})
+            for (const Named& of : *list) arguments += (arguments.empty() ? "" : ", ") + of.name;
+        all_.push_back(function.name + "(" + arguments + ");");
+    }
+
+    const std::vector<std::string>& all() const { return all_; }
+
+  private:
+    const Dialect& dialect_;
+    ValueTypes declared_;
+    std::vector<std::string> all_;
+};
+
+const Uniform normal_matrix{"normal_matrix", "float", 9};
+
+/// An object's axis in eye space: a column of the normal matrix.
+std::string object_axis(int axis, const std::string& vector) {
+    std::string text = vector + "(";
+    for (int row = 0; row < 3; ++row)
+        text += (row == 0 ? "" : ", ") + std::string("normal_matrix[") +
+                std::to_string(3 * row + axis) + "]";
+    return text + ")";
+}
+
+/// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
+void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
+                  const Dialect& dialect) {
+    for (const auto& [name, type] : open) {
+        if (find_varying(name) != nullptr) continue;
+        if (name == "bary") throw RecordingError("bary: barycentrics are not handed to fragments");
+        if (name.rfind("object_", 0) == 0) {
+            add_uniforms(text.uniforms, {normal_matrix});
+            statements.declare(name, type,
+                               object_axis(name.back() - 'x', dialect.type(Type::vec3)));
+        } else if (type == Type::integer) {
+            statements.declare(name, type, "0");
+        } else if (type == Type::real) {
+            statements.declare(name, type, "0.0");
+        } else {
+            std::string zeros = "0.0";
+            for (int i = 1; i < components_of(type); ++i) zeros += ", 0.0";
+            statements.declare(name, type, dialect.type(type) + "(" + zeros + ")");
+        }
+    }
+}
+
+std::string map_with_lod(const ProgramRequest& request) {
+    for (const TextureSlot slot : {TextureSlot::height, TextureSlot::color})
+        if (request.textures[static_cast<int>(slot)] != nullptr) return map_name(slot);
+    throw RecordingError("lod: the material has neither a height map nor a colour map");
+}
+
+std::string comment_of(const ProgramRequest& request, const char* what) {
+    return wrapped_line(std::string("// Material ") + as_word(request.material) + ": " + what) +
+           "\n";
+}
+
+void bind_textures(const ProgramRequest& request, ShaderScene& scene) {
+    for (int i = 0; i < texture_slot_count; ++i)
+        if (const SampledTexture* const texture = request.textures[i])
+            scene.textures.bind(i, map_name(static_cast<TextureSlot>(i)), texture->view,
+                                texture->sampler);
+}
+
+FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect) {
+    ShaderScene scene(*request.frame);
+    scene.material = *request.uniforms;
+    bind_textures(request, scene);
+    const StageCalls calls(request.stages, request.stage_count, scene, wanted_values(request),
+                           dialect);
+    FragmentText text;
+    text.comment =
+        comment_of(request, "what is visible, shaded. PASS says which values go to the targets.");
+    text.centroid = request.centroid != 0;
+    text.uniforms = calls.uniforms();
+    Statements statements(dialect);
+    declare_open(calls.open(), text, statements, dialect);
+    for (const FunctionText& function : calls.functions()) {
+        text.functions += function.text + "\n";
+        statements.call(function);
+    }
+    text.statements = statements.all();
+    for (const auto& [name, type] : calls.open())
+        if (const Varying* const varying = find_varying(name)) text.varyings.push_back(*varying);
+    text.passes = targets_of(request);
+    if (request.writes_depth != 0) text.depth = "frag_depth";
+    text.discard = discard_condition(request, dialect);
+    if (asks_lod(request)) {
+        text.lod_map = map_with_lod(request);
+        add_uniforms(text.uniforms, {{text.lod_map, "sampler2D", 0}});
+    }
+    return text;
+}
+
+/// Rows of a matrix times a point, summed in the order of the reference.
+std::string rows_times(const char* matrix, int rows, const std::string& point,
+                       const std::string& vector) {
+    std::string text = vector + "(";
+    for (int row = 0; row < rows; ++row) {
+        text += row == 0 ? "affine(" : ", affine(";
+        for (int column = 0; column < 4; ++column)
+            text += std::string(matrix) + "[" + std::to_string(4 * row + column) + "], ";
+        text += point + ")";
+    }
+    return text + ")";
+}
+
+std::string normal_times(const std::string& vector) {
+    std::string text = vector + "(";
+    for (int row = 0; row < 3; ++row) {
+        text += row == 0 ? "linear_row(" : ", linear_row(";
+        for (int column = 0; column < 3; ++column)
+            text += "normal_matrix[" + std::to_string(3 * row + column) + "], ";
+        text += "normal)";
+    }
+    return text + ")";
+}
+
+/// The functions of vertex shaders.
+std::string row_functions(const Dialect& dialect) {
+    const std::string vector = dialect.type(Type::vec3);
+    return "// A row of a matrix times a point, and times a vector.\n"
+           "float affine(float a, float b, float c, float d, " +
+           vector +
+           " p) {\n    return (a * p.x + b * p.y) + (c * p.z + d);\n}\n"
+           "float linear_row(float a, float b, float c, " +
+           vector + " v) {\n    return a * v.x + b * v.y + c * v.z;\n}\n\n";
+}
+
+VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragment,
+                       const Dialect& dialect) {
+    const std::string vector2 = dialect.type(Type::vec2), vector3 = dialect.type(Type::vec3);
+    VertexText text;
+    text.comment =
+        comment_of(request, "vertices to eye space and clip space. Matrices are by rows.");
+    text.centroid = fragment.centroid;
+    text.functions = row_functions(dialect);
+    // The position in eye space is a varying in any case: it is what clip space is made of.
+    text.varyings = fragment.varyings;
+    std::erase_if(text.varyings, [](const Varying& of) { return of.name == std::string("P"); });
+    text.varyings.insert(text.varyings.begin(), *find_varying("P"));
+    text.uniforms = {{"model_view", "float", 16}, {"projection", "float", 16}};
+    std::set<std::string> read;
+    for (const Varying& varying : text.varyings) {
+        const std::string name = varying.name;
+        read.insert(varying.attribute);
+        if (name == "P") {
+            text.values.push_back(rows_times("model_view", 3, "position", vector3));
+        } else if (name == "uv") {
+            text.uniforms.push_back({"texture_matrix", "float", 16});
+            text.values.push_back(
+                rows_times("texture_matrix", 2, vector3 + "(texture_coordinates, 0.0)", vector2));
+        } else if (name == "vertex_normal") {
+            text.uniforms.push_back(normal_matrix);
+            std::string value = normal_times(vector3);
+            if (request.has_flat_meshes != 0) {
+                text.uniforms.push_back({"flat_faces", "float", 0});
+                read.insert("face_normal");
+                value = "flat_faces != 0.0 ? face_normal : " + value;
+            }
+            text.values.push_back(value);
+        } else {
+            text.values.emplace_back(varying.attribute);
+        }
+    }
+    for (const Named& attribute : vertex_attributes())
+        if (read.count(attribute.name) != 0) text.attributes.push_back(attribute);
+    text.position = rows_times("projection", 4, "P", dialect.type(Type::vec4));
+    return text;
+}
+
+}  // namespace
+
+int slot_of_map(const std::string& name) {
+    for (int i = 0; i < texture_slot_count; ++i) {
+        const std::string map = map_name(static_cast<TextureSlot>(i));
+        if (name == map || name == map + "_nearest") return i;
+    }
+    return -1;
+}
+
+ProgramText compose_program(const ProgramRequest& request) {
+    const auto dialect = find_dialect(request.language);
+    const auto entry = dialect ? find_entry_point(request.language, *dialect) : nullptr;
+    if (entry == nullptr)
+        throw RecordingError(std::string("no scenes are written in ") + request.language);
+    if (asks_lod(request) && !entry->has_lod())
+        throw RecordingError(std::string("lod: a shader cannot ask for it in ") + request.language);
+    FragmentText fragment = fragment_text(request, *dialect);
+    const VertexText vertex = vertex_text(request, fragment, *dialect);
+    fragment.varyings = vertex.varyings;  // structs of both are one
+    ProgramText text{entry->vertex(vertex), entry->fragment(fragment), vertex.attributes, {}, {}};
+    std::vector<Uniform> all = vertex.uniforms;
+    add_uniforms(all, fragment.uniforms);
+    for (const Uniform& uniform : all)
+        (is_sampler(uniform) ? text.samplers : text.numbers).push_back(uniform);
+    return text;
+}
+
+}  // namespace quadrel::recorded

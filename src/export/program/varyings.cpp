@@ -1,0 +1,45 @@
+#include "export/program/varyings.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace quadrel::recorded {
+
+const Varying* find_varying(const std::string& name) {
+    static constexpr Varying all[] = {
+        {"P", Type::vec3, false, "position"},
+        {"vertex_normal", Type::vec3, false, "normal"},
+        {"uv", Type::vec2, false, "texture_coordinates"},
+        {"Ng", Type::vec3, true, "face_normal"},
+        {"vertex_tangent", Type::vec3, false, "tangent"},
+        {"tangent_sign", Type::real, false, "handedness"},
+        {"vertex_bitangent", Type::vec3, false, "bitangent"},
+        {"face_J_u", Type::vec3, true, "gradient_u"},
+        {"face_J_v", Type::vec3, true, "gradient_v"},
+    };
+    const auto* const found = std::find_if(std::begin(all), std::end(all),
+                                           [&](const Varying& of) { return of.name == name; });
+    return found != std::end(all) ? found : nullptr;
+}
+
+const std::vector<Named>& vertex_attributes() {
+    static const std::vector<Named> all = {{"position", Type::vec3},
+                                           {"normal", Type::vec3},
+                                           {"texture_coordinates", Type::vec2},
+                                           {"face_normal", Type::vec3},
+                                           {"tangent", Type::vec3},
+                                           {"handedness", Type::real},
+                                           {"bitangent", Type::vec3},
+                                           {"gradient_u", Type::vec3},
+                                           {"gradient_v", Type::vec3}};
+    return all;
+}
+
+int location_of(const std::string& attribute) {
+    const auto& all = vertex_attributes();
+    return static_cast<int>(std::find_if(all.begin(), all.end(),
+                                         [&](const Named& of) { return of.name == attribute; }) -
+                            all.begin());
+}
+
+}  // namespace quadrel::recorded

@@ -1,0 +1,129 @@
+#include "export/scene/channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
+#include "render/plan/plan.hpp"
+
+namespace quadrel {
+namespace {
+
+using Kind = ProgramChannel::Kind;
+
+/// Values that some stage of the scene's materials stores.
+ValueSet stored_values(const Scene& scene) {
+    ValueSet stored;
+    for (const Material& material : scene.materials)
+        for (const PlannedStage& stage : material_stages(scene, material))
+            for (const Value v : stage.info->outputs) stored.set(static_cast<std::size_t>(v));
+    return stored;
+}
+
+/// Those of values, in the order of the data flow.
+std::vector<std::string> names_of_values(int lights) {
+    std::vector<std::string> names;
+    for (const char* group : {"uv", "P", "Ng", "dUVdx", "dUVdy", "dPdx", "dPdy", "relief.depth",
+                              "T", "J", "r", "K", "hit", "frag.depth", "N"})
+        for (const std::string& name : expand_channels(std::vector<std::string>{group}))
+            names.push_back(name);
+    // "B" is blue.
+    const auto after_t = std::find(names.begin(), names.end(), "T.Z") + 1;
+    const char* const bitangent[] = {"B.X", "B.Y", "B.Z"};
+    names.insert(after_t, std::begin(bitangent), std::end(bitangent));
+    for (int light = 0; light < lights; ++light)
+        for (const char* what : {"visibility", "steps"})
+            names.push_back(light == 0 ? fmt::format("shadow.{}", what)
+                                       : fmt::format("shadow.{}.{}", light, what));
+    for (const char* group : {"occlusion", "light", "R", "G", "B"})
+        for (const std::string& name : expand_channels(std::vector<std::string>{group}))
+            names.push_back(name);
+    return names;
+}
+
+bool has_map_with_lod(const Scene& scene) {
+    return std::all_of(scene.materials.begin(), scene.materials.end(), [](const Material& of) {
+        return (of.textures.count("height") != 0) || of.textures.count("color") != 0;
+    });
+}
+
+std::uint32_t clear_bits(const Scene& scene, const ChannelSource& source) {
+    if (source.kind != ChannelSource::Kind::value || source.value != Value::color)
+        return uncovered_bits(source.name);
+    return std::bit_cast<std::uint32_t>(scene.background[source.component]);
+}
+
+ProgramChannel program_channel(const ChannelSource& source) {
+    ProgramChannel channel{Kind::none, source.value, source.light, source.component};
+    if (source.kind == ChannelSource::Kind::coverage) channel.kind = Kind::coverage;
+    if (source.kind == ChannelSource::Kind::z) channel.kind = Kind::z;
+    if (source.kind != ChannelSource::Kind::value) return channel;
+    if (source.value == Value::lod_level)
+        channel.kind = Kind::lod_level;
+    else if (source.value == Value::lod_lambda)
+        channel.kind = Kind::lod_lambda;
+    else if (source.value != Value::lod_rho && source.value != Value::lod_frac &&
+             source.value != Value::bary)
+        channel.kind = Kind::value;
+    return channel;
+}
+
+}  // namespace
+
+std::vector<std::string> exportable_channels(const Scene& scene, const std::string& language) {
+    const ValueSet stored = stored_values(scene);
+    std::vector<std::string> names;
+    for (const std::string& name : names_of_values(static_cast<int>(scene.lights.size()))) {
+        const ChannelSource source = channel_source(name);
+        if (stored[static_cast<std::size_t>(source.value)]) names.push_back(name);
+        const bool asks_lod = name == "dUVdy.V" && language != "glsl-es";
+        if (asks_lod && has_map_with_lod(scene)) {
+            names.emplace_back("lod.lambda");
+            names.emplace_back("lod.level");
+        }
+    }
+    names.emplace_back("A");
+    names.emplace_back("Z");
+    return names;
+}
+
+std::vector<ExportedChannel> exported_channels(const Scene& scene,
+                                               const std::vector<std::string>& names) {
+    std::vector<ExportedChannel> channels;
+    for (const std::string& name : names) {
+        const ChannelSource source = channel_source(name);
+        const ProgramChannel of = program_channel(source);
+        if (of.kind == Kind::none)
+            throw UsageError(
+                fmt::format("--channels: found \"{}\", expected what a shader can tell of the "
+                            "scene: {}",
+                            name, fmt::join(exportable_channels(scene, "glsl"), " ")));
+        if (source.light > 0 && source.light >= static_cast<int>(scene.lights.size()))
+            throw UsageError(fmt::format("--channels: found \"{}\", expected one of {} lights",
+                                         name, scene.lights.size()));
+        channels.push_back({name, source.type, of, clear_bits(scene, source)});
+    }
+    return channels;
+}
+
+std::vector<ProgramPass> passes_of(const std::vector<ExportedChannel>& channels, int targets) {
+    std::vector<ProgramPass> passes;
+    const int a_pass = 4 * targets, count = static_cast<int>(channels.size());
+    for (int first = 0; first < count; first += a_pass) {
+        ProgramPass pass{};
+        const int here = std::min(a_pass, count - first);
+        for (int i = 0; i < here; ++i)
+            pass.channels[i / 4][i % 4] = channels[static_cast<std::size_t>(first + i)].source;
+        pass.target_count = (here + 3) / 4;
+        passes.push_back(pass);
+    }
+    return passes;
+}
+
+// OpenGL ES 3.0, table 6.31: 4 draw buffers at least; OpenGL 3.3 and Direct3D 11: 8.
+int targets_at_once(const std::string& language) { return language == "glsl-es" ? 4 : 8; }
+
+}  // namespace quadrel

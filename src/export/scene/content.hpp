@@ -1,0 +1,74 @@
+// What an exported scene consists of, before it is written.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "export/export.hpp"
+#include "export/scene/channels.hpp"
+#include "export/scene/export_scene.hpp"
+#include "export/scene/texture_files.hpp"
+#include "export/scene/uniforms.hpp"
+#include "export/scene/vertices.hpp"
+#include "quadrel/film/film.hpp"
+
+namespace quadrel {
+
+/// How a texture with faces is looked up.
+enum class TextureShape {
+    flat,    ///< one face, or layers one below the other
+    layers,  ///< an array
+    cube
+};
+
+struct ContentTexture {
+    std::string name;  ///< a word, the beginning of its files' names
+    std::shared_ptr<const Texture> texture;
+    TextureShape shape = TextureShape::flat;
+    TexelLayout layout;
+
+    /// Files of a level: the bytes, and decoded.
+    std::string bytes_file(int level) const;
+    std::string exr_file(int level, int face) const;
+    /// Rows of a level in the file of bytes.
+    int rows(int level) const;
+};
+
+struct ContentSampler {
+    std::string uniform;
+    std::size_t texture;  ///< of ExportContent
+    SamplerState state;
+};
+
+struct ContentMaterial {
+    std::size_t material;  ///< of the scene
+    std::string name;      ///< a word, the beginning of its shaders' names
+    Program program;
+    std::vector<std::string> stages;  ///< room/id, in their order
+    std::vector<ContentSampler> samplers;
+    bool discards = false, writes_depth = false;
+
+    std::string vertex_file(const std::string& language) const;
+    std::string fragment_file(const std::string& language) const;
+};
+
+struct ExportContent {
+    const Scene* scene;
+    std::string language;
+    std::vector<ExportedChannel> channels;
+    std::vector<ProgramPass> passes;
+    FrameUniforms frame{};
+    std::vector<ContentMaterial> materials;  ///< those that a visible object has
+    std::vector<ContentTexture> textures;
+    VertexBuffers buffers;
+    Film expected;  ///< without planes where no reference is asked for
+    Attributes expected_attributes;
+
+    bool has_reference() const { return !expected.planes.empty(); }
+};
+
+/// Loads, bakes, renders and records. Throws as export_scene does.
+ExportContent export_content(const Scene& scene, const SceneExport& options);
+
+}  // namespace quadrel

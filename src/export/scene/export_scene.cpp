@@ -1,0 +1,131 @@
+#include "export/scene/export_scene.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <fstream>
+#include <set>
+
+#include "export/scene/manifest.hpp"
+#include "export/scene/output_folder.hpp"
+#include "file/atomic_file.hpp"
+#include "file/input_record.hpp"
+#include "film/image_film.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the export of this manifest wrote; empty if it is none.
+std::set<std::string> files_of(const fs::path& manifest_file) {
+    std::ifstream in(manifest_file);
+    const Json manifest = Json::parse(in, nullptr, false);
+    std::set<std::string> files;
+    if (!manifest.is_object() || !manifest.contains(manifest_key) || !manifest.contains("files") ||
+        !manifest["files"].is_array())
+        return files;
+    for (const Json& file : manifest["files"])
+        if (file.is_string()) files.insert(file.get<std::string>());
+    return files;
+}
+
+/// A file of the folder that is none of `known`; empty if there is none.
+std::string foreign_file(const fs::path& folder, const std::set<std::string>& known) {
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).generic_string();
+        const bool is_folder = entry.is_directory() && !entry.is_symlink();
+        if (is_folder ? name != "textures" : known.count(name) == 0) return name;
+    }
+    return "";
+}
+
+/// Files of the export, in the order in which they are written.
+class Files {
+  public:
+    explicit Files(const fs::path& folder) : folder_(folder) {}
+
+    fs::path add(const std::string& name) {
+        names_.push_back(name);
+        return folder_ / name;
+    }
+    void write(const std::string& name, const void* data, std::size_t size) {
+        AtomicFile file(add(name));
+        file.write(data, size);
+        file.commit_alone();
+    }
+    void write(const std::string& name, const std::string& text) {
+        write(name, text.data(), text.size());
+    }
+    template <class T>
+    void write(const std::string& name, const std::vector<T>& values) {
+        write(name, values.data(), values.size() * sizeof(T));
+    }
+    const std::vector<std::string>& names() const { return names_; }
+
+  private:
+    fs::path folder_;
+    std::vector<std::string> names_;
+};
+
+void write_texture(const ContentTexture& texture, bool decoded, Files& files) {
+    const TextureView& view = texture.texture->view();
+    for (int level = 0; level < view.levels; ++level) {
+        files.write(texture.bytes_file(level),
+                    level_bytes(*texture.texture, level, texture.layout));
+        for (int face = 0; decoded && face < view.faces; ++face)
+            write_exr(files.add(texture.exr_file(level, face)),
+                      image_film(texture_level(*texture.texture, level, face), false),
+                      {{"quadrel:mipLevel", fmt::format("{}", level)}});
+    }
+}
+
+void write_content(const ExportContent& content, const fs::path& folder) {
+    Files files(folder);
+    if (!content.textures.empty()) fs::create_directory(folder / "textures");
+    for (const ContentMaterial& material : content.materials) {
+        files.write(material.vertex_file(content.language), material.program.vertex);
+        files.write(material.fragment_file(content.language), material.program.fragment);
+    }
+    files.write("vertices.bin", content.buffers.vertices);
+    files.write("indices.bin", content.buffers.indices);
+    for (const ContentTexture& texture : content.textures)
+        write_texture(texture, content.has_reference(), files);
+    if (content.has_reference())
+        write_exr(files.add("expected.exr"), content.expected, content.expected_attributes);
+    files.write("README.md", folder_readme(content));
+    files.add(manifest_name);
+    Json manifest = manifest_of(content);
+    manifest["files"] = files.names();
+    files.write(manifest_name, manifest.dump(2) + "\n");
+}
+
+}  // namespace
+
+void check_export_folder(const fs::path& folder) {
+    const fs::path at = folder_at(folder);
+    if (!fs::exists(at)) return;
+    if (!fs::is_directory(at))
+        throw UsageError(fmt::format("-o: found the file {}, expected a folder", folder.string()));
+    const std::set<std::string> known = files_of(at / manifest_name);
+    const std::string foreign = foreign_file(at, known);
+    if (foreign.empty()) return;
+    throw UsageError(fmt::format("-o: found {} in {}, expected {}", foreign, folder.string(),
+                                 known.empty()
+                                     ? "a new or empty folder, or an export"
+                                     : "nothing there but the export that it would replace"));
+}
+
+void export_scene(const Scene& scene, const SceneExport& options, const fs::path& folder) {
+    const ExportContent content = export_content(scene, options);
+    OutputFolder out(folder);
+    try {
+        write_content(content, out.path());
+    } catch (const fs::filesystem_error& error) {
+        throw OutputError(folder.string(), error.code().message());
+    }
+    out.commit();
+}
+
+}  // namespace quadrel

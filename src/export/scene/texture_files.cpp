@@ -1,0 +1,99 @@
+#include "export/scene/texture_files.hpp"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "quadrel/check.hpp"
+#include "quadrel/num/half.hpp"
+#include "texture/texel_format.hpp"
+
+namespace quadrel {
+namespace {
+
+struct FormatNames {
+    const char *bits, *gl_suffix, *component_type, *dxgi_suffix;
+};
+
+FormatNames names_of(TexelFormat format) {
+    switch (format) {
+        case TexelFormat::unorm8:
+        case TexelFormat::srgb8:
+            return {"8", "", "UNSIGNED_BYTE", "UNORM"};
+        case TexelFormat::unorm16:
+            return {"16", "", "UNSIGNED_SHORT", "UNORM"};
+        case TexelFormat::half:
+            return {"16", "F", "HALF_FLOAT", "FLOAT"};
+        case TexelFormat::float32:
+            break;
+    }
+    return {"32", "F", "FLOAT", "FLOAT"};
+}
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+    static_assert(std::endian::native == std::endian::little, "files are little-endian");
+    std::array<char, sizeof(Number)> parts;
+    std::memcpy(parts.data(), &number, sizeof number);
+    bytes.append(parts.data(), parts.size());
+}
+
+void append_texel(std::string& bytes, float value, TexelFormat format, bool is_alpha) {
+    const int max = max_code(format);
+    if (format == TexelFormat::float32) return append(bytes, value);
+    if (format == TexelFormat::half) {
+        const std::uint16_t half = float_to_half(value);
+        const float stored = half_to_float(half);
+        QUADREL_CHECK(stored == value || (stored != stored && value != value), value);
+        return append(bytes, half);
+    }
+    QUADREL_CHECK(store_and_decode(value, 1, format, is_alpha) == value, value);
+    const int code = format == TexelFormat::srgb8 && !is_alpha ? encode_srgb8(value)
+                                                               : encode_unorm(value, 1, max);
+    if (max > 255)
+        append(bytes, static_cast<std::uint16_t>(code));
+    else
+        append(bytes, static_cast<std::uint8_t>(code));
+}
+
+}  // namespace
+
+TexelLayout texel_layout(const Texture& texture, const std::string& language) {
+    TexelLayout layout{texture.format(), texture.view().channels, "", "", "", ""};
+    if (layout.format == TexelFormat::unorm16 && language == "glsl-es")
+        layout.format = TexelFormat::float32;
+    const bool is_srgb = layout.format == TexelFormat::srgb8;
+    if (is_srgb) layout.channels = 4;
+    static constexpr const char* components[] = {"R", "RG", "", "RGBA"};
+    static constexpr const char* letters[] = {"R", "G", "B", "A"};
+    const FormatNames names = names_of(layout.format);
+    layout.components = layout.channels == 1 ? "RED" : components[layout.channels - 1];
+    layout.component_type = names.component_type;
+    layout.internal_format =
+        is_srgb ? "SRGB8_ALPHA8"
+                : std::string(components[layout.channels - 1]) + names.bits + names.gl_suffix;
+    for (int c = 0; c < layout.channels; ++c) layout.dxgi += letters[c] + std::string(names.bits);
+    layout.dxgi += std::string("_") + names.dxgi_suffix + (is_srgb ? "_SRGB" : "");
+    return layout;
+}
+
+std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout) {
+    const TextureView& view = texture.view();
+    const std::size_t texels =
+        std::size_t(view.width[level]) * static_cast<std::size_t>(view.height[level]);
+    std::string bytes;
+    for (int face = 0; face < view.faces; ++face) {
+        const float* values = texture.level_texels(level, face);
+        for (std::size_t i = 0; i < texels; ++i)
+            for (int c = 0; c < layout.channels; ++c) {
+                const float missing = c == 3 ? 1.0f : 0.0f;
+                const float value = c < view.channels
+                                        ? values[i * std::size_t(view.channels) + std::size_t(c)]
+                                        : missing;
+                append_texel(bytes, value, layout.format, c == 3);
+            }
+    }
+    return bytes;
+}
+
+}  // namespace quadrel

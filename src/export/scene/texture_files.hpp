@@ -1,0 +1,26 @@
+// Textures as a GPU takes them: the bytes of each level, and what to call their format.
+#pragma once
+
+#include <string>
+
+#include "quadrel/texture/texture.hpp"
+
+namespace quadrel {
+
+/// What texels look like in a file of bytes.
+struct TexelLayout {
+    TexelFormat format;
+    int channels;  ///< 1, 2 or 4
+    /// As OpenGL (without GL_) and DXGI call it.
+    std::string internal_format, components, component_type, dxgi;
+};
+
+/// How a texture is handed over: in its own format, but for what a language's interface cannot
+/// filter (16-bit codes in OpenGL ES: as floats) or has in four channels alone (sRGB).
+TexelLayout texel_layout(const Texture& texture, const std::string& language);
+
+/// All faces or layers of a level, one after the other, rows without gaps, row 0 first. Decoded
+/// they are the texture's values to the bit.
+std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout);
+
+}  // namespace quadrel

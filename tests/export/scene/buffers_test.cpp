@@ -1,0 +1,230 @@
+// What an exported scene hands a GPU: vertices that become what Quadrel interpolates, and texels
+// whose bytes are the very values.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "export/scene/content.hpp"
+#include "export/scene/small_scenes.hpp"
+#include "quadrel/num/half.hpp"
+#include "quadrel/num/srgb.hpp"
+#include "render/draw/geometry.hpp"
+
+namespace quadrel::export_tests {
+namespace {
+
+using Floats = std::vector<float>;
+
+/// The vertex shader's arithmetic.
+float affine(const Floats& m, int row, const Floats& p) {
+    const std::size_t r = std::size_t(row) * 4;
+    return (m[r] * p[0] + m[r + 1] * p[1]) + (m[r + 2] * p[2] + m[r + 3]);
+}
+float linear_row(const Floats& m, int row, const Floats& v) {
+    const std::size_t r = std::size_t(row) * 3;
+    return m[r] * v[0] + m[r + 1] * v[1] + m[r + 2] * v[2];
+}
+
+/// Attributes of the vertex that an index names, by their names.
+std::map<std::string, Floats> vertex(const VertexBuffers& buffers, std::uint32_t index) {
+    std::map<std::string, Floats> values;
+    const float* const all =
+        buffers.vertices.data() + std::size_t(index) * std::size_t(buffers.floats_a_vertex());
+    for (const VertexAttribute& attribute : buffers.attributes) {
+        const float* const first = all + attribute.offset / int(sizeof(float));
+        values[attribute.name] = Floats(first, first + attribute.components);
+    }
+    return values;
+}
+
+/// P, normal, uv, face normal, tangent, handedness, bitangent, J of a corner.
+Floats shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformValues& object,
+              const UniformValues& material) {
+    const auto of = vertex(buffers, index);
+    Floats all;
+    for (int row = 0; row < 3; ++row)
+        all.push_back(affine(object.at("model_view"), row, of.at("position")));
+    const bool flat = object.at("flat_faces")[0] != 0;
+    for (int row = 0; row < 3; ++row)
+        all.push_back(flat ? of.at("face_normal")[std::size_t(row)]
+                           : linear_row(object.at("normal_matrix"), row, of.at("normal")));
+    const Floats uv{of.at("texture_coordinates")[0], of.at("texture_coordinates")[1], 0};
+    for (int row = 0; row < 2; ++row) all.push_back(affine(material.at("texture_matrix"), row, uv));
+    for (const char* name :
+         {"face_normal", "tangent", "handedness", "bitangent", "gradient_u", "gradient_v"})
+        all.insert(all.end(), of.at(name).begin(), of.at(name).end());
+    return all;
+}
+
+/// The same of Quadrel's own triangle.
+Floats interpolated(const Geometry& geometry, std::size_t triangle, int corner) {
+    const PrimitiveData& data = geometry.data[triangle];
+    const PrimitiveFrame& frame = geometry.frames[triangle];
+    Floats all;
+    const auto add = [&](const float* from, int count) {
+        all.insert(all.end(), from, from + count);
+    };
+    add(data.position[corner], 3);
+    add(data.normal[corner], 3);
+    add(data.uv[corner], 2);
+    add(data.face_normal, 3);
+    add(frame.tangent[corner], 3);
+    add(&frame.tangent_sign[corner], 1);
+    add(frame.bitangent[corner], 3);
+    add(frame.J, 6);
+    return all;
+}
+
+std::vector<std::string> all_attribute_names() {
+    std::vector<std::string> names;
+    for (const VertexAttribute& attribute : all_vertex_attributes())
+        names.emplace_back(attribute.name);
+    return names;
+}
+
+/// How many corners of whole triangles are not what Quadrel has; -1 if there are none.
+template <class Change>
+int wrong_corners(const Scene& scene, const Change& change) {
+    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false});
+    const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
+    int wrong = 0, seen = 0;
+    for (const Draw& draw : buffers.draws) {
+        const Object& object = scene.objects[draw.object];
+        UniformValues values = object_values_by_name(scene, object);
+        change(values);
+        const UniformValues material = material_values_by_name(scene.materials[object.material]);
+        // Drawn triangles keep their order; what is clipped or culled is missing among Quadrel's.
+        std::set<Floats> corners;
+        for (std::uint32_t i = 0; i < draw.index_count; ++i)
+            corners.insert(
+                shaded(buffers, buffers.indices[draw.first_index + i], values, material));
+        for (std::size_t t = 0; t < geometry.triangles.size(); ++t) {
+            if (geometry.triangles[t].object != draw.object) continue;
+            for (int corner = 0; corner < 3; ++corner, ++seen)
+                wrong += corners.count(interpolated(geometry, t, corner)) == 0;
+        }
+    }
+    return seen > 0 ? wrong : -1;
+}
+
+TEST(SceneBuffers, VerticesBecomeWhatQuadrelInterpolates) {
+    const SmallScenes scenes;
+    for (const char* name : {"thesis-quad", "thesis-teapot", "thesis-icosahedron", "thesis-torus",
+                             "rows/frame-mikkt", "rows/frame-vertex", "sampler-texture-matrix"}) {
+        const Scene scene = scenes.load(name);
+        EXPECT_EQ(wrong_corners(scene, [](UniformValues&) {}), 0) << name;
+        EXPECT_GT(wrong_corners(scene,
+                                [](UniformValues& values) {
+                                    std::swap(values["model_view"][2], values["model_view"][7]);
+                                    values["normal_matrix"][3] += 0.5f;
+                                }),
+                  0)
+            << name;
+    }
+}
+
+TEST(SceneBuffers, MirroredObjectsKeepTheirOutside) {
+    const SmallScenes scenes;
+    Scene scene = scenes.load("thesis-icosahedron");
+    scene.materials[0].cull = Cull::back;
+    scene.objects[0].transform[0] *= -1.0f;
+    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false});
+    ASSERT_FALSE(geometry.triangles.empty());
+    const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
+    const UniformValues object = object_values_by_name(scene, scene.objects[0]);
+    const UniformValues material = material_values_by_name(scene.materials[0]);
+    // In the order of drawing, corner by corner.
+    std::set<std::vector<Floats>> triangles;
+    for (std::size_t i = 0; i < buffers.indices.size(); i += 3)
+        triangles.insert({shaded(buffers, buffers.indices[i], object, material),
+                          shaded(buffers, buffers.indices[i + 1], object, material),
+                          shaded(buffers, buffers.indices[i + 2], object, material)});
+    for (std::size_t t = 0; t < geometry.triangles.size(); ++t)
+        EXPECT_EQ(triangles.count({interpolated(geometry, t, 0), interpolated(geometry, t, 1),
+                                   interpolated(geometry, t, 2)}),
+                  1u);
+}
+
+float decoded(const std::string& bytes, std::size_t i, TexelFormat format, bool is_alpha) {
+    const auto read = [&](auto number) {
+        std::memcpy(&number, bytes.data() + i * sizeof number, sizeof number);
+        return number;
+    };
+    switch (format) {
+        case TexelFormat::unorm8:
+            return static_cast<float>(read(std::uint8_t())) / 255.0f;
+        case TexelFormat::srgb8:
+            return is_alpha ? static_cast<float>(read(std::uint8_t())) / 255.0f
+                            : static_cast<float>(srgb_decode(read(std::uint8_t()) / 255.0));
+        case TexelFormat::unorm16:
+            return static_cast<float>(read(std::uint16_t())) / 65535.0f;
+        case TexelFormat::half:
+            return half_to_float(read(std::uint16_t()));
+        case TexelFormat::float32:
+            break;
+    }
+    return read(float());
+}
+
+/// Values of a level that its bytes do not give back, missing channels among them.
+int wrong_texels(const Texture& texture, int level, const TexelLayout& layout,
+                 const std::string& bytes) {
+    const Image image = texture_level(texture, level);
+    int wrong = 0;
+    const auto channels = static_cast<std::size_t>(layout.channels);
+    const std::size_t texels = std::size_t(image.width) * std::size_t(image.height);
+    for (std::size_t i = 0; i < texels; ++i)
+        for (std::size_t c = 0; c < channels; ++c) {
+            const float expected = c < std::size_t(image.channels)
+                                       ? image.values[i * std::size_t(image.channels) + c]
+                                       : (c == 3 ? 1.0f : 0.0f);
+            wrong += decoded(bytes, i * channels + c, layout.format, c == 3) != expected;
+        }
+    return wrong;
+}
+
+TEST(SceneBuffers, BytesOfTexelsDecodeToTheVeryValues) {
+    for (const TexelFormat format : {TexelFormat::unorm8, TexelFormat::srgb8, TexelFormat::unorm16,
+                                     TexelFormat::half, TexelFormat::float32})
+        for (const char* swizzle : {"r", "rg", "rgba"})
+            for (const char* language : {"glsl", "glsl-es"}) {
+                TextureOptions options;
+                options.swizzle = swizzle;
+                options.format = format;
+                const auto texture = make_texture(small_image(), options);
+                const TexelLayout layout = texel_layout(*texture, language);
+                for (int level = 0; level < texture->view().levels; ++level) {
+                    std::string bytes = level_bytes(*texture, level, layout);
+                    EXPECT_EQ(wrong_texels(*texture, level, layout, bytes), 0) << swizzle;
+                    // The last byte of a number is its largest.
+                    bytes.back() = static_cast<char>(bytes.back() ^ 0x21);
+                    EXPECT_GT(wrong_texels(*texture, level, layout, bytes), 0) << swizzle;
+                }
+            }
+}
+
+TEST(SceneBuffers, FormatsHaveTheirNames) {
+    TextureOptions options;
+    options.swizzle = "r";
+    options.format = TexelFormat::unorm16;
+    const auto height = make_texture(small_image(), options);
+    const TexelLayout layout = texel_layout(*height, "glsl");
+    EXPECT_EQ(layout.internal_format + " " + layout.components + " " + layout.component_type,
+              "R16 RED UNSIGNED_SHORT");
+    EXPECT_EQ(layout.dxgi, "R16_UNORM");
+    EXPECT_EQ(texel_layout(*height, "glsl-es").internal_format, "R32F");
+    options.swizzle = "rgb1";
+    options.format = TexelFormat::srgb8;
+    const auto color = make_texture(small_image(), options);
+    EXPECT_EQ(texel_layout(*color, "hlsl").dxgi, "R8G8B8A8_UNORM_SRGB");
+    EXPECT_EQ(texel_layout(*color, "glsl").internal_format, "SRGB8_ALPHA8");
+    options.swizzle = "rg";
+    options.format = TexelFormat::half;
+    EXPECT_EQ(texel_layout(*make_texture(small_image(), options), "glsl").internal_format, "RG16F");
+}
+
+}  // namespace
+}  // namespace quadrel::export_tests

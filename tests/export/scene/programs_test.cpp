@@ -1,0 +1,178 @@
+// Every installed scene as shaders, before glslangValidator, Debian's reference compiler.
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "effort.hpp"
+#include "export/scene/content.hpp"
+#include "export/scene/small_scenes.hpp"
+#include "quadrel/error.hpp"
+
+namespace quadrel::export_tests {
+namespace {
+
+/// What one scene became in a language.
+struct Exported {
+    std::string scene, error;
+    std::vector<std::string> refused;
+    std::vector<Program> programs;
+    std::vector<int> passes;  ///< how many each has
+};
+
+Exported exported(const SmallScenes& scenes, const std::string& name, const std::string& language) {
+    const Scene scene = scenes.load(name);
+    Exported result{name, "", refused_stages(scene), {}, {}};
+    SceneExport options;
+    options.language = language;
+    options.threads = 1;
+    try {
+        const ExportContent content = export_content(scene, options);
+        for (const ContentMaterial& material : content.materials) {
+            result.programs.push_back(material.program);
+            result.passes.push_back(static_cast<int>(content.passes.size()));
+        }
+    } catch (const UsageError& error) {
+        result.error = error.what();
+    }
+    return result;
+}
+
+std::vector<Exported> all_exported(const SmallScenes& scenes, const std::string& language) {
+    const std::vector<std::string> names = installed_scenes();
+    std::vector<Exported> all(names.size());
+    tbb::parallel_for(std::size_t(0), names.size(),
+                      [&](std::size_t i) { all[i] = exported(scenes, names[i], language); });
+    return all;
+}
+
+/// Texts that a compiler is to take, each once.
+struct Texts {
+    std::set<std::string> vertex, fragment;
+
+    explicit Texts(const std::vector<Exported>& all) {
+        for (const Exported& of : all)
+            for (const Program& program : of.programs) {
+                vertex.insert(program.vertex);
+                fragment.insert(program.fragment);
+            }
+    }
+};
+
+bool has_validator() { return std::system("glslangValidator --version > /dev/null 2>&1") == 0; }
+
+/// The files of a folder that are not taken, with what is said of them. One compiler for many.
+std::string rejected(const std::filesystem::path& folder, const std::string& options) {
+    const std::string command =
+        "cd '" + folder.string() + "' && ls | xargs -P 4 -n 1 sh -c '" + "glslangValidator " +
+        options +
+        " -o /dev/null \"$0\" > \"$0.log\" 2>&1 || cat \"$0.log\"' > ../log; "
+        "cat ../log | head -40; test ! -s ../log";
+    return std::system(command.c_str()) == 0 ? "" : testing_films::file_bytes(folder / "../log");
+}
+
+/// What the compiler says against any of the texts.
+std::string complaints(const std::set<std::string>& texts, const std::string& options) {
+    const testing_films::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "shaders");
+    int number = 0;
+    for (const std::string& text : texts)
+        testing_films::write_bytes(folder / "shaders" / std::to_string(number++), text);
+    return rejected(folder / "shaders", options);
+}
+
+struct Language {
+    const char *name, *options;
+};
+constexpr Language languages[] = {
+    {"glsl", "-G --aml --amb"}, {"glsl-es", ""}, {"hlsl", "-D -V --aml --amb -e main"}};
+
+TEST(ScenePrograms, AllCompileThatCanLeave) {
+    const SmallScenes scenes;
+    for (const Language& language : languages) {
+        const std::vector<Exported> all = all_exported(scenes, language.name);
+        int left = 0;
+        for (const Exported& of : all) {
+            left += of.error.empty();
+            EXPECT_EQ(of.error.empty(), of.refused.empty()) << of.scene << ": " << of.error;
+            if (!of.error.empty() && !of.refused.empty()) {
+                EXPECT_NE(of.error.find(of.refused.front()), std::string::npos) << of.error;
+            }
+        }
+        EXPECT_GT(left, 150) << language.name;
+        if (!has_validator()) GTEST_SKIP() << "glslangValidator is not installed (glslang-tools)";
+        const Texts texts(all);
+        const std::string options = language.options;
+        EXPECT_EQ(complaints(texts.fragment, options + " -S frag"), "") << language.name;
+        EXPECT_EQ(complaints(texts.vertex, options + " -S vert"), "") << language.name;
+    }
+}
+
+TEST(ScenePrograms, EveryPassCompiles) {
+    if (!has_validator()) GTEST_SKIP() << "glslangValidator is not installed (glslang-tools)";
+    const SmallScenes scenes;
+    for (const Language& language : languages) {
+        const Exported one = exported(scenes, "thesis-quad", language.name);
+        ASSERT_EQ(one.error, "");
+        EXPECT_GT(one.passes[0], 1);
+        const std::string options = std::string(language.options) + " -S frag -DPASS=";
+        for (int pass = 0; pass < one.passes[0]; ++pass)
+            EXPECT_EQ(complaints({one.programs[0].fragment}, options + std::to_string(pass)), "");
+    }
+}
+
+int count(const std::string& text, const std::string& part) {
+    int found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++found;
+    return found;
+}
+
+TEST(ScenePrograms, HaveEachFunctionOnce) {
+    const SmallScenes scenes;
+    Scene scene = scenes.load("thesis-quad");
+    scene.lights.resize(3, scene.lights.front());
+    const ExportContent content = export_content(scene, {});
+    const std::string& text = content.materials.at(0).program.fragment;
+    for (const char* const name :
+         {"quad_differentiate", "frame_frame_gram", "trace_linear", "surface_h2n_thesis",
+          "shadow_shadow_march_thesis_light0", "shadow_shadow_march_thesis_light1",
+          "shadow_shadow_march_thesis_light2", "shade_shade_thesis"}) {
+        EXPECT_EQ(count(text, std::string("void ") + name + "("), 1) << name;
+        EXPECT_EQ(count(text, std::string("    ") + name + "("), 1) << name;  // called
+    }
+    EXPECT_EQ(count(text, "uniform sampler2D height_map;"), 1);
+    EXPECT_EQ(count(text, "uniform vec3 light2_position;"), 1);
+}
+
+/// What a compiler or a reader has to notice.
+TEST(ScenePrograms, PlantedErrorsAreFound) {
+    if (!has_validator()) GTEST_SKIP() << "glslangValidator is not installed (glslang-tools)";
+    const SmallScenes scenes;
+    struct Planted {
+        const char *language, *right, *wrong;
+    };
+    // A call before its inputs are there, a helper twice, a missing uniform, a wrong type.
+    constexpr Planted all[] = {{"glsl", "    quad_differentiate(", "    //"},
+                               {"glsl", "uniform vec3 eye;", ""},
+                               {"glsl", "in vec2 uv;", "in vec3 uv;"},
+                               {"glsl-es", "precision highp float;", ""},
+                               {"hlsl", "SamplerState height_map_sampler;", ""},
+                               {"hlsl", "Targets targets = (Targets)0;", ""}};
+    for (const Planted& planted : all) {
+        std::string text =
+            exported(scenes, "thesis-quad", planted.language).programs.at(0).fragment;
+        const std::size_t at = text.find(planted.right);
+        ASSERT_NE(at, std::string::npos) << planted.right;
+        text.replace(at, std::string(planted.right).size(), planted.wrong);
+        for (const Language& language : languages)
+            if (language.name == std::string(planted.language)) {
+                EXPECT_NE(complaints({text}, std::string(language.options) + " -S frag"), "")
+                    << planted.right;
+            }
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::export_tests
