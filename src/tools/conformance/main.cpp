@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "conformance/cases.hpp"
@@ -42,6 +43,8 @@ Drawn exported(const Case& what, const std::string& hardware) {
     const TemporaryFolder work;
     const std::filesystem::path folder = work.path() / "export";
     SceneExport options;
+    options.reference = false;
+    options.baking_limit = std::numeric_limits<double>::infinity();
     export_scene(scene, options, folder);
     return {gl::read_exported_scene(folder), std::move(scene)};
 }

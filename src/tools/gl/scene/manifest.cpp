@@ -75,12 +75,12 @@ std::string bytes_of(const std::filesystem::path& folder, const SceneValue& name
     return bytes;
 }
 
-/// A number by its hex float, which alone has all of its bits, infinities and NaN.
+/// A number by a text: as a hex float it has all of its bits, and infinities and NaN are words.
 float number_of(const SceneValue& hex) {
     const std::string text = hex.string();
     char* end = nullptr;
     const float value = std::strtof(text.c_str(), &end);
-    if (text.empty() || *end != '\0') hex.reject("a number as a hex float");
+    if (text.empty() || *end != '\0') hex.reject("a number, as a hex float");
     return value;
 }
 
@@ -190,15 +190,23 @@ TargetChannel read_channel(const SceneValue& value) {
     return {fields.get("name").string(), fields.get("type").word(channel_types)};
 }
 
+SceneValue four_of(const SceneValue& array, const char* what) {
+    if (!array.json().is_array() || array.json().size() != 4)
+        array.reject(fmt::format("four {}", what));
+    return array;
+}
+
 Target read_target(const SceneValue& value) {
     Fields fields(value);
     Target target;
-    const std::vector<double> clear = fields.get("clear").numbers(4, 4);
-    for (std::size_t i = 0; i < 4; ++i) target.clear[i] = static_cast<float>(clear[i]);
-    const SceneValue channels = fields.get("channels");
-    if (!channels.json().is_array() || channels.json().size() != 4)
-        channels.reject("four channels");
-    for (std::size_t i = 0; i < 4; ++i) target.channels[i] = read_channel(channels.element(i));
+    const SceneValue clear = four_of(fields.get("clear"), "numbers");
+    const SceneValue channels = four_of(fields.get("channels"), "channels");
+    for (std::size_t i = 0; i < 4; ++i) {
+        const SceneValue number = clear.element(i);  // what JSON has no number for is a word
+        target.clear[i] =
+            number.json().is_string() ? number_of(number) : static_cast<float>(number.number());
+        target.channels[i] = read_channel(channels.element(i));
+    }
     return target;
 }
 
@@ -291,7 +299,6 @@ ExportedScene read_exported_scene(const std::filesystem::path& folder) {
     scene.height = static_cast<int>(size[1]);
     fields.get("samples").integer(1, 1);
     read_state(scene, fields.get("state"));
-    scene.expected = file_of(folder, fields.get("expected"));
     read_contents(scene, fields);
     return scene;
 }

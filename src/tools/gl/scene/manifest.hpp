@@ -84,7 +84,6 @@ struct ExportedScene {
     GLenum depth_function = GL_LESS;
     double depth_clear = 1;
     GLenum front_face = GL_CCW;
-    std::filesystem::path expected;
 
     std::size_t stride = 0;
     std::vector<VertexAttribute> attributes;
