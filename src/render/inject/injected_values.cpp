@@ -155,6 +155,14 @@ void InjectedValues::add(const Injection& injection, const std::string& name) {
         throw InputError(injection.source, name, "no channel of that group", "one at least");
 }
 
+bool InjectedValues::covers(const QuadCoverage& quad) const {
+    return std::ranges::all_of(arrays_, [&](const InjectedArray& array) {
+        for (int lane = 0; lane < 4; ++lane)
+            if (!pixel_of(array, quad, lane)) return false;
+        return true;
+    });
+}
+
 bool InjectedValues::has(Value value, int light) const {
     const int components = info(value).components;
     const int first = slot_of(value) + std::max(light, 0) * components;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ class InjectedValues {
     /// NAME=FILE of each injection.
     std::span<const std::string> options() const { return options_; }
 
+    /// Whether every lane of the quad is seen and replaced, of all that is.
+    bool covers(const QuadCoverage& quad) const;
+
     /// Whether each component of a value is replaced, of a light where it is the lights'.
     bool has(Value value, int light) const;
 
@@ -60,15 +64,23 @@ class InjectedValues {
   private:
     void add(const Injection& injection, const std::string& name);
 
+    /// The pixel of the array's image that a lane gets, if it gets any.
+    std::optional<std::size_t> pixel_of(const InjectedArray& array, const QuadCoverage& quad,
+                                        int lane) const {
+        if (quad.samples[static_cast<std::size_t>(lane)] == 0) return std::nullopt;
+        const int x = lane_x(quad, lane), y = flip_row(viewport_, lane_y(quad, lane));
+        if (!contains(array.image->window, {x, y, x + 1, y + 1})) return std::nullopt;
+        const std::size_t pixel = array.image->index(x, y);
+        if (array.coverage != nullptr && !(array.coverage->as_float(pixel) > 0))
+            return std::nullopt;
+        return pixel;
+    }
+
     template <class Put>
     void replace_lane(const InjectedArray& array, const QuadCoverage& quad, std::size_t q, int lane,
                       const Put& put) const {
-        if (quad.samples[static_cast<std::size_t>(lane)] == 0) return;
-        const int x = lane_x(quad, lane), y = flip_row(viewport_, lane_y(quad, lane));
-        if (!contains(array.image->window, {x, y, x + 1, y + 1})) return;
-        const std::size_t pixel = array.image->index(x, y);
-        if (array.coverage != nullptr && !(array.coverage->as_float(pixel) > 0)) return;
-        put(array.slot, static_cast<int>(4 * q) + lane, array.plane->bits[pixel]);
+        if (const auto pixel = pixel_of(array, quad, lane))
+            put(array.slot, static_cast<int>(4 * q) + lane, array.plane->bits[*pixel]);
     }
 
     std::vector<Injection> injections_;

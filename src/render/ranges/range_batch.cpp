@@ -107,6 +107,7 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
     drawn_ = &drawn;
     const MaterialPlan& plan = plan_.materials[material];
     prepare(plan);
+    known_ = &plan_.known[material];
     context_ = plan_.table->context();
     context_->budget = plan_.budget;
     context_->maps = plan_.maps;
@@ -125,6 +126,7 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         surface_ = plan_.surfaces[material];
         quad_ = quads + q;
         quad_number_ = q;
+        quad_known_ = injected != nullptr && injected->covers(quads[q]);
         run_quad(plan, q, quads[q]);
         for (int lane = 0; plan_.certifies && lane < quad_lanes; ++lane)
             if (quads[q].samples[static_cast<std::size_t>(lane)] != 0)
@@ -136,14 +138,16 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
 void RangeBatch::run_stages(const MaterialPlan& plan) {
     context_->begin_run();
     stages_run_ = 0;
-    for (const PlannedStage& stage : plan.stages) {
+    for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+        const PlannedStage& stage = plan.stages[i];
         context_->kind = kind_of(*stage.info);
         call_.parameters = stage.params.data();
         call_.light = stage.light;
-        if (stage.run != nullptr)
-            stage.run(&call_);
-        else
+        // Helper lanes are not injected: ranges, where the stage has some.
+        if (stage.run == nullptr || (quad_known_ && (*known_)[i]))
             take_drawn(stage);
+        else
+            stage.run(&call_);
         if (context_->too_many) return;
         ++stages_run_;
         if (injected_ != nullptr) inject_after(stage);

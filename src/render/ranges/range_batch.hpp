@@ -68,6 +68,8 @@ class RangeBatch {
     const Batch* drawn_ = nullptr;
     const QuadCoverage* quad_ = nullptr;  ///< the one that runs
     int quad_number_ = 0;                 ///< in `drawn_`
+    bool quad_known_ = false;             ///< all of its lanes are injected
+    const std::vector<bool>* known_ = nullptr;
     std::vector<std::byte> memory_;
     std::vector<void*> values_;
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]

@@ -103,6 +103,7 @@ class Judge {
         if (!pixels.empty())
             own_ = earlier_.empty() ? reference_ : rendered(group.channels, found_);
         if (!pixels.empty()) take_inherited(group, pixels, report);
+        if (!pixels.empty()) take_rounded(group, pixels, report);
         if (!pixels.empty()) take_perturbed(group, pixels, report);
         if (!pixels.empty()) take_legal(group, pixels, report);
         give_up(group, pixels, report);
@@ -173,6 +174,39 @@ class Judge {
              [&](std::size_t i) { return equals(own_, group, i); });
     }
 
+    void take_rounded(const Group& group, std::vector<std::size_t>& pixels,
+                      GroupReport& report) const {
+        take(pixels, report, Verdict::rounded, [&](std::size_t i) {
+            return std::ranges::all_of(group.channels, [&](const std::string& name) {
+                return equals(own_, name, i) || is_rounded(name, i);
+            });
+        });
+    }
+
+    /// Whether a float is off by a few roundings of its vector's longest component.
+    bool is_rounded(const std::string& name, std::size_t i) const {
+        const Plane& own = *own_.find(name);
+        if (own.type != ChannelType::float32) return false;
+        double longest = 0;
+        for (const Plane& plane : own_.planes)
+            if (vector_of(plane.name) == vector_of(name))
+                longest = std::max(longest, std::fabs(static_cast<double>(plane.as_float(i))));
+        const double off = static_cast<double>(std::bit_cast<float>(found_bits(name, i))) -
+                           static_cast<double>(own.as_float(i));
+        return std::fabs(off) <= options_.errors.rounding * longest;
+    }
+
+    /// What a component belongs to: "N" of N.X, "hit.UV" of hit.U, "color" of all of its terms.
+    static std::string vector_of(const std::string& name) {
+        if (name == "R" || name == "G" || name == "B" || name.starts_with("light."))
+            return "color";  // whose terms these are
+        if (name == "hit.U" || name == "hit.V") return "hit.UV";
+        const std::size_t dot = name.rfind('.');
+        const bool is_component = dot != std::string::npos && dot + 2 == name.size() &&
+                                  std::string("XYZUVRGB").find(name.back()) != std::string::npos;
+        return is_component ? name.substr(0, dot) : name;
+    }
+
     void take_perturbed(const Group& group, std::vector<std::size_t>& pixels,
                         GroupReport& report) const {
         const auto perturbations = perturbations_of(group.kind, options_.errors);
@@ -210,37 +244,45 @@ class Judge {
                                                  : static_cast<double>(std::bit_cast<float>(bits));
     }
 
-    /// Quad by quad, since ranges take long.
+    /// The parts of the frame whose ranges are computed: quads, since most take long, and no more
+    /// than so many; all of it of a group that looks nothing up.
+    std::vector<Window> windows(const Group& group, const std::vector<std::size_t>& pixels) const {
+        if (group.kind == GroupKind::level) return {found_->window};
+        std::set<std::pair<int, int>> quads;
+        for (const std::size_t i : pixels) quads.insert({y_of(i) / 2, x_of(i) / 2});
+        const std::size_t most = std::max<std::size_t>(options_.most_ranged, 1);
+        const std::size_t step = (quads.size() + most - 1) / most;
+        std::vector<Window> chosen;
+        std::size_t next = 0;
+        for (const auto& [y, x] : quads)
+            if (next++ % step == 0)
+                chosen.push_back({2 * x, 2 * y, std::min(2 * x + 2, scene_.width),
+                                  std::min(2 * y + 2, scene_.height)});
+        return chosen;
+    }
+
     void take_legal(const Group& group, std::vector<std::size_t>& pixels,
                     GroupReport& report) const {
         std::vector<std::string> channels;
         for (const std::string& name : group.channels)
             if (has_range(name)) channels.push_back(name);
         if (channels.empty()) return;
-        channels.emplace_back("undecided");
-        std::set<std::pair<int, int>> quads;
-        for (const std::size_t i : pixels) quads.insert({y_of(i) / 2, x_of(i) / 2});
-        const std::size_t all = quads.size(),
-                          step = (all + options_.most_ranged - 1) / options_.most_ranged;
+        if (group.kind == GroupKind::hit) channels.emplace_back("undecided");
         std::set<std::size_t> legal, open, looked_at;
-        std::size_t index = 0;
-        for (const auto& [y, x] : quads) {
-            if (index++ % std::max<std::size_t>(step, 1) != 0) continue;
-            const Window quad{2 * x, 2 * y, std::min(2 * x + 2, scene_.width),
-                              std::min(2 * y + 2, scene_.height)};
-            Film ranges;
-            try {
-                ranges = rendered(channels, found_, options_.limits, quad);
-            } catch (const UsageError& error) {
-                report.note = error.what();
-                return;
+        try {
+            for (const Window& window : windows(group, pixels)) {
+                const Film ranges = rendered(channels, found_, options_.limits, window);
+                for (const std::size_t i : pixels) {
+                    const int x = x_of(i), y = y_of(i);
+                    if (!contains(window, {x, y, x + 1, y + 1})) continue;
+                    looked_at.insert(i);
+                    bool is_open = false;
+                    if (is_legal(group, ranges, i, is_open)) (is_open ? open : legal).insert(i);
+                }
             }
-            for (const std::size_t i : pixels) {
-                if (x_of(i) / 2 != x || y_of(i) / 2 != y) continue;
-                looked_at.insert(i);
-                bool is_open = false;
-                if (is_legal(group, ranges, i, is_open)) (is_open ? open : legal).insert(i);
-            }
+        } catch (const UsageError& error) {
+            report.note = error.what();
+            return;
         }
         take(pixels, report, Verdict::legal, [&](std::size_t i) { return legal.contains(i); });
         take(pixels, report, Verdict::open, [&](std::size_t i) { return open.contains(i); });
@@ -254,12 +296,13 @@ class Judge {
     /// decision is open.
     bool is_legal(const Group& group, const Film& ranges, std::size_t i, bool& open) const {
         const std::size_t in_quad = ranges.index(x_of(i), y_of(i));
-        const std::uint32_t undecided = ranges.find("undecided")->bits[in_quad];
+        const Plane* const decisions = ranges.find("undecided");
+        const bool undecided = decisions != nullptr && decisions->bits[in_quad] != 0;
         for (const std::string& name : group.channels) {
             const Plane* const low = ranges.find("gpu.lo." + name);
             const Plane* const high = ranges.find("gpu.hi." + name);
             if (low == nullptr || high == nullptr) {
-                if (!equals(own_, name, i) && undecided == 0) return false;
+                if (!equals(own_, name, i) && !undecided) return false;
                 continue;
             }
             const double lo = low->as_float(in_quad), hi = high->as_float(in_quad);

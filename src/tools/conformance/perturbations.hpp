@@ -15,6 +15,9 @@ namespace quadrel::conformance {
 /// implementations by up to 0.043 (data/gl), where 2^-4 is assumed (data/limits); K by some ulps of
 /// its terms.
 struct PermittedErrors {
+    /// 16 ulp of a vector's longest component: GLSL permits 2 to 7 for each square root, quotient
+    /// and normalize, of which a stage has a few in a row.
+    double rounding = 0x1p-19;
     double weight = 0x1p-9;  ///< of a texel, each axis
     double level = 0x1p-4;
     double ray = 0x1p-20;  ///< of K, relative

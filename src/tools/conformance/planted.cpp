@@ -22,8 +22,10 @@ bool swap_derivatives(gl::ExportedScene& scene) {
            replace(scene, "dFd?(", "dFdy(");
 }
 
-/// Loops that count end one round early.
-bool one_step_less(gl::ExportedScene& scene) { return replace(scene, "; ++", " - 1; ++"); }
+/// Loops look a step further than they count.
+bool off_by_one_step(gl::ExportedScene& scene) {
+    return replace(scene, "= float(i)", "= 1.0 + float(i)");
+}
 
 /// clamp and max leave what they are given.
 bool no_clamp(gl::ExportedScene& scene) {
@@ -55,15 +57,16 @@ bool move_light(gl::ExportedScene& scene) {
     return false;
 }
 
-/// Level 0 is a texel to the right of where it was.
+/// Each level is a texel to the right of where it was.
 bool shift_texels(gl::ExportedScene& scene) {
-    for (gl::ExportedTexture& texture : scene.textures) {
-        std::string& bytes = texture.levels[0].bytes;
-        const auto texels = static_cast<std::size_t>(texture.levels[0].width) *
-                            static_cast<std::size_t>(texture.levels[0].height);
-        std::ranges::rotate(bytes,
-                            bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / texels));
-    }
+    for (gl::ExportedTexture& texture : scene.textures)
+        for (gl::TextureLevel& level : texture.levels) {
+            const auto texels =
+                static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+            std::ranges::rotate(
+                level.bytes,
+                level.bytes.begin() + static_cast<std::ptrdiff_t>(level.bytes.size() / texels));
+        }
     return !scene.textures.empty();
 }
 
@@ -71,7 +74,7 @@ bool shift_texels(gl::ExportedScene& scene) {
 
 const std::vector<PlantedError>& planted_errors() {
     static const std::vector<PlantedError> all{{"swapped derivatives", swap_derivatives},
-                                               {"one step less", one_step_less},
+                                               {"off by one step", off_by_one_step},
                                                {"no clamp", no_clamp},
                                                {"wrong wrap", clamp_to_edge},
                                                {"light from another point", move_light},

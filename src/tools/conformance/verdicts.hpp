@@ -13,6 +13,7 @@ namespace quadrel::conformance {
 enum class Verdict : std::int32_t {
     same,         ///< the reference's bits
     inherited,    ///< the bits that the reference makes of the implementation's own earlier values
+    rounded,      ///< off these by no more than a few roundings (PermittedErrors::rounding)
     perturbed,    ///< between what it makes of these, moved by permitted errors (perturbations.hpp)
     legal,        ///< in the range of what the specification permits
     open,         ///< that range is infinite: nothing is known
@@ -20,10 +21,11 @@ enum class Verdict : std::int32_t {
     left,         ///< not looked at: of more pixels than were to be
     unexplained,  ///< anything else
 };
-inline constexpr std::size_t verdict_count = 8;
+inline constexpr std::size_t verdict_count = 9;
 
 inline constexpr std::array<const char*, verdict_count> verdict_names{
-    "same", "inherited", "perturbed", "legal", "open", "coverage", "left", "unexplained"};
+    "same", "inherited", "rounded", "perturbed",  "legal",
+    "open", "coverage",  "left",    "unexplained"};
 
 using Counts = std::array<std::uint64_t, verdict_count>;
 
