@@ -1,5 +1,6 @@
 #include "export/program/program.hpp"
 
+#include <map>
 #include <set>
 
 #include "export/print/wrapped_line.hpp"
@@ -115,9 +116,12 @@ class Statements {
     }
 
     void call(const FunctionText& function) {
+        std::map<Type, std::string> names;
         for (const Named& output : function.outputs)
             if (declared_.emplace(output.name, output.type).second)
-                all_.push_back(dialect_.type(output.type) + " " + output.name + ";");
+                names[output.type] += (names[output.type].empty() ? "" : ", ") + output.name;
+        for (const auto& [type, list] : names)
+            all_.push_back(dialect_.type(type) + " " + list + ";");
         std::string arguments;
         for (const auto* list : {&function.inputs, &function.outputs})
             for (const Named& of : *list) arguments += (arguments.empty() ? "" : ", ") + of.name;

@@ -1,15 +1,14 @@
 #include "export/scene/export_scene.hpp"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <set>
 
 #include "export/scene/manifest.hpp"
 #include "export/scene/output_folder.hpp"
-#include "file/atomic_file.hpp"
-#include "file/input_record.hpp"
 #include "film/image_film.hpp"
 #include "quadrel/error.hpp"
 
@@ -41,26 +40,22 @@ std::string foreign_file(const fs::path& folder, const std::set<std::string>& kn
     return "";
 }
 
-/// Files of the export, in the order in which they are written.
+/// Files of the export, in the order in which they are written. The folder is synced as a whole.
 class Files {
   public:
     explicit Files(const fs::path& folder) : folder_(folder) {}
 
-    fs::path add(const std::string& name) {
+    void write(const std::string& name, const std::string& bytes) {
         names_.push_back(name);
-        return folder_ / name;
-    }
-    void write(const std::string& name, const void* data, std::size_t size) {
-        AtomicFile file(add(name));
-        file.write(data, size);
-        file.commit_alone();
-    }
-    void write(const std::string& name, const std::string& text) {
-        write(name, text.data(), text.size());
+        std::ofstream out(folder_ / name, std::ios::binary);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.close();
+        if (!out) throw OutputError(name, std::strerror(errno));
     }
     template <class T>
     void write(const std::string& name, const std::vector<T>& values) {
-        write(name, values.data(), values.size() * sizeof(T));
+        write(name,
+              std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
     }
     const std::vector<std::string>& names() const { return names_; }
 
@@ -75,9 +70,9 @@ void write_texture(const ContentTexture& texture, bool decoded, Files& files) {
         files.write(texture.bytes_file(level),
                     level_bytes(*texture.texture, level, texture.layout));
         for (int face = 0; decoded && face < view.faces; ++face)
-            write_exr(files.add(texture.exr_file(level, face)),
-                      image_film(texture_level(*texture.texture, level, face), false),
-                      {{"quadrel:mipLevel", fmt::format("{}", level)}});
+            files.write(texture.exr_file(level, face),
+                        exr_bytes(image_film(texture_level(*texture.texture, level, face), false),
+                                  {{"quadrel:mipLevel", fmt::format("{}", level)}}));
     }
 }
 
@@ -93,11 +88,12 @@ void write_content(const ExportContent& content, const fs::path& folder) {
     for (const ContentTexture& texture : content.textures)
         write_texture(texture, content.has_reference(), files);
     if (content.has_reference())
-        write_exr(files.add("expected.exr"), content.expected, content.expected_attributes);
+        files.write("expected.exr", exr_bytes(content.expected, content.expected_attributes));
     files.write("README.md", folder_readme(content));
-    files.add(manifest_name);
     Json manifest = manifest_of(content);
-    manifest["files"] = files.names();
+    std::vector<std::string> names = files.names();
+    names.emplace_back(manifest_name);
+    manifest["files"] = names;
     files.write(manifest_name, manifest.dump(2) + "\n");
 }
 

@@ -42,6 +42,7 @@ void OutputFolder::fail(const char* action) const {
 }
 
 void OutputFolder::commit() {
+    if (syncfs(lock_) != 0) fail("cannot be written");
     // A free name, or an empty folder.
     if (std::rename(temporary_.c_str(), target_.c_str()) == 0) return;
     if (errno != ENOTEMPTY && errno != EEXIST) fail("cannot be written");

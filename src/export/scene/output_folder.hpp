@@ -21,7 +21,7 @@ class OutputFolder {
 
     /// To be filled.
     const std::filesystem::path& path() const { return temporary_; }
-    /// Puts it in its place; a folder that stands there goes, with all that is in it. Throws
+    /// Syncs it and puts it in its place; a folder that stands there goes, with all that is in it. Throws
     /// OutputError.
     void commit();
 

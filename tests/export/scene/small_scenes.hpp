@@ -56,12 +56,13 @@ class SmallScenes {
 /// Stages of a scene's visible objects that cannot be shaders, but for those of which nothing is
 /// asked.
 inline std::vector<std::string> refused_stages(const Scene& scene) {
+    static const std::vector<ExportRow> rows = export_rows();
     std::vector<std::string> refused;
     for (const Object& object : scene.objects)
         for (const PlannedStage& stage : material_stages(scene, scene.materials[object.material])) {
             const std::string room = stage.info->text.room;
             if (!object.visible || room == "quad" || room == "oracle") continue;
-            for (const ExportRow& row : export_rows())
+            for (const ExportRow& row : rows)
                 if (row.id == stage.info->text.id && !row.refusal.empty())
                     refused.push_back(row.id);
         }
