@@ -12,8 +12,9 @@
 namespace quadrel::tools_tests {
 namespace {
 
-using conformance::Counts;
+using conformance::count_of;
 using conformance::GroupReport;
+using conformance::total;
 using conformance::Verdict;
 
 const std::vector<std::string>& channels() {

@@ -13,7 +13,7 @@
 namespace quadrel::tools_tests {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using testing_films::TemporaryFolder;
 
 constexpr int width = 8, height = 6;
@@ -135,7 +135,7 @@ class Folder {
     std::string output() const { return (path / "out.exr").string(); }
 
     TemporaryFolder path;
-    json manifest = json::parse(manifest_text);
+    Json manifest = Json::parse(manifest_text);
 };
 
 class GlScene : public testing::Test {
@@ -202,7 +202,7 @@ TEST_F(GlScene, OnePassAlone) {
 
 /// States that turn the picture round or leave a part of it out.
 TEST_F(GlScene, StatesAreSet) {
-    json& state = folder.manifest["state"];
+    Json& state = folder.manifest["state"];
     state["depth_test"] = "greater";
     state["depth_clear"] = 0;
     Film film = draw();
@@ -237,10 +237,10 @@ TEST_F(GlScene, AShaderThatDoesNotCompileIsShownByItsLine) {
 
 /// Each mistake in a folder is named by the place that it stands in.
 TEST_F(GlScene, WhatIsWrongWithAFolderIsNamed) {
-    const json good = folder.manifest;
-    const auto refuses = [&](const char* pointer, const json& value, const std::string& says) {
+    const Json good = folder.manifest;
+    const auto refuses = [&](const char* pointer, const Json& value, const std::string& says) {
         folder.manifest = good;
-        folder.manifest[json::json_pointer(pointer)] = value;
+        folder.manifest[Json::json_pointer(pointer)] = value;
         const Outcome outcome = folder.draw();
         if (outcome.out.find("EGL") != std::string::npos) return testing::AssertionSuccess();
         if (outcome.code != 3 || outcome.out.find(says) == std::string::npos)
@@ -259,7 +259,7 @@ TEST_F(GlScene, WhatIsWrongWithAFolderIsNamed) {
         refuses("/materials/0/uniforms/0/hex/1", "0x1p", "materials[0].uniforms[0].hex[1]"));
     EXPECT_TRUE(refuses("/materials/0/samplers/0/texture", 1, "materials[0].samplers[0].texture"));
     EXPECT_TRUE(refuses("/draws/1/index_count", 7, "draws[1].index_count"));
-    EXPECT_TRUE(refuses("/passes/0/targets/0/channels", json::array(), "passes[0].targets[0]"));
+    EXPECT_TRUE(refuses("/passes/0/targets/0/channels", Json::array(), "passes[0].targets[0]"));
     folder.manifest = good;
     EXPECT_EQ(run_command(QUADREL_GL " /nowhere -o /tmp/none.exr 2>&1").code, 3);
     EXPECT_EQ(run_command(QUADREL_GL " " + folder.path.path().string() + " 2>&1").code, 2);
