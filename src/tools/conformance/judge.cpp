@@ -30,8 +30,9 @@ struct Bracket {
         low = std::min(low, std::isnan(value) ? low : value);
         high = std::max(high, std::isnan(value) ? high : value);
     }
-    bool contains(double value) const {
-        return std::isnan(value) ? nan : low <= value && value <= high;
+    /// Ends are off by `rounding`.
+    bool contains(double value, double rounding) const {
+        return std::isnan(value) ? nan : low - rounding <= value && value <= high + rounding;
     }
 };
 
@@ -183,17 +184,20 @@ class Judge {
         });
     }
 
-    /// Whether a float is off by a few roundings of its vector's longest component.
-    bool is_rounded(const std::string& name, std::size_t i) const {
-        const Plane& own = *own_.find(name);
-        if (own.type != ChannelType::float32) return false;
+    /// A few roundings of the longest component of a channel's vector; none of integers.
+    double rounding(const std::string& name, std::size_t i) const {
+        if (own_.find(name)->type != ChannelType::float32) return 0;
         double longest = 0;
         for (const Plane& plane : own_.planes)
             if (vector_of(plane.name) == vector_of(name))
                 longest = std::max(longest, std::fabs(static_cast<double>(plane.as_float(i))));
+        return options_.errors.rounding * longest;
+    }
+
+    bool is_rounded(const std::string& name, std::size_t i) const {
         const double off = static_cast<double>(std::bit_cast<float>(found_bits(name, i))) -
-                           static_cast<double>(own.as_float(i));
-        return std::fabs(off) <= options_.errors.rounding * longest;
+                           static_cast<double>(own_.find(name)->as_float(i));
+        return std::fabs(off) <= rounding(name, i);
     }
 
     /// What a component belongs to: "N" of N.X, "hit.UV" of hit.U, "color" of all of its terms.
@@ -233,7 +237,8 @@ class Judge {
             const std::size_t p = next++;
             for (std::size_t c = 0; c < group.channels.size(); ++c) {
                 const Plane& plane = *found_->find(group.channels[c]);
-                if (!brackets[c][p].contains(number(plane, plane.bits[i]))) return false;
+                if (!brackets[c][p].contains(number(plane, plane.bits[i]), rounding(plane.name, i)))
+                    return false;
             }
             return true;
         });
