@@ -20,6 +20,10 @@ std::size_t most_targets_of(const FragmentText& text) {
     return most;
 }
 
+/// Whether vertices are taken as Quadrel has transformed them: what comes after is judged by
+/// itself.
+constexpr const char* shaded_macro = "SHADED_VERTICES 1";
+
 std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const std::string& line : lines) all += statement(line);
@@ -43,13 +47,31 @@ std::string EntryPoint::assignments(const FragmentText& text, const Assign& assi
     return all.empty() ? all : all + "#endif\n";
 }
 
+template <class Assign, class Place>
+std::string EntryPoint::vertex_values(const VertexText& text, const Assign& assign,
+                                      const Place& place) const {
+    std::string same, transformed, shaded;
+    for (std::size_t i = 0; i < text.varyings.size(); ++i) {
+        const VertexText::Value& value = text.values[i];
+        if (value.transformed == value.shaded) {
+            same += assign(text.varyings[i], value.shaded);
+        } else {
+            transformed += assign(text.varyings[i], value.transformed);
+            shaded += assign(text.varyings[i], value.shaded);
+        }
+    }
+    return same + "#if SHADED_VERTICES\n" + shaded + place(text.position.shaded) + "#else\n" +
+           transformed + place(text.position.transformed) + "#endif\n";
+}
+
 std::string EntryPoint::begin(const std::string& comment, const std::string& all,
                               const std::vector<Uniform>& uniforms, const std::string& extension,
-                              bool passes) const {
+                              const std::string& macro) const {
     std::string text = dialect_.first_lines(all) + extension;
     if (!text.empty()) text += "\n";
     text += comment;
-    if (passes) text += "#ifndef PASS\n#define PASS 0\n#endif\n";
+    const std::string name = macro.substr(0, macro.find(' '));
+    text += "#ifndef " + name + "\n#define " + macro + "\n#endif\n";
     const std::string prelude = dialect_.prelude(all);
     if (!prelude.empty()) text += (prelude[0] == '\n' ? "" : "\n") + prelude;
     text += "\n";
@@ -68,8 +90,9 @@ std::string EntryPoint::lod_statements(const std::string& map, const std::string
 std::string EntryPoint::fragment(const FragmentText& text) const {
     const std::string version = dialect_.first_lines(text.functions);
     const bool asks_330 = !text.lod_map.empty() && version.find("330") != std::string::npos;
-    std::string all = begin(text.comment, text.functions, text.uniforms,
-                            asks_330 ? "#extension GL_ARB_texture_query_lod : enable\n" : "", true);
+    std::string all =
+        begin(text.comment, text.functions, text.uniforms,
+              asks_330 ? "#extension GL_ARB_texture_query_lod : enable\n" : "", "PASS 0");
     for (const Varying& varying : text.varyings)
         all += std::string(varying.is_flat ? "flat "
                            : text.centroid ? "centroid "
@@ -91,7 +114,7 @@ std::string EntryPoint::fragment(const FragmentText& text) const {
 }
 
 std::string EntryPoint::vertex(const VertexText& text) const {
-    std::string all = begin(text.comment, text.functions, text.uniforms, "", false);
+    std::string all = begin(text.comment, text.functions, text.uniforms, "", shaded_macro);
     for (const Named& attribute : text.attributes)
         all += "layout(location = " + std::to_string(location_of(attribute.name)) + ") in " +
                dialect_.type(attribute.type) + " " + attribute.name + ";\n";
@@ -101,9 +124,13 @@ std::string EntryPoint::vertex(const VertexText& text) const {
                                            : "") +
                "out " + dialect_.type(varying.type) + " " + varying.name + ";\n";
     all += "\n" + text.functions + "void main() {\n";
-    for (std::size_t i = 0; i < text.varyings.size(); ++i)
-        all += statement(std::string(text.varyings[i].name) + " = " + text.values[i] + ";");
-    return all + statement("gl_Position = " + text.position + ";") + "}\n";
+    all += vertex_values(
+        text,
+        [](const Varying& varying, const std::string& value) {
+            return statement(std::string(varying.name) + " = " + value + ";");
+        },
+        [](const std::string& position) { return statement("gl_Position = " + position + ";"); });
+    return all + "}\n";
 }
 
 namespace {
@@ -120,7 +147,7 @@ class HlslEntryPoint : public EntryPoint {
     using EntryPoint::EntryPoint;
 
     std::string fragment(const FragmentText& text) const override {
-        std::string all = begin(text.comment, text.functions, text.uniforms, "", true) +
+        std::string all = begin(text.comment, text.functions, text.uniforms, "", "PASS 0") +
                           varyings_struct(text.varyings, text.centroid) + "struct Targets {\n";
         for (std::size_t i = 0; i < most_targets_of(text); ++i)
             all += statement("float4 target" + std::to_string(i) + " : SV_Target" +
@@ -142,8 +169,8 @@ class HlslEntryPoint : public EntryPoint {
     }
 
     std::string vertex(const VertexText& text) const override {
-        std::string all =
-            begin(text.comment, text.functions, text.uniforms, "", false) + "struct Vertex {\n";
+        std::string all = begin(text.comment, text.functions, text.uniforms, "", shaded_macro) +
+                          "struct Vertex {\n";
         for (const Named& attribute : text.attributes)
             all += statement(dialect_.type(attribute.type) + " " + attribute.name + " : ATTRIBUTE" +
                              std::to_string(location_of(attribute.name)) + ";");
@@ -153,14 +180,17 @@ class HlslEntryPoint : public EntryPoint {
             all += statement(dialect_.type(attribute.type) + " " + attribute.name + " = corner." +
                              attribute.name + ";");
         all += statement("Varyings varyings;");
-        for (std::size_t i = 0; i < text.varyings.size(); ++i) {
-            const std::string name = text.varyings[i].name;
-            all += statement(dialect_.type(text.varyings[i].type) + " " + name + " = " +
-                             text.values[i] + ";") +
-                   statement("varyings." + name + " = " + name + ";");
-        }
-        return all + statement("varyings.window = " + text.position + ";") +
-               statement("return varyings;") + "}\n";
+        all += vertex_values(
+            text,
+            [&](const Varying& varying, const std::string& value) {
+                const std::string name = varying.name;
+                return statement(dialect_.type(varying.type) + " " + name + " = " + value + ";") +
+                       statement("varyings." + name + " = " + name + ";");
+            },
+            [](const std::string& position) {
+                return statement("varyings.window = " + position + ";");
+            });
+        return all + statement("return varyings;") + "}\n";
     }
 
   protected:

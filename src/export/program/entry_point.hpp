@@ -32,8 +32,13 @@ struct VertexText {
     bool centroid = false;
     std::vector<Uniform> uniforms;
     std::string functions;
-    std::vector<std::string> values;  ///< an expression for each varying
-    std::string position;             ///< in clip space
+    /// An expression for each varying out of the mesh's own vertices, and the attribute that holds
+    /// what Quadrel makes of them; the same where nothing is to be made.
+    struct Value {
+        std::string transformed, shaded;
+    };
+    std::vector<Value> values;
+    Value position;  ///< in clip space
 };
 
 /// The base is GLSL 330.
@@ -50,15 +55,20 @@ class EntryPoint {
     virtual bool has_lod() const { return true; }
 
   protected:
-    /// Version, comment, the macro PASS where there are passes, constants, uniforms.
+    /// Version, comment, a macro of that name and value unless there is one, constants, uniforms.
     std::string begin(const std::string& comment, const std::string& all,
                       const std::vector<Uniform>& uniforms, const std::string& extension,
-                      bool passes) const;
+                      const std::string& macro) const;
     /// `level_of_detail`, a vector of two: the level that is read, and before clamps.
     virtual std::string lod_statements(const std::string& map, const std::string& version) const;
     /// What `assign(target, components)` says of each target, by pass.
     template <class Assign>
     std::string assignments(const FragmentText& text, const Assign& assign) const;
+    /// What `assign(varying, value)` says of each varying, and `place(position)` of the position,
+    /// both ways.
+    template <class Assign, class Place>
+    std::string vertex_values(const VertexText& text, const Assign& assign,
+                              const Place& place) const;
 
     const Dialect& dialect_;
 };

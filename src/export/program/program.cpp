@@ -256,8 +256,10 @@ VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragme
                        const Dialect& dialect) {
     const std::string vector2 = dialect.type(Type::vec2), vector3 = dialect.type(Type::vec3);
     VertexText text;
-    text.comment =
-        comment_of(request, "vertices to eye space and clip space. Matrices are by rows.");
+    text.comment = comment_of(
+        request,
+        "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
+        "are by rows, where SHADED_VERTICES is 0.");
     text.centroid = fragment.centroid;
     text.functions = row_functions(dialect);
     // The position in eye space is a varying in any case: it is what clip space is made of.
@@ -268,29 +270,28 @@ VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragme
     std::set<std::string> read;
     for (const Varying& varying : text.varyings) {
         const std::string name = varying.name;
-        read.insert(varying.attribute);
+        read.insert({varying.attribute, varying.shaded});
+        std::string value = varying.attribute;
         if (name == "P") {
-            text.values.push_back(rows_times("model_view", 3, "position", vector3));
+            value = rows_times("model_view", 3, value, vector3);
         } else if (name == "uv") {
             text.uniforms.push_back({"texture_matrix", "float", 16});
-            text.values.push_back(
-                rows_times("texture_matrix", 2, vector3 + "(texture_coordinates, 0.0)", vector2));
+            value = rows_times("texture_matrix", 2, vector3 + "(" + value + ", 0.0)", vector2);
         } else if (name == "vertex_normal") {
             text.uniforms.push_back(normal_matrix);
-            std::string value = normal_times(vector3);
+            value = normal_times(vector3);
             if (request.has_flat_meshes != 0) {
                 text.uniforms.push_back({"flat_faces", "float", 0});
                 read.insert("face_normal");
                 value = "flat_faces != 0.0 ? face_normal : " + value;
             }
-            text.values.push_back(value);
-        } else {
-            text.values.emplace_back(varying.attribute);
         }
+        text.values.push_back({value, varying.shaded});
     }
+    read.insert("clip_position");
     for (const Named& attribute : vertex_attributes())
         if (read.count(attribute.name) != 0) text.attributes.push_back(attribute);
-    text.position = rows_times("projection", 4, "P", dialect.type(Type::vec4));
+    text.position = {rows_times("projection", 4, "P", dialect.type(Type::vec4)), "clip_position"};
     return text;
 }
 

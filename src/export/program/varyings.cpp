@@ -7,15 +7,15 @@ namespace quadrel::recorded {
 
 const Varying* find_varying(const std::string& name) {
     static constexpr Varying all[] = {
-        {"P", Type::vec3, false, "position"},
-        {"vertex_normal", Type::vec3, false, "normal"},
-        {"uv", Type::vec2, false, "texture_coordinates"},
-        {"Ng", Type::vec3, true, "face_normal"},
-        {"vertex_tangent", Type::vec3, false, "tangent"},
-        {"tangent_sign", Type::real, false, "handedness"},
-        {"vertex_bitangent", Type::vec3, false, "bitangent"},
-        {"face_J_u", Type::vec3, true, "gradient_u"},
-        {"face_J_v", Type::vec3, true, "gradient_v"},
+        {"P", Type::vec3, false, "position", "eye_position"},
+        {"vertex_normal", Type::vec3, false, "normal", "eye_normal"},
+        {"uv", Type::vec2, false, "texture_coordinates", "mapped_coordinates"},
+        {"Ng", Type::vec3, true, "face_normal", "face_normal"},
+        {"vertex_tangent", Type::vec3, false, "tangent", "tangent"},
+        {"tangent_sign", Type::real, false, "handedness", "handedness"},
+        {"vertex_bitangent", Type::vec3, false, "bitangent", "bitangent"},
+        {"face_J_u", Type::vec3, true, "gradient_u", "gradient_u"},
+        {"face_J_v", Type::vec3, true, "gradient_v", "gradient_v"},
     };
     const auto* const found = std::find_if(std::begin(all), std::end(all),
                                            [&](const Varying& of) { return of.name == name; });
@@ -31,7 +31,11 @@ const std::vector<Named>& vertex_attributes() {
                                            {"handedness", Type::real},
                                            {"bitangent", Type::vec3},
                                            {"gradient_u", Type::vec3},
-                                           {"gradient_v", Type::vec3}};
+                                           {"gradient_v", Type::vec3},
+                                           {"eye_position", Type::vec3},
+                                           {"clip_position", Type::vec4},
+                                           {"eye_normal", Type::vec3},
+                                           {"mapped_coordinates", Type::vec2}};
     return all;
 }
 

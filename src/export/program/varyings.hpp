@@ -14,6 +14,7 @@ struct Varying {
     Type type;
     bool is_flat;           ///< the same over a triangle
     const char* attribute;  ///< of a vertex, that it is made of
+    const char* shaded;     ///< the attribute that already has its value
 };
 
 /// Null where the rasterizer gives no value of that name.

@@ -58,10 +58,21 @@ class Builder {
             const std::uint32_t i = index[static_cast<std::size_t>(v)];
             const glm::vec3 normal = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
             const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
+            const glm::vec3 eye_normal = mesh.normals.empty() ? face : shaded.normal[i];
             // In the order of all_vertex_attributes.
-            const float* const parts[] = {
-                &mesh.positions[i].x,   &normal.x,          &uv.x,   &face.x,    frame.tangent[v],
-                &frame.tangent_sign[v], frame.bitangent[v], frame.J, frame.J + 3};
+            const float* const parts[] = {&mesh.positions[i].x,
+                                          &normal.x,
+                                          &uv.x,
+                                          &face.x,
+                                          frame.tangent[v],
+                                          &frame.tangent_sign[v],
+                                          frame.bitangent[v],
+                                          frame.J,
+                                          frame.J + 3,
+                                          &eye[i].x,
+                                          &shaded.clip[i].x,
+                                          &eye_normal.x,
+                                          &shaded.uv[i].x};
             std::string bytes;
             for (const VertexAttribute& attribute : buffers_.attributes)
                 bytes.append(reinterpret_cast<const char*>(parts[attribute.location]),
@@ -98,7 +109,11 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"handedness", 5, 1, 0, "of the corner's tangents"},
         {"bitangent", 6, 3, 0, "of the corner, eye space, likewise"},
         {"gradient_u", 7, 3, 0, "of u in the triangle's plane, eye space"},
-        {"gradient_v", 8, 3, 0, "of v in the triangle's plane, eye space"}};
+        {"gradient_v", 8, 3, 0, "of v in the triangle's plane, eye space"},
+        {"eye_position", 9, 3, 0, "model_view * position"},
+        {"clip_position", 10, 4, 0, "projection * eye_position"},
+        {"eye_normal", 11, 3, 0, "normal_matrix * normal, or face_normal in meshes without"},
+        {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"}};
     return all;
 }
 

@@ -59,6 +59,20 @@ Floats shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformVa
     return all;
 }
 
+/// Attributes that are not what transforming the mesh's own gives; position in clip space included.
+int wrongly_shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformValues& object,
+                   const UniformValues& material, const UniformValues& frame) {
+    const auto of = vertex(buffers, index);
+    Floats expected, found;
+    for (const char* name : {"eye_position", "eye_normal", "mapped_coordinates", "clip_position"})
+        found.insert(found.end(), of.at(name).begin(), of.at(name).end());
+    const Floats all = shaded(buffers, index, object, material);
+    expected.assign(all.begin(), all.begin() + 8);
+    for (int row = 0; row < 4; ++row)
+        expected.push_back(affine(frame.at("projection"), row, of.at("eye_position")));
+    return expected != found;
+}
+
 /// The same of Quadrel's own triangle.
 Floats interpolated(const Geometry& geometry, std::size_t triangle, int corner) {
     const PrimitiveData& data = geometry.data[triangle];
@@ -96,6 +110,11 @@ int wrong_corners(const Scene& scene, const Change& change) {
         UniformValues values = object_values_by_name(scene, object);
         change(values);
         const UniformValues material = material_values_by_name(scene.materials[object.material]);
+        const UniformValues frame =
+            frame_values_by_name(frame_uniforms(scene, scene_hardware(scene)));
+        for (std::uint32_t i = 0; i < draw.index_count; ++i)
+            wrong += wrongly_shaded(buffers, buffers.indices[draw.first_index + i], values,
+                                    material, frame);
         // Drawn triangles keep their order; what is clipped or culled is missing among Quadrel's.
         std::set<Floats> corners;
         for (std::uint32_t i = 0; i < draw.index_count; ++i)
