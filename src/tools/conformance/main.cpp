@@ -5,6 +5,7 @@
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "conformance/cases.hpp"
 #include "conformance/judge.hpp"
@@ -60,14 +61,20 @@ TexelSize texel_size(const gl::ExportedScene& scene) {
 }
 
 CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOptions& judging) {
-    CaseReport report{what.row, what.map, what.angle, {}, {}};
+    CaseReport report{what.row, what.map, what.angle, {}, {}, {}};
+    std::optional<Drawn> drawn;
     try {
-        const Drawn drawn = exported(what, hardware);
-        JudgeOptions options = judging;
-        options.texel = texel_size(drawn.scene);
-        report.groups = judge(drawn.source, gl::draw_scene(drawn.scene), options);
+        drawn = exported(what, hardware);
     } catch (const UsageError& error) {
         report.refusal = error.what();
+        return report;
+    }
+    JudgeOptions options = judging;
+    options.texel = texel_size(drawn->scene);
+    try {
+        report.groups = judge(drawn->source, gl::draw_scene(drawn->scene), options);
+    } catch (const std::runtime_error& error) {
+        report.failure = error.what();
     }
     return report;
 }

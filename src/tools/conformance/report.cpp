@@ -25,8 +25,8 @@ std::vector<RowSum> sums(const Report& report) {
         if (rows.empty() || rows.back().row != one.row)
             rows.push_back({one.row, 0, 0, {}, {}, {}, {}});
         RowSum& row = rows.back();
-        if (!one.refusal.empty()) {
-            row.refusals.insert(one.refusal);
+        if (!one.refusal.empty() || !one.failure.empty()) {
+            row.refusals.insert(one.refusal + one.failure);
             continue;
         }
         const Counts counts = one.counts();
@@ -87,12 +87,14 @@ bool conforms(const Report& report, const Bounds& bounds) {
         {Verdict::perturbed, bounds.perturbed}, {Verdict::legal, bounds.legal},
         {Verdict::open, bounds.open},           {Verdict::left, bounds.left},
         {Verdict::coverage, bounds.coverage},   {Verdict::unexplained, 0}};
-    for (const CaseReport& one : report.cases)
+    for (const CaseReport& one : report.cases) {
+        if (!one.failure.empty()) return false;
         for (const GroupReport& group : one.groups)
             for (const auto& [verdict, bound] : most)
                 if (static_cast<double>(count_of(group.counts, verdict)) >
                     bound * static_cast<double>(total(group.counts)))
                     return false;
+    }
     return true;
 }
 
@@ -170,6 +172,7 @@ nlohmann::ordered_json to_json(const Report& report) {
     for (const CaseReport& one : report.cases) {
         nlohmann::ordered_json entry{{"row", one.row}, {"map", one.map}, {"angle", one.angle}};
         if (!one.refusal.empty()) entry["refusal"] = one.refusal;
+        if (!one.failure.empty()) entry["failure"] = one.failure;
         for (const GroupReport& group : one.groups) {
             nlohmann::ordered_json& counts = entry["groups"][group.name];
             for (std::size_t v = 0; v < verdict_count; ++v)

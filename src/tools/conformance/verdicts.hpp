@@ -62,7 +62,8 @@ struct GroupReport {
 struct CaseReport {
     std::string row, map;
     int angle = 0;
-    std::string refusal;              ///< why it is not drawn; empty: it is
+    std::string refusal;              ///< why it cannot be exported; empty: it can
+    std::string failure;              ///< why the implementation did not draw it; empty: it did
     std::vector<GroupReport> groups;  ///< in the order of the data flow
 
     Counts counts() const {

@@ -67,8 +67,7 @@ class Samplers {
             const ExportedSampler& sampler = material.samplers[unit];
             const ExportedTexture& texture = scene.textures[sampler.texture];
             glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            glBindTexture(texture.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
-                          textures[sampler.texture]);
+            glBindTexture(texture.target, textures[sampler.texture]);
             ids_.push_back(make_sampler(sampler.state, static_cast<int>(texture.levels.size())));
             glBindSampler(static_cast<GLuint>(unit), ids_.back());
             const GLint at = glGetUniformLocation(program, sampler.uniform.c_str());

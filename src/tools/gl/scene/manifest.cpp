@@ -19,7 +19,8 @@ constexpr Word<Filter> filters[] = {{"nearest", Filter::nearest}, {"linear", Fil
 constexpr Word<MipFilter> mip_filters[] = {
     {"none", MipFilter::none}, {"nearest", MipFilter::nearest}, {"linear", MipFilter::linear}};
 constexpr Word<int> uniform_types[] = {{"float", 1}, {"vec2", 2}, {"vec3", 3}, {"vec4", 4}};
-constexpr Word<bool> texture_kinds[] = {{"2d", false}, {"cube", true}};
+constexpr Word<GLenum> texture_kinds[] = {
+    {"2d", GL_TEXTURE_2D}, {"cube", GL_TEXTURE_CUBE_MAP}, {"2d-array", GL_TEXTURE_2D_ARRAY}};
 constexpr Word<bool> channel_types[] = {{"float", false}, {"uint", true}};
 constexpr Word<GLenum> internal_formats[] = {
     {"R8", GL_R8},       {"RG8", GL_RG8},     {"RGBA8", GL_RGBA8},
@@ -84,6 +85,17 @@ float number_of(const SceneValue& hex) {
     return value;
 }
 
+/// A number of JSON, or as a text what JSON has no number for.
+float real_of(const SceneValue& value) {
+    return value.json().is_string() ? number_of(value) : static_cast<float>(value.number());
+}
+
+SceneValue four_of(const SceneValue& array, const char* what) {
+    if (!array.json().is_array() || array.json().size() != 4)
+        array.reject(fmt::format("four {}", what));
+    return array;
+}
+
 Uniform read_uniform(const SceneValue& value) {
     Fields fields(value);
     Uniform uniform;
@@ -112,7 +124,10 @@ ExportedTexture read_texture(const std::filesystem::path& folder, const SceneVal
     Fields fields(value);
     ExportedTexture texture;
     texture.name = fields.get("name").string();
-    texture.cube = fields.get("kind").word(texture_kinds);
+    texture.target = fields.get("kind").word(texture_kinds);
+    if (texture.target == GL_TEXTURE_CUBE_MAP) texture.layers = 6;
+    if (texture.target == GL_TEXTURE_2D_ARRAY)
+        texture.layers = fields.get("layers").integer(1, largest_side);
     Fields gl(fields.get("gl"));
     texture.internal_format = gl.get("internal_format").word(internal_formats);
     texture.format = gl.get("format").word(formats);
@@ -123,7 +138,8 @@ ExportedTexture read_texture(const std::filesystem::path& folder, const SceneVal
         read.width = level.get("width").integer(1, largest_side);
         read.height = level.get("height").integer(1, largest_side);
         const std::size_t texels = static_cast<std::size_t>(read.width) *
-                                   static_cast<std::size_t>(read.height) * (texture.cube ? 6 : 1);
+                                   static_cast<std::size_t>(read.height) *
+                                   static_cast<std::size_t>(texture.layers);
         read.bytes = bytes_of(folder, level.get("bytes"),
                               texels * static_cast<std::size_t>(channels_of(texture.format) *
                                                                 bytes_of(texture.type)));
@@ -146,11 +162,11 @@ ExportedSampler read_sampler(const SceneValue& value, std::size_t textures) {
     fields.read("mag", state.mag, filters);
     fields.read("min", state.min, filters);
     fields.read("mip", state.mip, mip_filters);
-    const std::vector<double> border = fields.get("border").numbers(4, 4);
-    for (std::size_t i = 0; i < 4; ++i) state.border[i] = static_cast<float>(border[i]);
-    fields.read("lod_bias", state.lod_bias);
-    fields.read("lod_min", state.lod_min);
-    fields.read("lod_max", state.lod_max);
+    const SceneValue border = four_of(fields.get("border"), "numbers");
+    for (std::size_t i = 0; i < 4; ++i) state.border[i] = real_of(border.element(i));
+    state.lod_bias = real_of(fields.get("lod_bias"));
+    state.lod_min = real_of(fields.get("lod_min"));
+    state.lod_max = real_of(fields.get("lod_max"));
     return sampler;
 }
 
@@ -190,21 +206,13 @@ TargetChannel read_channel(const SceneValue& value) {
     return {fields.get("name").string(), fields.get("type").word(channel_types)};
 }
 
-SceneValue four_of(const SceneValue& array, const char* what) {
-    if (!array.json().is_array() || array.json().size() != 4)
-        array.reject(fmt::format("four {}", what));
-    return array;
-}
-
 Target read_target(const SceneValue& value) {
     Fields fields(value);
     Target target;
     const SceneValue clear = four_of(fields.get("clear"), "numbers");
     const SceneValue channels = four_of(fields.get("channels"), "channels");
     for (std::size_t i = 0; i < 4; ++i) {
-        const SceneValue number = clear.element(i);  // what JSON has no number for is a word
-        target.clear[i] =
-            number.json().is_string() ? number_of(number) : static_cast<float>(number.number());
+        target.clear[i] = real_of(clear.element(i));
         target.channels[i] = read_channel(channels.element(i));
     }
     return target;

@@ -28,12 +28,13 @@ struct VertexAttribute {
 
 struct TextureLevel {
     int width = 1, height = 1;
-    std::string bytes;  ///< as they are uploaded; of cubes face after face
+    std::string bytes;  ///< as they are uploaded; face after face, layer after layer
 };
 
 struct ExportedTexture {
     std::string name;
-    bool cube = false;
+    GLenum target = GL_TEXTURE_2D;  ///< or GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D_ARRAY
+    int layers = 1;                 ///< of an array; the faces of a cube
     GLenum internal_format = GL_R32F, format = GL_RED, type = GL_FLOAT;
     std::vector<TextureLevel> levels;
 };

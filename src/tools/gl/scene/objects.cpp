@@ -15,19 +15,26 @@ GLuint make_buffer(GLenum target, const std::string& bytes) {
     return buffer;
 }
 
+void upload_level(const ExportedTexture& texture, GLint level) {
+    const TextureLevel& texels = texture.levels[static_cast<std::size_t>(level)];
+    const auto format = static_cast<GLint>(texture.internal_format);
+    const char* const bytes = texels.bytes.data();
+    if (texture.target == GL_TEXTURE_2D_ARRAY)
+        return glTexImage3D(texture.target, level, format, texels.width, texels.height,
+                            texture.layers, 0, texture.format, texture.type, bytes);
+    const std::size_t a_face = texels.bytes.size() / static_cast<std::size_t>(texture.layers);
+    for (int face = 0; face < texture.layers; ++face)
+        glTexImage2D(texture.target == GL_TEXTURE_CUBE_MAP
+                         ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face)
+                         : texture.target,
+                     level, format, texels.width, texels.height, 0, texture.format, texture.type,
+                     bytes + static_cast<std::size_t>(face) * a_face);
+}
+
 void upload(const ExportedTexture& texture) {
-    const GLenum target = texture.cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
-    for (std::size_t level = 0; level < texture.levels.size(); ++level) {
-        const TextureLevel& texels = texture.levels[level];
-        const std::size_t faces = texture.cube ? 6 : 1, face_bytes = texels.bytes.size() / faces;
-        for (std::size_t face = 0; face < faces; ++face)
-            glTexImage2D(
-                texture.cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : target,
-                static_cast<GLint>(level), static_cast<GLint>(texture.internal_format),
-                texels.width, texels.height, 0, texture.format, texture.type,
-                texels.bytes.data() + face * face_bytes);
-    }
-    glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(texture.levels.size()) - 1);
+    const auto levels = static_cast<GLint>(texture.levels.size());
+    for (GLint level = 0; level < levels; ++level) upload_level(texture, level);
+    glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL, levels - 1);
 }
 
 }  // namespace
@@ -56,7 +63,7 @@ SceneTextures::SceneTextures(const ExportedScene& scene) : ids_(scene.textures.s
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glGenTextures(static_cast<GLsizei>(ids_.size()), ids_.data());
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-        glBindTexture(scene.textures[i].cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, ids_[i]);
+        glBindTexture(scene.textures[i].target, ids_[i]);
         upload(scene.textures[i]);
     }
 }
