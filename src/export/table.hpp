@@ -49,6 +49,7 @@ struct ProgramChannel {
     Kind kind = Kind::none;
     Value value = Value::P;
     std::int32_t light = 0, component = 0;
+    bool operator==(const ProgramChannel&) const = default;
 };
 
 /// Most targets that a program draws into at once.

@@ -104,23 +104,62 @@ std::vector<ExportedChannel> exported_channels(const Scene& scene,
         if (source.light > 0 && source.light >= static_cast<int>(scene.lights.size()))
             throw UsageError(fmt::format("--channels: found \"{}\", expected one of {} lights",
                                          name, scene.lights.size()));
-        channels.push_back({name, source.type, of, clear_bits(scene, source)});
+        // By whatever name, once.
+        if (std::none_of(channels.begin(), channels.end(),
+                         [&](const ExportedChannel& known) { return known.source == of; }))
+            channels.push_back({name, source.type, of, clear_bits(scene, source)});
     }
     return channels;
 }
 
+namespace {
+
+/// What channels of one vector have in common.
+std::string vector_of_channel(const std::string& name) {
+    static const std::string suffixes = "XYZUVRGB";
+    if (suffixes.find(name.back()) == std::string::npos) return name;
+    if (name.size() == 1) return "color";
+    return name[name.size() - 2] == '.' ? name.substr(0, name.size() - 2) : name;
+}
+
+struct Target {
+    ProgramChannel channels[4];
+    std::size_t used = 0;
+};
+
+/// Vectors one after the other, each into the first target that has room for all of it.
+std::vector<Target> targets_of(const std::vector<ExportedChannel>& channels) {
+    std::vector<Target> targets;
+    for (std::size_t first = 0, end = 0; first < channels.size(); first = end) {
+        const std::string vector = vector_of_channel(channels[first].name);
+        while (end < channels.size() && end < first + 4 &&
+               vector_of_channel(channels[end].name) == vector)
+            ++end;
+        auto target = std::find_if(targets.begin(), targets.end(),
+                                   [&](const Target& of) { return of.used + (end - first) <= 4; });
+        if (target == targets.end()) target = targets.emplace(target);
+        for (std::size_t c = first; c < end; ++c)
+            target->channels[target->used++] = channels[c].source;
+    }
+    return targets;
+}
+
+}  // namespace
+
 std::vector<ProgramPass> passes_of(const std::vector<ExportedChannel>& channels, int targets) {
     std::vector<ProgramPass> passes;
-    const int a_pass = 4 * targets, count = static_cast<int>(channels.size());
-    for (int first = 0; first < count; first += a_pass) {
-        ProgramPass pass{};
-        const int here = std::min(a_pass, count - first);
-        for (int i = 0; i < here; ++i)
-            pass.channels[i / 4][i % 4] = channels[static_cast<std::size_t>(first + i)].source;
-        pass.target_count = (here + 3) / 4;
-        passes.push_back(pass);
+    for (const Target& target : targets_of(channels)) {
+        if (passes.empty() || passes.back().target_count == targets) passes.emplace_back();
+        ProgramPass& pass = passes.back();
+        std::copy_n(target.channels, 4, pass.channels[pass.target_count++]);
     }
     return passes;
+}
+
+const ExportedChannel& channel_of(const std::vector<ExportedChannel>& channels,
+                                  const ProgramChannel& source) {
+    return *std::find_if(channels.begin(), channels.end(),
+                         [&](const ExportedChannel& of) { return of.source == source; });
 }
 
 // OpenGL ES 3.0, table 6.31: 4 draw buffers at least; OpenGL 3.3 and Direct3D 11: 8.

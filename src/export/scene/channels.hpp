@@ -26,8 +26,12 @@ std::vector<std::string> exportable_channels(const Scene& scene, const std::stri
 std::vector<ExportedChannel> exported_channels(const Scene& scene,
                                                const std::vector<std::string>& names);
 
-/// Passes of at most so many targets, each of four channels in their order.
+/// Passes of at most so many targets, each of four channels; those of a vector lie in one target.
 std::vector<ProgramPass> passes_of(const std::vector<ExportedChannel>& channels, int targets);
+
+/// The channel that a component of a target is of.
+const ExportedChannel& channel_of(const std::vector<ExportedChannel>& channels,
+                                  const ProgramChannel& source);
 
 /// How many targets at once a language is sure to have.
 int targets_at_once(const std::string& language);

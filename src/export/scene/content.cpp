@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kernels/select.hpp"
+#include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/plan/prepared.hpp"
@@ -83,7 +84,7 @@ class Collector {
         out.writes_depth = writes_depth(of);
         out.program = program(material, out);
         for (const ProgramName& sampler : out.program.samplers)
-            out.samplers.push_back(bound(material, sampler, out.name));
+            out.samplers.push_back(bound(material, sampler, out.program.fragment, out.name));
         content_.materials.push_back(std::move(out));
     }
 
@@ -123,7 +124,7 @@ class Collector {
     }
 
     ContentSampler bound(std::size_t material, const ProgramName& sampler,
-                         const std::string& material_name) {
+                         const std::string& fragment, const std::string& material_name) {
         const auto slot = static_cast<std::size_t>(sampler.number);
         const MaterialTextures& textures = plan_.textures[material];
         ContentSampler out{sampler.name, 0, textures.sampled[slot].sampler};
@@ -140,6 +141,15 @@ class Collector {
         const TextureShape shape = sampler.type == "samplerCube"      ? TextureShape::cube
                                    : sampler.type == "sampler2DArray" ? TextureShape::layers
                                                                       : TextureShape::flat;
+        const TextureView& view = textures.owned[slot]->view();
+        const bool asks_sizes =
+            fragment.find("textureSize(" + sampler.name + ",") != std::string::npos ||
+            fragment.find("texture_size(" + sampler.name + ",") != std::string::npos;
+        if (asks_sizes && !has_mip_sizes(view))
+            throw UsageError(
+                fmt::format("export: {}: asks for the sizes of the {}x{} map {}, whose levels are "
+                            "rounded up as no GPU's are",
+                            material_name, view.width[0], view.height[0], sampler.name));
         out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name);
         return out;
     }
@@ -183,7 +193,7 @@ std::string ContentTexture::exr_file(int level, int face) const {
 
 int ContentTexture::rows(int level) const {
     const TextureView& view = texture->view();
-    return view.height[level] * (shape == TextureShape::flat ? view.faces : 1);
+    return side_of_level(view, level).height * (shape == TextureShape::flat ? view.faces : 1);
 }
 
 std::string ContentMaterial::vertex_file(const std::string& language) const {

@@ -29,13 +29,12 @@ std::string files_table(const ExportContent& content) {
 
 std::string channels_table(const ExportContent& content) {
     std::string text = "| pass | target | x y z w |\n|---|---|---|\n";
-    std::size_t next = 0;
     for (std::size_t p = 0; p < content.passes.size(); ++p)
         for (int t = 0; t < content.passes[p].target_count; ++t) {
             std::string names;
             for (const ProgramChannel& of : content.passes[p].channels[t])
                 if (of.kind != ProgramChannel::Kind::none)
-                    names += fmt::format(" `{}`", content.channels[next++].name);
+                    names += fmt::format(" `{}`", channel_of(content.channels, of).name);
             text += fmt::format("| {} | {} |{} |\n", p, t, names);
         }
     return text;

@@ -97,10 +97,11 @@ Json texture_entry(const ContentTexture& texture, bool decoded) {
         Json files = Json::array();
         for (int face = 0; decoded && face < view.faces; ++face)
             files.push_back(texture.exr_file(level, face));
-        levels.push_back({{"width", view.width[level]},
+        levels.push_back({{"width", side_of_level(view, level).width},
                           {"height", texture.rows(level)},
                           {"bytes", texture.bytes_file(level)},
                           {"exr", files}});
+        if (!has_mip_sizes(view)) levels.back()["used"] = {view.width[level], view.height[level]};
     }
     const char* kind = texture.shape == TextureShape::cube     ? "cube"
                        : texture.shape == TextureShape::layers ? "2d-array"
@@ -170,10 +171,8 @@ Json draw_entry(const ExportContent& content, const Draw& draw) {
             {"uniforms", uniform_entries(content, object_values_by_name(*content.scene, object))}};
 }
 
-/// In the order in which passes_of spreads them.
 Json passes(const ExportContent& content) {
     Json all = Json::array();
-    std::size_t next = 0;
     for (const ProgramPass& pass : content.passes) {
         Json targets = Json::array();
         for (int t = 0; t < pass.target_count; ++t) {
@@ -184,7 +183,7 @@ Json passes(const ExportContent& content) {
                     names.push_back(nullptr);
                     continue;
                 }
-                const ExportedChannel& channel = content.channels[next++];
+                const ExportedChannel& channel = channel_of(content.channels, of);
                 const bool whole = channel.type == ChannelType::uint32;
                 clear.push_back(whole ? Json(channel.clear)
                                       : number(std::bit_cast<float>(channel.clear)));

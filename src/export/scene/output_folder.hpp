@@ -21,8 +21,8 @@ class OutputFolder {
 
     /// To be filled.
     const std::filesystem::path& path() const { return temporary_; }
-    /// Syncs it and puts it in its place; a folder that stands there goes, with all that is in it. Throws
-    /// OutputError.
+    /// Syncs it and puts it in its place; a folder that stands there goes, with all that is in it.
+    /// Throws OutputError.
     void commit();
 
   private:

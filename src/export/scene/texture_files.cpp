@@ -1,5 +1,6 @@
 #include "export/scene/texture_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -77,20 +78,38 @@ TexelLayout texel_layout(const Texture& texture, const std::string& language) {
     return layout;
 }
 
+bool has_mip_sizes(const TextureView& view) {
+    for (int level = 1; level < view.levels; ++level)
+        if (view.width[level] != std::max(view.width[0] >> level, 1) ||
+            view.height[level] != std::max(view.height[0] >> level, 1))
+            return false;
+    return true;
+}
+
+LevelSide side_of_level(const TextureView& view, int level) {
+    if (has_mip_sizes(view)) return {view.width[level], view.height[level]};
+    int side = 1 << (view.levels - 1);
+    while (side < std::max(view.width[0], view.height[0])) side *= 2;
+    return {side >> level, side >> level};
+}
+
 std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout) {
     const TextureView& view = texture.view();
-    const std::size_t texels =
-        std::size_t(view.width[level]) * static_cast<std::size_t>(view.height[level]);
+    const LevelSide side = side_of_level(view, level);
+    const int width = view.width[level], height = view.height[level];
+    const auto value_at = [&](const float* texel, int channel) {
+        if (channel < view.channels) return texel[channel];
+        return channel == 3 ? 1.0f : 0.0f;
+    };
     std::string bytes;
     for (int face = 0; face < view.faces; ++face) {
-        const float* values = texture.level_texels(level, face);
-        for (std::size_t i = 0; i < texels; ++i)
-            for (int c = 0; c < layout.channels; ++c) {
-                const float missing = c == 3 ? 1.0f : 0.0f;
-                const float value = c < view.channels
-                                        ? values[i * std::size_t(view.channels) + std::size_t(c)]
-                                        : missing;
-                append_texel(bytes, value, layout.format, c == 3);
+        const float* texel = texture.level_texels(level, face);
+        for (int y = 0; y < side.height; ++y)
+            for (int x = 0; x < side.width; ++x) {
+                const bool inside = x < width && y < height;
+                for (int c = 0; c < layout.channels; ++c)
+                    append_texel(bytes, inside ? value_at(texel, c) : 0, layout.format, c == 3);
+                if (inside) texel += view.channels;
             }
     }
     return bytes;

@@ -19,6 +19,16 @@ struct TexelLayout {
 /// filter (16-bit codes in OpenGL ES: as floats) or has in four channels alone (sRGB).
 TexelLayout texel_layout(const Texture& texture, const std::string& language);
 
+/// Whether each level has half the size of the one before, rounded down, as GPUs want them.
+bool has_mip_sizes(const TextureView& view);
+
+/// The sizes of a level as it is handed over. Pyramids round up: where that gives no mip sizes,
+/// each level lies in the corner of one of a power of two, and the rest of it is 0.
+struct LevelSide {
+    int width, height;
+};
+LevelSide side_of_level(const TextureView& view, int level);
+
 /// All faces or layers of a level, one after the other, rows without gaps, row 0 first. Decoded
 /// they are the texture's values to the bit.
 std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout);

@@ -9,6 +9,7 @@
 
 #include "export/scene/content.hpp"
 #include "export/scene/small_scenes.hpp"
+#include "quadrel/bake/bake.hpp"
 #include "quadrel/num/half.hpp"
 #include "quadrel/num/srgb.hpp"
 #include "render/draw/geometry.hpp"
@@ -225,6 +226,30 @@ TEST(SceneBuffers, BytesOfTexelsDecodeToTheVeryValues) {
                     EXPECT_GT(wrong_texels(*texture, level, layout, bytes), 0) << swizzle;
                 }
             }
+}
+
+/// A pyramid of 17x17 cells: 17, 9, 5, 3, 2, 1.
+TEST(SceneBuffers, PyramidsAreMipChainsOfAPowerOfTwo) {
+    TextureOptions options;
+    options.swizzle = "r";
+    options.mip_rule = MipRule::none;
+    SamplerState clamped;
+    clamped.wrap_u = clamped.wrap_v = Wrap::clamp_to_edge;
+    const auto pyramid = bake(*make_texture(small_image(), options), BakeKind::max_mip, clamped);
+    const TextureView& view = pyramid->view();
+    ASSERT_FALSE(has_mip_sizes(view));
+    const TexelLayout layout = texel_layout(*pyramid, "glsl");
+    for (int level = 0; level < view.levels; ++level) {
+        const LevelSide side = side_of_level(view, level);
+        EXPECT_EQ(side.width, 32 >> level);
+        const std::string bytes = level_bytes(*pyramid, level, layout);
+        ASSERT_EQ(bytes.size(), std::size_t(side.width) * std::size_t(side.height) * 4);
+        const Image image = texture_level(*pyramid, level);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                EXPECT_EQ(decoded(bytes, std::size_t(y * side.width + x), layout.format, false),
+                          image.values[std::size_t(y * image.width + x)]);
+    }
 }
 
 TEST(SceneBuffers, FormatsHaveTheirNames) {

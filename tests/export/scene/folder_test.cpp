@@ -201,6 +201,35 @@ TEST(SceneFolder, SaysHowToDraw) {
     }
 }
 
+/// Where the channels of a vector lie; -1 where they do not lie in one target, one after the other.
+int place_of_vector(const Json& manifest, const std::vector<std::string>& names) {
+    for (const Json& pass : manifest["passes"])
+        for (const Json& target : pass["targets"]) {
+            const Json& channels = target["channels"];
+            for (std::size_t first = 0; first + names.size() <= channels.size(); ++first) {
+                std::size_t same = 0;
+                while (same < names.size() && !channels[first + same].is_null() &&
+                       channels[first + same]["name"] == names[same])
+                    ++same;
+                if (same == names.size()) return static_cast<int>(first);
+            }
+        }
+    return -1;
+}
+
+TEST(SceneFolder, VectorsLieInOneTarget) {
+    const SmallScenes scenes;
+    const TemporaryFolder folder;
+    export_scene(scenes.load("thesis-quad"), {}, folder / "out");
+    const Json manifest = manifest_in(folder / "out");
+    using Names = std::vector<std::string>;
+    for (const Names& names :
+         {Names{"uv.U", "uv.V"}, Names{"hit.P.X", "hit.P.Y", "hit.P.Z"}, Names{"hit.U", "hit.V"},
+          Names{"N.X", "N.Y", "N.Z"}, Names{"R", "G", "B"}, Names{"K.U", "K.V"}})
+        EXPECT_GE(place_of_vector(manifest, names), 0) << names[0];
+    EXPECT_EQ(place_of_vector(manifest, {"uv.V", "uv.U"}), -1);
+}
+
 TEST(SceneFolder, ChannelsAreThoseThatAreAskedFor) {
     const SmallScenes scenes;
     const TemporaryFolder folder;
