@@ -325,13 +325,21 @@ class Judge {
         for (const std::size_t i : pixels) {
             count(report, Verdict::unexplained);
             if (report.examples.size() >= options_.examples) continue;
-            for (const std::string& name : group.channels) {
-                if (equals(reference_, name, i)) continue;
-                report.examples.push_back({name, x_of(i), y_of(i), reference_.find(name)->bits[i],
-                                           found_bits(name, i), command_.text(x_of(i), y_of(i))});
-                break;
-            }
+            const std::string& name = worst_channel(group, i);
+            report.examples.push_back({name, x_of(i), y_of(i), reference_.find(name)->bits[i],
+                                       found_bits(name, i), command_.text(x_of(i), y_of(i))});
         }
+    }
+
+    /// The first channel that is off by more than roundings, or that differs at all.
+    const std::string& worst_channel(const Group& group, std::size_t i) const {
+        const std::string* differing = &group.channels.front();
+        for (auto name = group.channels.rbegin(); name != group.channels.rend(); ++name)
+            if (!equals(reference_, *name, i)) differing = &*name;
+        if (group.kind == GroupKind::coverage) return *differing;
+        for (const std::string& name : group.channels)
+            if (!equals(own_, name, i) && !is_rounded(name, i)) return name;
+        return *differing;
     }
 
     const Scene& scene_;
