@@ -120,6 +120,24 @@ TEST(TemporaryFile, RemovesTheAbandonedAlone) {
     })));
 }
 
+TEST(TemporaryFile, FoldersGoWithAllThatIsInThem) {
+    const TemporaryFolder folder;
+    const auto make = [&] {
+        const std::string name = temporary_name();
+        EXPECT_GE(create_locked_folder(folder / name), 0);
+        write_bytes(folder.path() / name / "inside", "text");
+        return name;
+    };
+    const std::string mine = make();
+    EXPECT_EQ(create_locked_folder(folder / mine), -1);  // the name is taken
+    end(start([&] { make(); }));
+    std::filesystem::create_directory(folder / "another");
+    EXPECT_EQ(folder.count(), 3u);
+    remove_abandoned(folder.path());
+    EXPECT_EQ(folder.count(), 2u);
+    EXPECT_EQ(file_bytes(folder.path() / mine / "inside"), "text");
+}
+
 /// A process that tidies up without pause finds files between their creation and their lock, and
 /// between their last byte and their name; all of them are written nevertheless.
 TEST(TemporaryFile, TidyingWhileOthersWrite) {
