@@ -8,6 +8,7 @@
 
 #include "quadrel/quad/value.hpp"
 #include "quadrel/raster/viewport.hpp"
+#include "quadrel/render.hpp"
 #include "quadrel/scene/scene.hpp"
 #include "quadrel/texture/footprint.hpp"
 
@@ -73,8 +74,9 @@ struct ProbeReport {
 /// and `isa` (named as in RenderOptions), bit for bit; doubles are rounded to float, as channels
 /// are. Steps and look-ups are reported by float on scalar alone. Throws UsageError for a pixel
 /// outside and for kernels that are not there, InputError as `render` does.
+/// `injected`: as RenderOptions has it.
 ProbeReport probe(const Scene& scene, int x, int y, const std::string& number = "float",
-                  const std::string& isa = "scalar");
+                  const std::string& isa = "scalar", const std::vector<Injection>& injected = {});
 
 /// For people: decimal and hex float.
 std::string to_text(const ProbeReport& report);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,6 +30,21 @@ struct IntegralOptions {
     double error = 0;
 };
 
+/// Values that are taken from an image instead of from the stage that computes them: later stages,
+/// and the film, get what the image has. So a stage is judged by what another implementation has
+/// computed before it.
+struct Injection {
+    /// Values ("hit.uv"), channels ("hit.U") or groups of channels ("hit"), which stand for those
+    /// that the image has; commas between them. What is rendered must read one of them at least.
+    std::string values;
+    /// Of the frame's size, with all of the window that is rendered. Floats for what is a number,
+    /// integers for codes and counts. NaN is a value as any other. Where it has a channel A and
+    /// that is not above 0, it has no fragment, and the stage's own value stays; as it does in
+    /// helper lanes, and where fragments are tested for being discarded.
+    std::shared_ptr<const Film> image;
+    std::string source;  ///< what messages call the image
+};
+
 struct RenderOptions {
     std::vector<std::string> channels;  ///< names or groups; none: R G B A Z
     std::optional<Window> window;       ///< image coordinates; the whole frame if absent
@@ -38,6 +54,9 @@ struct RenderOptions {
     /// has a range (has_range) they are rendered, too. After the name, settings of what no
     /// specification states: "gl,plane=1e-6" (README of data/limits). Empty: no gpu.* channels.
     std::string limits;
+    /// Not beside exact.*, derr.*, err.* and bound.* channels, integrals, and several samples a
+    /// pixel.
+    std::vector<Injection> injected;
     int threads = 0;   ///< 0: as many as the process may use; more are obeyed
     bool skip = true;  ///< false: compute and load what no channel asks for, too
     /// What err.* channels judge in the place of what is drawn: a film of the same window, which

@@ -6,6 +6,7 @@
 
 #include "cli/common/arguments.hpp"
 #include "cli/common/console.hpp"
+#include "cli/common/injections.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/common/validators.hpp"
 #include "cli/verbs.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct ProbeArguments {
     std::string scene, pixel, size, number = "float", isa = "scalar";
-    std::vector<std::string> overrides, plugins;
+    std::vector<std::string> overrides, plugins, injected;
     bool json = false;
 };
 
@@ -25,7 +26,8 @@ ExitCode run_probe(const ProbeArguments& arguments) {
     const Pixel pixel = parse_pixel("--pixel", arguments.pixel);
     const Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
     say_notes(scene.notes);
-    const ProbeReport report = probe(scene, pixel.x, pixel.y, arguments.number, arguments.isa);
+    const ProbeReport report = probe(scene, pixel.x, pixel.y, arguments.number, arguments.isa,
+                                     read_injections(arguments.injected));
     arguments.json ? print_json(to_json(report)) : print(to_text(report));
     return ExitCode::ok;
 }
@@ -55,6 +57,7 @@ void add_probe(CLI::App& app, Action& action) {
             std::vector<std::string>{"auto", "scalar", "sse4", "avx2", "avx512", "neon"}))
         ->capture_default_str();
     add_plugin_option(*verb, a->plugins);
+    add_inject_option(*verb, a->injected);
     verb->add_flag("--json", a->json, "machine-readable");
     verb->callback([a, &action] { action = [a] { return run_probe(*a); }; });
 }

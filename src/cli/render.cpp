@@ -12,6 +12,7 @@
 #include "cli/common/compression_option.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/hints.hpp"
+#include "cli/common/injections.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/validators.hpp"
@@ -31,7 +32,7 @@ namespace {
 
 struct RenderArguments {
     std::string scene, output, preview, stats, channels, size, window;
-    std::vector<std::string> overrides, plugins;
+    std::vector<std::string> overrides, plugins, injected;
     bool explain = false, no_skip = false;
     std::optional<int> integral_samples;
     std::optional<double> integral_error;
@@ -168,6 +169,8 @@ ExitCode run_render(const RenderArguments& arguments) {
     check_kinds(arguments);
     say_notes(scene.notes);
     check_window(options, scene);
+    options.injected = read_injections(arguments.injected);
+    files.check();
     if (arguments.explain) {
         print(explain(scene, options));
         return ExitCode::ok;
@@ -246,6 +249,7 @@ void add_render(CLI::App& app, Action& action) {
     const auto arguments = std::make_shared<RenderArguments>();
     add_values(*verb, *arguments);
     add_plugin_option(*verb, arguments->plugins);
+    add_inject_option(*verb, arguments->injected);
     verb->add_flag("--no-skip", arguments->no_skip,
                    "compute and load what no channel asks for, too; the bits are the same");
     add_quiet_option(*verb);

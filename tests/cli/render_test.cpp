@@ -63,6 +63,52 @@ TEST_F(Render, WindowIsAPartOfTheFrame) {
     EXPECT_EQ(render({"-o", "a.exr", "--window", "5,3,49,31"}).code, 2);
 }
 
+TEST_F(Render, TakesValuesFromAnImage) {
+    ASSERT_EQ(render({"-o", "all.exr", "--channels", "A,hit,N,R"}).code, 0);
+    const Film all = read_exr(folder / "all.exr").film;
+    ASSERT_EQ(render({"-o", "same.exr", "--channels", "A,hit,N,R", "--inject", "hit.uv=all.exr",
+                      "--inject", "hit.s,N=all.exr"})
+                  .code,
+              0);
+    EXPECT_EQ(read_exr(folder / "same.exr").film, all);
+    Film other = all;
+    for (std::uint32_t& bits : other.find("N.X")->bits) bits = 0x3f000000u;
+    write_exr(folder / "other.exr", other, {});
+    ASSERT_EQ(
+        render({"-o", "moved.exr", "--channels", "A,hit,N,R", "--inject", "N=other.exr"}).code, 0);
+    const Film moved = read_exr(folder / "moved.exr").film;
+    EXPECT_EQ(moved.find("hit.U")->bits, all.find("hit.U")->bits);
+    EXPECT_NE(moved.find("N.X")->bits, all.find("N.X")->bits);
+    EXPECT_NE(moved.find("R")->bits, all.find("R")->bits);
+    const Outcome plan = render({"--explain", "--inject", "N=other.exr"});
+    EXPECT_NE(plan.out.find("takes N=other.exr"), std::string::npos) << plan.out;
+    // The probe shows what the render had.
+    const Outcome probe =
+        run({"probe", scene, "--size", "48x32", "--pixel", "24,16", "--inject", "N=other.exr"},
+            folder.path());
+    EXPECT_EQ(probe.code, 0) << probe.err;
+    EXPECT_NE(probe.out.find("0x1p-1"), std::string::npos) << probe.out;
+}
+
+TEST_F(Render, ImagesThatDoNotFitAreNotInjected) {
+    ASSERT_EQ(render({"-o", "all.exr", "--channels", "hit"}).code, 0);
+    const std::string before = file_bytes(folder / "all.exr");
+    const auto code = [&](const std::string& option, const std::string& says,
+                          const std::string& output = "a.exr") {
+        const Outcome outcome = render({"-o", output, "--inject", option});
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+        return outcome.code;
+    };
+    EXPECT_EQ(code("hit.uv", "NAME=FILE"), 2);
+    EXPECT_EQ(code("=all.exr", "NAME=FILE"), 2);
+    EXPECT_EQ(code("hit.uw=all.exr", "hit.uw"), 2);
+    EXPECT_EQ(code("uv=all.exr", "all.exr: uv.U: "), 3);
+    EXPECT_EQ(code("hit.uv=none.exr", "none.exr"), 3);
+    EXPECT_EQ(code("hit.uv=all.exr", "is the input", "all.exr"), 2);
+    EXPECT_EQ(file_bytes(folder / "all.exr"), before);
+    EXPECT_EQ(folder.count(), 1u);
+}
+
 TEST_F(Render, OutputsThatCannotBeWritten) {
     EXPECT_EQ(render({"-o", "missing/a.exr"}).code, 5);
     EXPECT_EQ(render({"-o", "."}).code, 5);

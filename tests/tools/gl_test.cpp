@@ -22,6 +22,35 @@ TEST(Gl, SaysWhatIsWrongWithACommand) {
     EXPECT_EQ(unknown.code, 2);
     EXPECT_NE(unknown.out.find("no probe is called derivative"), std::string::npos);
     EXPECT_EQ(run_gl("--list -o /nowhere/list.txt").code, 5);
+    EXPECT_EQ(run_gl("--list --info").code, 2);
+}
+
+/// An option that a task does not heed is a mistake; whatever it heeds it shows.
+TEST(Gl, NoOptionIsPassedOver) {
+    for (const char* command :
+         {"--list --wide", "--list --expect llvmpipe", "--list --llvmpipe", "--list --markdown",
+          "--info --only quads", "--info --expect llvmpipe", "--info --markdown",
+          "--planted --expect llvmpipe --only quads", "--probe --pass 1", "--list somewhere"}) {
+        const Outcome outcome = run_gl(command);
+        EXPECT_EQ(outcome.code, 2) << command << ": " << outcome.out;
+    }
+    const Outcome one = run_gl("--list --only gather --json");
+    EXPECT_EQ(one.code, 0);
+    const auto json = nlohmann::json::parse(one.out);
+    ASSERT_EQ(json.size(), 1u);
+    EXPECT_EQ(json[0]["id"], "gather");
+}
+
+/// What a preset does not model is neither agreement nor the contrary.
+TEST(Gl, WhatIsNotModelledIsNotJudged) {
+    const Outcome none = run_gl("--llvmpipe --probe --only min-nan --expect llvmpipe -o /dev/null");
+    if (none.code == 3) GTEST_SKIP() << none.out;
+    EXPECT_EQ(none.code, 2) << none.out;
+    const Outcome one =
+        run_gl("--llvmpipe --probe --only min-nan quads --expect llvmpipe -o /dev/null");
+    EXPECT_EQ(one.code, 0) << one.out;
+    EXPECT_NE(one.out.find("do not model it: min-nan"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("1 of 1 probes do as expected"), std::string::npos) << one.out;
 }
 
 TEST(Gl, ListsWhatIsAskedAndWhatIsPermitted) {

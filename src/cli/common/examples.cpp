@@ -12,6 +12,8 @@ constexpr Example all[] = {
      "another search, and where its rays end"},
     {"render", "bricks-45 --size 48x48 --integrate 64 -o truth.exr",
      "each pixel the mean over its area, for judging mip levels"},
+    {"render", "bricks-45 --inject hit.uv=gpu.exr --channels N,R,G,B -o later.exr",
+     "normals and colour from a GPU's own hits"},
     {"compare", "bricks.exr port.exr --abs 1e-4 --heatmap difference.png",
      "allow a small error, and show where there is more"},
     {"compare", "bricks.exr port.png --channels R,G,B --encode srgb8 --ulp 1",

@@ -6,6 +6,7 @@
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
 #include "render/errors/error_plan.hpp"
+#include "render/inject/injected_values.hpp"
 #include "render/plan/names.hpp"
 #include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
@@ -63,6 +64,8 @@ std::vector<std::pair<std::string, std::string>> render_attributes(const Scene& 
     if (std::any_of(channels.begin(), channels.end(), is_error_channel))
         all.emplace_back("quadrel:judges", judges_text(scene));
     if (!options.limits.empty()) all.emplace_back("quadrel:limits", options.limits);
+    if (!options.injected.empty())
+        all.emplace_back("quadrel:injected", injection_text(options.injected));
     if (options.integral)
         all.emplace_back("quadrel:integral",
                          nlohmann::ordered_json{{"samples", options.integral->samples},

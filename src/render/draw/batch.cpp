@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <new>
+#include <span>
 
 #include "quadrel/check.hpp"
 #include "render/draw/border_check.hpp"
+#include "render/inject/injected_values.hpp"
 #include "render/plan/chains.hpp"
 
 namespace quadrel {
@@ -31,6 +34,16 @@ int run_length(const QuadCoverage* quads, int count) {
         ++n;
     return n;
 }
+
+/// Whether the arrays hold numbers of the batch's type, which may be 8 bytes long.
+constexpr auto real_slots = [] {
+    std::array<bool, slot_count> real{};
+    for (int v = 0; v < static_cast<int>(Value::count); ++v)
+        for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i)
+            real[static_cast<std::size_t>(slot_of(static_cast<Value>(v)) + i)] =
+                info(static_cast<Value>(v)).kind == ValueKind::real;
+    return real;
+}();
 
 /// Look-ups so far in the textures that the stage reads.
 std::uint64_t fetches_of(const PlannedStage& stage, const FetchCounters* counters) {
@@ -176,13 +189,16 @@ void Batch::run(const MaterialPlan& plan, StageCall call, const Geometry& geomet
     call.values = values_.data();
     call.lanes = lanes_;
     point_to_quads(call, geometry);
-    if (shortcuts.shared_scales) {
+    // Shortcuts take for granted that values are those of the batch's own stages.
+    const bool is_own = injected_ == nullptr;
+    if (shortcuts.shared_scales && is_own) {
         std::fill(scales_->keys, scales_->keys + lanes_ / 4, 0);
         call.scales = scales_.get();
     }
     const bool is_timed = clock != nullptr && clock->begin_batch(&plan, lanes_);
     // What a chain has broken a promise in is done again, so that the stage is found and named.
-    if (!is_timed && shortcuts.chains && !plan.chains.empty() && run_chains(plan, call)) return;
+    if (!is_timed && shortcuts.chains && is_own && !plan.chains.empty() && run_chains(plan, call))
+        return;
     run_stages(plan, 0, plan.stages.size(), call, is_timed ? clock : nullptr);
 }
 
@@ -214,7 +230,7 @@ void Batch::run_beside(StageFunction function, StageCall call, Value output, voi
 }
 
 void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
-                       const StageCall& call, StageClock* clock) const {
+                       const StageCall& call, StageClock* clock) {
     StageCall own = call;
     for (std::size_t i = first; i < end; ++i) {
         const PlannedStage& stage = plan.stages[i];
@@ -222,11 +238,22 @@ void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t 
         own.light = stage.light;
         run_stage(stage, own, clock);
         check_border(stage);
+        if (injected_ != nullptr) inject_after(stage);
     }
 }
 
+void Batch::inject_after(const PlannedStage& stage) {
+    const std::span quads(loaded_, static_cast<std::size_t>(quads_));
+    injected_->replace(stage, quads, [&](int slot, int lane, std::uint32_t bits) {
+        if (!has(slot)) return;
+        const bool wide = real_slots[static_cast<std::size_t>(slot)] && scalar_bytes_ == 8;
+        const double number = std::bit_cast<float>(bits);
+        set_element(slot, lane, wide ? std::bit_cast<std::uint64_t>(number) : bits);
+    });
+}
+
 /// Runs the plan by its chains, and stage by stage between them. False if it is to be run again.
-bool Batch::run_chains(const MaterialPlan& plan, StageCall call) const {
+bool Batch::run_chains(const MaterialPlan& plan, StageCall call) {
     call.values = values_of_chains_.data();
     std::size_t next = 0;
     for (std::size_t i = 0; i < plan.chains.size(); ++i) {
@@ -256,20 +283,6 @@ float Batch::real(int slot, int lane) const {
     if (scalar_bytes_ == sizeof(float)) return static_cast<const float*>(values_[slot])[lane];
     return static_cast<float>(static_cast<const double*>(values_[slot])[lane]);
 }
-
-namespace {
-
-/// Whether the arrays hold numbers of the batch's type, which may be 8 bytes long.
-constexpr auto real_slots = [] {
-    std::array<bool, slot_count> real{};
-    for (int v = 0; v < static_cast<int>(Value::count); ++v)
-        for (int i = 0; i < arrays_of(static_cast<Value>(v)); ++i)
-            real[static_cast<std::size_t>(slot_of(static_cast<Value>(v)) + i)] =
-                info(static_cast<Value>(v)).kind == ValueKind::real;
-    return real;
-}();
-
-}  // namespace
 
 std::uint64_t Batch::element(int slot, int lane) const {
     const bool wide = real_slots[static_cast<std::size_t>(slot)] && scalar_bytes_ == 8;

@@ -18,6 +18,8 @@
 
 namespace quadrel {
 
+class InjectedValues;
+
 /// The arrays of a batch, for one type of element (float, double or Dual). One per thread, used
 /// again and again; arrays are 64-byte aligned.
 class Batch {
@@ -28,6 +30,10 @@ class Batch {
     /// Makes arrays for the plan's values; those of other values are null. Values that no stage
     /// of the plan produces are 0.
     void prepare(const MaterialPlan& plan);
+
+    /// From now on these values take the place of what stages store, which then run one by one;
+    /// null: none. They must stay.
+    void inject(const InjectedValues* injected) { injected_ = injected; }
 
     /// Fills in up to batch_quads quads, which must stay until they have run, and pads with
     /// inactive ones to a whole packet. `runs`: quads of a triangle that lie side by side are
@@ -86,12 +92,14 @@ class Batch {
     void load_run(const QuadCoverage& quad, int q, int count, const Geometry& geometry);
     void load_slopes(const QuadCoverage* quads, const Geometry& geometry);
     void run_stages(const MaterialPlan& plan, std::size_t first, std::size_t end,
-                    const StageCall& call, StageClock* clock) const;
-    bool run_chains(const MaterialPlan& plan, StageCall call) const;
+                    const StageCall& call, StageClock* clock);
+    bool run_chains(const MaterialPlan& plan, StageCall call);
     void check_border(const PlannedStage& stage) const;
+    void inject_after(const PlannedStage& stage);
 
     int scalar_bytes_;
     const ProbeCommand* command_;
+    const InjectedValues* injected_ = nullptr;
     const QuadCoverage* loaded_ = nullptr;
     int quads_ = 0, lanes_ = 0;
     std::unique_ptr<std::byte[], Free> memory_;

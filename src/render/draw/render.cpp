@@ -13,6 +13,7 @@
 #include "quadrel/stats.hpp"
 #include "render/draw/planes.hpp"
 #include "render/draw/tile_progress.hpp"
+#include "render/inject/injected_values.hpp"
 #include "render/integral/integral_scene.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/prepare/geometry_cache.hpp"
@@ -162,13 +163,29 @@ RenderStats count_all(const PreparedRender& prepared, const RenderOptions& optio
     return stats;
 }
 
+/// Null where nothing is injected.
+std::shared_ptr<const InjectedValues> injected_values(const PreparedRender& prepared,
+                                                      const RenderOptions& options) {
+    if (options.injected.empty()) return nullptr;
+    if (options.integral)
+        throw UsageError("--inject: an integral over pixels has no stages' values");
+    for (const ChannelSource& channel : prepared.channels)
+        if (is_drawn_apart(channel.name) && channel.range_set != RangeSet::gpu)
+            throw UsageError(fmt::format(
+                "--inject: channel \"{}\" is computed from the scene's own values alone",
+                channel.name));
+    return std::make_shared<const InjectedValues>(options.injected, *prepared.scene,
+                                                  prepared.window);
+}
+
 /// plan_render of the scene as it is drawn.
 PreparedRender plan_drawn(const Scene& scene, const RenderOptions& options,
                           const KernelTable& kernels, GeometryCache* geometry) {
     PreparedRender prepared{
         &scene, checked_window(scene, options), channel_sources(scene, options), {}, {}, {}, {}};
-    prepared.plan =
-        make_render_plan(scene, prepared.channels, kernels, options.skip, options.limits);
+    prepared.plan = make_render_plan(scene, prepared.channels, kernels, options.skip,
+                                     options.limits, injected_values(prepared, options));
+    if (prepared.plan.injected) prepared.plan.injected->check_used(prepared.plan.materials);
     prepared.plan.isa = options.isa;
     if (options.judged != nullptr) {
         if (options.judged->window != prepared.window)

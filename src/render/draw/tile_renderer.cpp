@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "raster/solid_tile.hpp"
+#include "render/inject/injected_values.hpp"
 
 namespace quadrel {
 namespace {
@@ -69,6 +70,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
       recording_(recording),
       touched_(touched),
       solid_tiles_(plan.shortcuts.solid_tiles && !shows_depth(*target.channels) && !plan.integral) {
+    if (plan.injected)
+        for (const std::string& option : plan.injected->options()) command_.add("--inject", option);
     if (!plan.exact.empty()) exact_.emplace(&command_);
     if (!plan.errors.empty())
         errors_.emplace(plan.scalar_bytes, &command_, plan.judged.get(), plan.truths);
@@ -268,7 +271,7 @@ Judges TileRenderer::run_judges(std::uint32_t material, const QuadCoverage* quad
         return &*batch;
     };
     const auto run_ranges = [&](RangeBatch& batch) {
-        batch.run(material, call, batch_, quads, geometry_);
+        batch.run(material, call, batch_, quads, geometry_, plan_.injected.get());
         return &batch;
     };
     if (exact_) {
@@ -304,6 +307,8 @@ void TileRenderer::run_stages(const MaterialPlan& plan, std::uint32_t material,
     else
         batch_.load(quads.data(), static_cast<int>(quads.size()), geometry_, scene_.samples,
                     scene_.centroid, plan_.shortcuts.edge_runs);
+    // Coverage is the reference's own: what is decided before it is known what is seen.
+    batch_.inject(&plan == &plan_.materials[material] ? plan_.injected.get() : nullptr);
     StageCall call = stage_call(plan_, material);
     if (recording_ == Recording::marks) mark(material);
     if (recording_ == Recording::counts || recording_ == Recording::marks)

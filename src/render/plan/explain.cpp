@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "render/inject/injected_values.hpp"
 #include "render/plan/names.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/plan/textures.hpp"
@@ -80,9 +81,10 @@ void describe_stages(const PreparedRender& prepared, std::size_t m, MaterialText
     for (const RangePlan* const ranges : {&render.bounds, &render.limits}) {
         if (ranges->materials.empty()) continue;
         for (const PlannedStage& stage : ranges->materials[m].stages)
-            text.does.push_back(
-                fmt::format("runs {} on ranges of {}", stage_name(stage),
-                            ranges == &render.bounds ? "exact arithmetic" : "what a GPU may give"));
+            if (stage.run != nullptr)
+                text.does.push_back(fmt::format(
+                    "runs {} on ranges of {}", stage_name(stage),
+                    ranges == &render.bounds ? "exact arithmetic" : "what a GPU may give"));
     }
     if (!render.errors.empty()) describe_judge(render.errors[m], text);
 }
@@ -211,6 +213,9 @@ std::string explain(const PreparedRender& prepared) {
         "pieces: {} to draw, {} culled, {} without area, {} off the frame\n",
         counts.submitted, counts.outside, counts.non_finite, counts.clipped, counts.drawn,
         counts.culled, counts.zero_area, counts.off_frame);
+    if (prepared.plan.injected)
+        for (const std::string& option : prepared.plan.injected->options())
+            out += "takes " + printable(option) + "\n";
     for (const std::string& line : hidden_objects(scene))
         out += "leaves out " + printable(line) + "\n";
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {

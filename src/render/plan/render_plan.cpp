@@ -107,7 +107,8 @@ bool observes_heights(const std::vector<ChannelSource>& channels) {
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels, bool skip, const std::string& limits) {
+                            const KernelTable& kernels, bool skip, const std::string& limits,
+                            std::shared_ptr<const InjectedValues> injected) {
     check_lights(scene);
     RenderPlan plan;
     plan.hardware = scene_hardware(scene);
@@ -133,7 +134,8 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         if (observes_heights(channels)) plan.texels_read.back().finest_level.reset(height_slot);
     }
     plan.bounds = plan_ranges(scene, channels, RangeSet::exact, limits);
-    plan.limits = plan_ranges(scene, channels, RangeSet::gpu, limits);
+    plan.limits = plan_ranges(scene, channels, RangeSet::gpu, limits, injected.get());
+    plan.injected = std::move(injected);
     plan.textures.resize(scene.materials.size());
     return plan;
 }

@@ -15,6 +15,7 @@
 
 namespace quadrel {
 
+class InjectedValues;
 class JudgedImage;
 class KnownTruths;
 
@@ -31,9 +32,10 @@ struct RenderPlan {
     std::vector<MaterialPlan> discard;    ///< what decides whether a fragment is kept
     std::vector<MaterialPlan> exact;      ///< what runs again on duals; empty where nothing asks
     std::vector<ErrorPlan> errors;        ///< what runs again for the judge; likewise
-    std::shared_ptr<const JudgedImage> judged;  ///< that err.* judge; null: what is drawn
-    KnownTruths* truths = nullptr;              ///< what the judge has found before
-    RangePlan bounds, limits;                   ///< and on ranges
+    std::shared_ptr<const JudgedImage> judged;       ///< that err.* judge; null: what is drawn
+    KnownTruths* truths = nullptr;                   ///< what the judge has found before
+    std::shared_ptr<const InjectedValues> injected;  ///< in the place of what stages store, or null
+    RangePlan bounds, limits;                        ///< and on ranges
     std::vector<TexelsRead> texels_read;
     std::vector<MaterialTextures> textures;
     std::vector<MaterialUniforms> uniforms;
@@ -43,9 +45,10 @@ struct RenderPlan {
 
 /// Plans every material, used or not, so that mistakes in the scene are found. Loads nothing:
 /// `textures` are unbound. With `skip` off every stage of every material is planned, and
-/// drawn without shortcuts. `limits`: as RenderOptions has it.
+/// drawn without shortcuts. `limits`: as RenderOptions has it. `injected` may be null.
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
-                            const KernelTable& kernels, bool skip, const std::string& limits = "");
+                            const KernelTable& kernels, bool skip, const std::string& limits = "",
+                            std::shared_ptr<const InjectedValues> injected = nullptr);
 
 /// All that runs of a material, but for exact derivatives, which read no more than is drawn.
 std::vector<const MaterialPlan*> plans_that_load(const RenderPlan& plan, std::size_t material);

@@ -22,6 +22,10 @@ ProbeCommand::ProbeCommand(const Scene& scene, const KernelTable& table, const s
                             by_name ? table.isa : "auto");
 }
 
+void ProbeCommand::add(const std::string& option, const std::string& value) {
+    options_ += fmt::format(" {} {}", option, shell_word(value));
+}
+
 std::string ProbeCommand::text(const QuadCoverage& quad) const {
     const auto seen =
         std::find_if(quad.samples.begin(), quad.samples.end(), [](auto s) { return s != 0; });

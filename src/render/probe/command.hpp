@@ -17,6 +17,9 @@ class ProbeCommand {
     /// On the kernels of `table`, which were asked for as `isa` (as render options name it).
     ProbeCommand(const Scene& scene, const KernelTable& table, const std::string& isa);
 
+    /// Another option of the command line, with its value.
+    void add(const std::string& option, const std::string& value);
+
     /// For a pixel of the quad that is seen, ready for a shell.
     std::string text(const QuadCoverage& quad) const;
     /// For a pixel in image coordinates.

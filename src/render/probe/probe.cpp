@@ -178,6 +178,7 @@ ProbeFragment probe_fragment(const PreparedRender& prepared, const QuadCoverage&
 
     const MaterialPlan& plan = prepared.plan.materials[triangle.material];
     Batch batch(prepared.plan.scalar_bytes);
+    batch.inject(prepared.plan.injected.get());
     batch.prepare(plan);
     batch.load(&quad, 1, prepared.geometry, scene.samples, scene.centroid);
     fragment.stages = run_stages(prepared, plan, triangle.material, batch);
@@ -197,7 +198,7 @@ std::vector<std::string> every_channel() {
 }  // namespace
 
 ProbeReport probe(const Scene& scene, int x, int y, const std::string& number,
-                  const std::string& isa) {
+                  const std::string& isa, const std::vector<Injection>& injected) {
     if (x < 0 || y < 0 || x >= scene.width || y >= scene.height)
         throw UsageError(fmt::format("pixel {},{} is outside of the {}x{} image", x, y, scene.width,
                                      scene.height));
@@ -206,6 +207,7 @@ ProbeReport probe(const Scene& scene, int x, int y, const std::string& number,
     options.window = Window{x, y, x + 1, y + 1};
     options.number = number;
     options.isa = isa;
+    options.injected = injected;
     const PreparedRender prepared = prepare_render(scene, options, select_kernels(options));
 
     const Viewport viewport{scene.width, scene.height, scene.conventions};

@@ -1,12 +1,16 @@
 #include "render/ranges/range_batch.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <span>
 
 #include "quadrel/num/range/ranged.hpp"
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
+#include "render/inject/injected_values.hpp"
 
 namespace quadrel {
 namespace {
@@ -43,6 +47,12 @@ std::size_t stages_until_written(const MaterialPlan& plan, int slot) {
         for (const Value value : plan.stages[k - 1].info->outputs)
             if (slot >= slot_of(value) && slot < slot_of(value) + arrays_of(value)) return k;
     return 0;
+}
+
+bool is_integer(int slot) {
+    const auto end = std::ranges::upper_bound(first_slots, slot);
+    return value_table[static_cast<std::size_t>(end - first_slots.begin() - 1)].kind ==
+           ValueKind::integer;
 }
 
 /// Ranges that meet become one; what is left is disjoint.
@@ -91,9 +101,13 @@ void RangeBatch::prepare(const MaterialPlan& plan) {
 }
 
 void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch& drawn,
-                     const QuadCoverage* quads, const Geometry& geometry) {
+                     const QuadCoverage* quads, const Geometry& geometry,
+                     const InjectedValues* injected) {
+    injected_ = injected;
+    drawn_ = &drawn;
     const MaterialPlan& plan = plan_.materials[material];
     prepare(plan);
+    known_ = &plan_.known[material];
     context_ = plan_.table->context();
     context_->budget = plan_.budget;
     context_->maps = plan_.maps;
@@ -110,6 +124,9 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.values = values_.data();
         call_.lanes = quad_lanes;
         surface_ = plan_.surfaces[material];
+        quad_ = quads + q;
+        quad_number_ = q;
+        quad_known_ = injected != nullptr && injected->covers(quads[q]);
         run_quad(plan, q, quads[q]);
         for (int lane = 0; plan_.certifies && lane < quad_lanes; ++lane)
             if (quads[q].samples[static_cast<std::size_t>(lane)] != 0)
@@ -121,15 +138,52 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
 void RangeBatch::run_stages(const MaterialPlan& plan) {
     context_->begin_run();
     stages_run_ = 0;
-    for (const PlannedStage& stage : plan.stages) {
+    for (std::size_t i = 0; i < plan.stages.size(); ++i) {
+        const PlannedStage& stage = plan.stages[i];
         context_->kind = kind_of(*stage.info);
         call_.parameters = stage.params.data();
         call_.light = stage.light;
-        stage.run(&call_);
+        // Helper lanes are not injected: ranges, where the stage has some.
+        if (stage.run == nullptr || (quad_known_ && (*known_)[i]))
+            take_drawn(stage);
+        else
+            stage.run(&call_);
         if (context_->too_many) return;
         ++stages_run_;
+        if (injected_ != nullptr) inject_after(stage);
         if (stores(stage, Value::hit_uv)) name_place();
     }
+}
+
+/// What a stage that has no function for ranges has drawn, as it is.
+void RangeBatch::take_drawn(const PlannedStage& stage) {
+    const int first = quad_lanes * quad_number_;
+    for (const Value value : stage.info->outputs)
+        for (int i = 0; i < arrays_of(value); ++i) {
+            const int slot = slot_of(value) + i;
+            void* const values = values_[static_cast<std::size_t>(slot)];
+            if (values == nullptr || !drawn_->has(slot)) continue;
+            for (int lane = 0; lane < quad_lanes; ++lane)
+                if (info(value).kind == ValueKind::integer) {
+                    static_cast<std::uint32_t*>(values)[lane] = drawn_->integer(slot, first + lane);
+                } else {
+                    const double number = drawn_->number(slot, first + lane);
+                    static_cast<Ranged*>(values)[lane] = Ranged(number, number);
+                }
+        }
+}
+
+void RangeBatch::inject_after(const PlannedStage& stage) {
+    injected_->replace(stage, std::span(quad_, 1), [&](int slot, int lane, std::uint32_t bits) {
+        void* const values = values_[static_cast<std::size_t>(slot)];
+        if (values == nullptr) return;
+        if (is_integer(slot)) {
+            std::memcpy(static_cast<std::uint32_t*>(values) + lane, &bits, sizeof(bits));
+            return;
+        }
+        const double number = std::bit_cast<float>(bits);
+        static_cast<Ranged*>(values)[lane] = Ranged(number, number);
+    });
 }
 
 /// What reads maps beside the hit reads them at places that move together.

@@ -28,9 +28,11 @@ class RangeBatch {
     explicit RangeBatch(const RangePlan& plan);
 
     /// Runs the stages over the quads that `drawn` has been loaded with. `call` comes with
-    /// material, frame and textures set; bounds of heights in it are not used.
+    /// material, frame and textures set; bounds of heights in it are not used. `injected`: values
+    /// that are known, whatever the stages would make of them; or null.
     void run(std::uint32_t material, const StageCall& call, const Batch& drawn,
-             const QuadCoverage* quads, const Geometry& geometry);
+             const QuadCoverage* quads, const Geometry& geometry,
+             const InjectedValues* injected = nullptr);
 
     /// A channel of a lane of the batch.
     const FragmentRange& range(const ChannelSource& channel, int lane) const;
@@ -42,6 +44,8 @@ class RangeBatch {
   private:
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
+    void take_drawn(const PlannedStage& stage);
+    void inject_after(const PlannedStage& stage);
     void name_place();
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
     void follow(const MaterialPlan& plan, int quad, int lane);
@@ -60,6 +64,12 @@ class RangeBatch {
     const MaterialPlan* prepared_ = nullptr;
     StageCall call_{};
     MaterialUniforms material_{};
+    const InjectedValues* injected_ = nullptr;
+    const Batch* drawn_ = nullptr;
+    const QuadCoverage* quad_ = nullptr;  ///< the one that runs
+    int quad_number_ = 0;                 ///< in `drawn_`
+    bool quad_known_ = false;             ///< all of its lanes are injected
+    const std::vector<bool>* known_ = nullptr;
     std::vector<std::byte> memory_;
     std::vector<void*> values_;
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]

@@ -8,6 +8,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/rooms.hpp"
 #include "render/errors/error_plan.hpp"
+#include "render/inject/injected_values.hpp"
 #include "render/ranges/limits.hpp"
 
 namespace quadrel {
@@ -22,19 +23,42 @@ void add_slot(RangePlan& plan, int slot) {
     if (std::ranges::count(plan.slots, slot) == 0) plan.slots.push_back(slot);
 }
 
+/// Which stages need not run, since all that is read of them is injected: from the last one back,
+/// so that what only such stages read is not read at all.
+std::vector<bool> known_stages(const MaterialPlan& plan, const ValueSet& wanted,
+                               const InjectedValues* injected) {
+    std::vector<bool> known(plan.stages.size(), false);
+    ValueSet read = wanted;
+    for (std::size_t i = plan.stages.size(); injected != nullptr && i-- > 0;) {
+        const PlannedStage& stage = plan.stages[i];
+        known[i] = std::ranges::all_of(stage.info->outputs, [&](Value v) {
+            return !read[static_cast<std::size_t>(v)] || injected->has(v, stage.light);
+        });
+        if (known[i]) continue;
+        for (const Value v : stage.info->inputs) read.set(static_cast<std::size_t>(v));
+    }
+    return known;
+}
+
 MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const Wanted& wanted,
-                            const RangeTable& table, const std::string& asked) {
+                            const RangeTable& table) {
     MaterialPlan plan = plan_material(scene, material, wanted, scalar_double_kernels());
     for (PlannedStage& stage : plan.stages) {
         stage.run = find_kernel(table, stage.info->text.id);
         stage.checks = {};
-        if (stage.run == nullptr)
+    }
+    return plan;
+}
+
+/// Throws UsageError where a stage has no function and is not known either.
+void check_runs(const MaterialPlan& plan, const std::vector<bool>& known, const Material& material,
+                const std::string& asked) {
+    for (std::size_t i = 0; i < plan.stages.size(); ++i)
+        if (plan.stages[i].run == nullptr && !known[i])
             throw UsageError(
                 fmt::format("channel \"{}\": stage \"{}\" of material \"{}\" does not run on "
                             "ranges: its state is whole numbers, or a map's own texels",
-                            asked, stage.info->text.id, material.name));
-    }
-    return plan;
+                            asked, plan.stages[i].info->text.id, material.name));
 }
 
 }  // namespace
@@ -42,7 +66,7 @@ MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const 
 bool is_range(const ChannelSource& channel) { return channel.range_set != RangeSet::none; }
 
 RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
-                      const std::string& limits) {
+                      const std::string& limits, const InjectedValues* injected) {
     RangePlan plan;
     std::vector<ChannelSource> asking;
     for (const ChannelSource& channel : channels)
@@ -68,7 +92,9 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
             for (int c = 0; c < 2; ++c) add_slot(plan, slot_of(v) + c);
         }
     for (const Material& material : scene.materials) {
-        plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table, asked));
+        plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table));
+        plan.known.push_back(known_stages(plan.materials.back(), wanted.values, injected));
+        check_runs(plan.materials.back(), plan.known.back(), material, asked);
         const auto judge = error_judge(scene, material);
         plan.surfaces.push_back(judge ? std::optional(judge->surface) : std::nullopt);
     }

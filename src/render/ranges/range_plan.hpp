@@ -10,13 +10,17 @@
 
 namespace quadrel {
 
+class InjectedValues;
+
 /// Ranges under one budget.
 struct RangePlan {
     ErrorBudget budget;
     std::uint64_t maps = 0;  ///< RangeContext::maps
     const RangeTable* table = nullptr;
     std::vector<MaterialPlan> materials;  ///< per material of the scene
-    std::vector<int> slots;               ///< arrays that channels show
+    /// Per material and stage: all that is read of it is injected.
+    std::vector<std::vector<bool>> known;
+    std::vector<int> slots;  ///< arrays that channels show
     /// Per material, how its heights are read as a surface; none where they are no map.
     std::vector<std::optional<oracle::Surface>> surfaces;
     bool certifies = false;  ///< what all rays of a pixel have in common is asked for
@@ -26,9 +30,10 @@ struct RangePlan {
 bool is_range(const ChannelSource& channel);
 
 /// What the channels of a set (exact arithmetic, or an implementation's) need; no materials where
-/// none asks. `limits`: as RenderOptions has it. Throws UsageError that names the first stage that
-/// does not run on ranges, or what else is in the way.
+/// none asks. `limits`: as RenderOptions has it. A stage of which all that is read is `injected`
+/// (or null) need not run on ranges: its values are those that are drawn. Throws UsageError that
+/// names the first other one that does not, or what else is in the way.
 RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,
-                      const std::string& limits);
+                      const std::string& limits, const InjectedValues* injected = nullptr);
 
 }  // namespace quadrel

@@ -1,16 +1,19 @@
-// quadrel-gl: what an implementation of OpenGL does where its specification leaves a choice, beside
-// what Quadrel does as each kind of hardware.
+// quadrel-gl: draws exported scenes by OpenGL; and what an implementation of it does where its
+// specification leaves a choice, beside what Quadrel does as each kind of hardware.
 #include <epoxy/gl.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "file/atomic_file.hpp"
+#include "file/input_record.hpp"
 #include "gl/context/context.hpp"
 #include "gl/probe/planted.hpp"
 #include "gl/probe/report/results.hpp"
+#include "gl/scene/draw_scene.hpp"
 #include "quadrel/error.hpp"
 #include "text/printable.hpp"
 
@@ -20,9 +23,48 @@ namespace {
 struct Arguments {
     bool info = false, probe = false, list = false, json = false, markdown = false, wide = false;
     bool planted = false, llvmpipe = false;
-    std::string output, expected, renderer;
+    std::string output, expected, renderer, folder;
     std::vector<std::string> only;
+    std::vector<int> passes;
 };
+
+/// What is to be done, and which options have a say in it.
+struct Task {
+    std::string name;
+    std::vector<std::string_view> options;
+};
+
+const std::vector<Task>& tasks() {
+    static const std::vector<Task> all{
+        {"--list", {"--only", "--json", "--output"}},
+        {"--info", {"--json", "--output", "--llvmpipe", "--renderer"}},
+        {"--planted", {"--expect", "--llvmpipe", "--renderer"}},
+        {"--probe",
+         {"--only", "--wide", "--json", "--markdown", "--output", "--llvmpipe", "--renderer",
+          "--expect"}},
+        {"folder", {"--output", "--pass", "--llvmpipe", "--renderer"}},
+    };
+    return all;
+}
+
+/// No option is passed over in silence.
+void check_options(const CLI::App& app) {
+    std::vector<const Task*> asked;
+    for (const Task& task : tasks())
+        if (app.get_option(task.name)->count() > 0) asked.push_back(&task);
+    if (asked.empty())
+        throw UsageError("what is to be done: a folder, --probe, --planted, --info or --list");
+    if (asked.size() > 1)
+        throw UsageError(asked[0]->name + " and " + asked[1]->name + ": expected one of them");
+    for (const CLI::Option* const option : app.get_options()) {
+        const std::string name = option->get_name();
+        const auto& known = asked[0]->options;
+        if (option->count() > 0 && name != asked[0]->name &&
+            std::ranges::find(known, std::string_view(name)) == known.end())
+            throw UsageError(name + ": has nothing to say beside " +
+                             (asked[0]->name == "folder" ? "a folder" : asked[0]->name));
+    }
+}
 
 /// To the output file, or to standard output.
 void write(const Arguments& arguments, const std::string& text) {
@@ -73,16 +115,43 @@ std::string info_text(const nlohmann::ordered_json& json) {
     return text;
 }
 
-std::string list_text() {
-    std::string text;
-    for (const Probe& probe : all_probes())
-        text += probe.id + ": " + probe.asks + "\n    permitted: " + probe.permits + "\n";
-    return text;
+bool is_asked(const Arguments& arguments, const std::string& id) {
+    return arguments.only.empty() || std::ranges::count(arguments.only, id) != 0;
 }
 
-/// Whether the expected preset agrees in all that it models.
+std::string list_text(const Arguments& arguments) {
+    std::string text;
+    auto json = nlohmann::ordered_json::array();
+    for (const Probe& probe : all_probes()) {
+        if (!is_asked(arguments, probe.id)) continue;
+        text += probe.id + ": " + probe.asks + "\n    permitted: " + probe.permits + "\n";
+        json.push_back({{"id", probe.id}, {"asks", probe.asks}, {"permits", probe.permits}});
+    }
+    return arguments.json ? json.dump(2) + "\n" : text;
+}
+
+/// Whether the expected preset agrees in all that it models. What it does not model, and what the
+/// implementation lacks, is said and counts neither way.
 bool judge(const Results& results, const std::string& preset) {
     const auto found = disagreements(results, preset);
+    std::string unmodelled, missing;
+    std::size_t judged = 0;
+    for (const ProbeResult& result : results.probes) {
+        if (!result.missing.empty())
+            missing += " " + result.probe.id;
+        else if (!result.probe.not_modelled.empty())
+            unmodelled += " " + result.probe.id;
+        else
+            ++judged;
+    }
+    if (!unmodelled.empty())
+        std::cerr << "quadrel-gl: not judged, since presets do not model it:" << unmodelled << '\n';
+    if (!missing.empty())
+        std::cerr << "quadrel-gl: not judged, since it could not be asked:" << missing << '\n';
+    if (judged == 0)
+        throw UsageError("--expect " + preset + ": none of these probes can be judged by it");
+    std::cerr << "quadrel-gl: " << judged - found.size() << " of " << judged
+              << " probes do as expected\n";
     for (const ProbeResult* result : found)
         for (const PresetResult& one : result->presets)
             if (one.preset == preset)
@@ -120,14 +189,25 @@ void check_ids(const std::vector<std::string>& only) {
     }
 }
 
+/// Draws an exported scene into an EXR.
+void draw_folder(const Arguments& arguments) {
+    if (arguments.output.empty()) throw UsageError("expected -o OUT.exr for what is drawn");
+    const InputRecord inputs;
+    const ExportedScene scene = read_exported_scene(arguments.folder);
+    const auto output = identity_of(arguments.output);
+    for (const InputFile& input : inputs.files())
+        if (output && input.identity == *output)
+            throw UsageError("-o " + printable(arguments.output) + " is the input " +
+                             printable(input.name.string()) + ", expected another file");
+    write_exr(arguments.output, draw_scene(scene, arguments.passes), drawing_attributes(scene));
+}
+
 bool run(const Arguments& arguments) {
     check_ids(arguments.only);
     if (arguments.list) {
-        write(arguments, list_text());
+        write(arguments, list_text(arguments));
         return true;
     }
-    if (!arguments.info && !arguments.probe && !arguments.planted)
-        throw UsageError("what is to be done: --info, --probe or --list");
     const Context context = arguments.llvmpipe ? Context::llvmpipe(0) : Context::at_hand();
     if (gl_string(GL_RENDERER).find(arguments.renderer) == std::string::npos)
         throw std::runtime_error("skipped: the renderer is " + printable(gl_string(GL_RENDERER)));
@@ -137,10 +217,16 @@ bool run(const Arguments& arguments) {
         return true;
     }
     if (arguments.planted) return run_planted(arguments.expected);
-    return run_probe(arguments);
+    if (arguments.probe) return run_probe(arguments);
+    draw_folder(arguments);
+    return true;
 }
 
 void add_options(CLI::App& app, Arguments& a) {
+    app.add_option("folder", a.folder, "a scene that `quadrel export` has written, to be drawn");
+    app.add_option("--pass", a.passes, "of a folder, this pass alone; repeatable")
+        ->type_name("N")
+        ->allow_extra_args(false);
     app.add_flag("--info", a.info, "renderer, version, limits");
     app.add_flag("--probe", a.probe, "what it does where it may choose, beside Quadrel's presets");
     app.add_flag("--list", a.list, "the probes: what is asked, and what is permitted");
@@ -148,7 +234,8 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--wide", a.wide, "with what each preset does where it is not the same");
     app.add_flag("--json", a.json, "as JSON, with all that is known of each probe");
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
-    app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");
+    app.add_option("-o,--output", a.output, "into a file; .json: as JSON; of a folder, the EXR")
+        ->type_name("FILE");
     app.add_flag("--llvmpipe", a.llvmpipe, "Mesa's llvmpipe, whatever else there is");
     app.add_option("--renderer", a.renderer,
                    "nothing (exit code 3) where its name has not this in it")
@@ -170,8 +257,9 @@ int fail(const std::exception& error, ExitCode code) {
     return static_cast<int>(code);
 }
 
-int guarded_run(const Arguments& arguments) {
+int guarded_run(const CLI::App& app, const Arguments& arguments) {
     try {
+        check_options(app);
         return static_cast<int>(run(arguments) ? ExitCode::ok : ExitCode::difference);
     } catch (const UsageError& error) {
         return fail(error, ExitCode::usage);
@@ -189,7 +277,10 @@ int guarded_run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
     using namespace quadrel::gl;
-    CLI::App app("What an OpenGL implementation does where it may choose", "quadrel-gl");
+    CLI::App app(
+        "Draws exported scenes by OpenGL, and asks an implementation what it does where it may "
+        "choose",
+        "quadrel-gl");
     Arguments arguments;
     add_options(app, arguments);
     try {
@@ -197,5 +288,5 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
     }
-    return guarded_run(arguments);
+    return guarded_run(app, arguments);
 }

@@ -11,4 +11,7 @@ namespace quadrel::gl {
 /// whose `levels` are all there.
 void set_sampler(GLenum target, const SamplerState& sampler, int levels);
 
+/// A sampler object of that state, for textures of so many levels. The caller deletes it.
+GLuint make_sampler(const SamplerState& state, int levels);
+
 }  // namespace quadrel::gl

@@ -1,0 +1,362 @@
+#include "conformance/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
+#include "quadrel/render.hpp"
+#include "render/plan/prepared.hpp"
+#include "render/probe/command.hpp"
+#include "render/ranges/limits.hpp"
+#include "render/registry/added_stages.hpp"
+
+namespace quadrel::conformance {
+namespace {
+
+/// What a value may be between; NaN where some result is.
+struct Bracket {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    bool nan = false;
+
+    void include(double value) {
+        nan |= std::isnan(value);
+        low = std::min(low, std::isnan(value) ? low : value);
+        high = std::max(high, std::isnan(value) ? high : value);
+    }
+    /// Ends are off by `rounding`.
+    bool contains(double value, double rounding) const {
+        return std::isnan(value) ? nan : low - rounding <= value && value <= high + rounding;
+    }
+};
+
+/// One group at a time, with the pixels that are still to be explained.
+class Judge {
+  public:
+    Judge(const Scene& scene, const Film& found, const JudgeOptions& options)
+        : scene_(scene),
+          options_(options),
+          found_(std::make_shared<const Film>(found)),
+          command_(scene, select_kernels(RenderOptions()), "auto") {
+        std::vector<std::string> names;
+        for (const Plane& plane : found.planes)
+            if (find_channel(plane.name) != nullptr) names.push_back(plane.name);
+        reference_ = rendered(names, nullptr);
+        groups_ = groups_of(reference_, found);
+        skipped_.resize(found.window.area(), false);
+    }
+
+    std::vector<GroupReport> run() {
+        std::vector<GroupReport> reports;
+        for (const Group& group : groups_) {
+            reports.push_back(judge(group));
+            const std::vector<std::string> more = injectable(group.channels);
+            earlier_.insert(earlier_.end(), more.begin(), more.end());
+        }
+        return reports;
+    }
+
+  private:
+    /// A render of channels with the earlier values of a film; null: with none.
+    Film rendered(const std::vector<std::string>& channels, std::shared_ptr<const Film> earlier,
+                  const std::string& limits = "", const std::optional<Window>& window = {}) const {
+        RenderOptions options;
+        options.channels = channels;
+        options.limits = limits;
+        options.window = window;
+        if (earlier && !earlier_.empty())
+            options.injected = {{fmt::format("{}", fmt::join(earlier_, ",")), std::move(earlier),
+                                 "the implementation's image"}};
+        return render(scene_, options);
+    }
+
+    std::uint32_t found_bits(const std::string& channel, std::size_t i) const {
+        return found_->find(channel)->bits[i];
+    }
+    bool equals(const Film& film, const std::string& channel, std::size_t i) const {
+        return film.find(channel)->bits[i] == found_bits(channel, i);
+    }
+    bool equals(const Film& film, const Group& group, std::size_t i) const {
+        return std::ranges::all_of(group.channels,
+                                   [&](const std::string& name) { return equals(film, name, i); });
+    }
+
+    GroupReport judge(const Group& group) {
+        GroupReport report{group.name, {}, {}, {}};
+        std::vector<std::size_t> pixels;
+        for (std::size_t i = 0; i < skipped_.size(); ++i) {
+            if (skipped_[i]) continue;
+            if (equals(reference_, group, i))
+                count(report, Verdict::same);
+            else
+                pixels.push_back(i);
+        }
+        if (group.kind == GroupKind::coverage) {
+            judge_coverage(group, pixels, report);
+            return report;
+        }
+        if (!pixels.empty())
+            own_ = earlier_.empty() ? reference_ : rendered(group.channels, found_);
+        if (!pixels.empty()) take_inherited(group, pixels, report);
+        if (!pixels.empty()) take_rounded(group, pixels, report);
+        if (!pixels.empty()) take_perturbed(group, pixels, report);
+        if (!pixels.empty()) take_legal(group, pixels, report);
+        give_up(group, pixels, report);
+        return report;
+    }
+
+    static void count(GroupReport& report, Verdict verdict) {
+        ++report.counts[static_cast<std::size_t>(verdict)];
+    }
+
+    /// Takes out of `pixels` those of which `explained` says so, and counts them.
+    template <class Explained>
+    static void take(std::vector<std::size_t>& pixels, GroupReport& report, Verdict verdict,
+                     const Explained& explained) {
+        std::erase_if(pixels, [&](std::size_t i) {
+            const bool taken = explained(i);
+            if (taken) count(report, verdict);
+            return taken;
+        });
+    }
+
+    /// Where one side has a fragment and the other none, nothing else is compared.
+    void judge_coverage(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
+        for (const std::size_t i : pixels) skipped_[i] = true;
+        if (!pixels.empty()) {
+            const std::set<std::size_t> edges = beside_edges();
+            take(pixels, report, Verdict::coverage,
+                 [&](std::size_t i) { return edges.contains(i); });
+        }
+        give_up(group, pixels, report);
+    }
+
+    /// Pixels whose centre some edge may pass when its vertices snap otherwise.
+    std::set<std::size_t> beside_edges() const {
+        RenderOptions options;
+        options.channels = {"A"};
+        const PreparedRender prepared = plan_render(scene_, options, select_kernels(options));
+        const Viewport viewport{scene_.width, scene_.height, scene_.conventions};
+        const double snapping = budget_of_limits(options_.limits).snapping;
+        std::set<std::size_t> pixels;
+        for (const DrawnTriangle& triangle : prepared.geometry.triangles) {
+            const PixelRect& b = triangle.screen.bounds;
+            const PixelRect around = intersect({b.x0 - 1, b.y0 - 1, b.x1 + 1, b.y1 + 1},
+                                               {0, 0, scene_.width, scene_.height});
+            for (int y = around.y0; y < around.y1; ++y)
+                for (int x = around.x0; x < around.x1; ++x)
+                    if (is_beside(triangle.screen, x, y, snapping))
+                        pixels.insert(reference_.index(x, flip_row(viewport, y)));
+        }
+        return pixels;
+    }
+
+    /// Whether an edge passes a pixel's centre, window coordinates, no farther than `pixels` away.
+    static bool is_beside(const ScreenTriangle& triangle, int x, int y, double pixels) {
+        const std::int64_t unit = subpixel_units, cx = x * unit + unit / 2,
+                           cy = y * unit + unit / 2;
+        return std::ranges::any_of(triangle.edge, [&](const EdgeFunction& edge) {
+            const auto here = static_cast<double>(edge(cx, cy));
+            const double across = std::fabs(static_cast<double>(edge(cx + unit, cy)) - here) +
+                                  std::fabs(static_cast<double>(edge(cx, cy + unit)) - here);
+            return std::fabs(here) <= pixels * across;
+        });
+    }
+
+    void take_inherited(const Group& group, std::vector<std::size_t>& pixels,
+                        GroupReport& report) const {
+        take(pixels, report, Verdict::inherited,
+             [&](std::size_t i) { return equals(own_, group, i); });
+    }
+
+    void take_rounded(const Group& group, std::vector<std::size_t>& pixels,
+                      GroupReport& report) const {
+        take(pixels, report, Verdict::rounded, [&](std::size_t i) {
+            return std::ranges::all_of(group.channels, [&](const std::string& name) {
+                return equals(own_, name, i) || is_rounded(name, i);
+            });
+        });
+    }
+
+    /// A few roundings of the longest component of a channel's vector; none of integers.
+    double rounding(const std::string& name, std::size_t i) const {
+        if (own_.find(name)->type != ChannelType::float32) return 0;
+        double longest = 0;
+        for (const Plane& plane : own_.planes)
+            if (vector_of(plane.name) == vector_of(name))
+                longest = std::max(longest, std::fabs(static_cast<double>(plane.as_float(i))));
+        return options_.errors.rounding * longest;
+    }
+
+    bool is_rounded(const std::string& name, std::size_t i) const {
+        const double off = static_cast<double>(std::bit_cast<float>(found_bits(name, i))) -
+                           static_cast<double>(own_.find(name)->as_float(i));
+        return std::fabs(off) <= rounding(name, i);
+    }
+
+    /// What a component belongs to: "N" of N.X, "hit.UV" of hit.U, "color" of all of its terms.
+    static std::string vector_of(const std::string& name) {
+        if (name == "R" || name == "G" || name == "B" || name.starts_with("light."))
+            return "color";  // whose terms these are
+        if (name == "hit.U" || name == "hit.V") return "hit.UV";
+        const std::size_t dot = name.rfind('.');
+        const bool is_component = dot != std::string::npos && dot + 2 == name.size() &&
+                                  std::string("XYZUVRGB").find(name.back()) != std::string::npos;
+        return is_component ? name.substr(0, dot) : name;
+    }
+
+    void take_perturbed(const Group& group, std::vector<std::size_t>& pixels,
+                        GroupReport& report) const {
+        const auto perturbations = perturbations_of(group.kind, options_.errors);
+        if (perturbations.empty() || earlier_.empty()) return;
+        std::vector<std::vector<Bracket>> brackets(group.channels.size(),
+                                                   std::vector<Bracket>(pixels.size()));
+        const auto include = [&](const Film& film, const Perturbation& perturbation) {
+            for (std::size_t c = 0; c < group.channels.size(); ++c) {
+                const Plane& plane = *film.find(group.channels[c]);
+                const double moved =
+                    moved_along(plane.name, group.kind, perturbation, options_.texel);
+                for (std::size_t p = 0; p < pixels.size(); ++p)
+                    brackets[c][p].include(number(plane, plane.bits[pixels[p]]) - moved);
+            }
+        };
+        include(own_, {});
+        for (const Perturbation& perturbation : perturbations)
+            include(
+                rendered(group.channels, std::make_shared<const Film>(perturbed(
+                                             *found_, group.kind, perturbation, options_.texel))),
+                perturbation);
+        std::size_t next = 0;
+        take(pixels, report, Verdict::perturbed, [&](std::size_t i) {
+            const std::size_t p = next++;
+            for (std::size_t c = 0; c < group.channels.size(); ++c) {
+                const Plane& plane = *found_->find(group.channels[c]);
+                if (!brackets[c][p].contains(number(plane, plane.bits[i]), rounding(plane.name, i)))
+                    return false;
+            }
+            return true;
+        });
+    }
+
+    static double number(const Plane& plane, std::uint32_t bits) {
+        return plane.type == ChannelType::uint32 ? static_cast<double>(bits)
+                                                 : static_cast<double>(std::bit_cast<float>(bits));
+    }
+
+    /// The parts of the frame whose ranges are computed: quads, since most take long, and no more
+    /// than so many; all of it of a group that looks nothing up.
+    std::vector<Window> windows(const Group& group, const std::vector<std::size_t>& pixels) const {
+        if (group.kind == GroupKind::level) return {found_->window};
+        std::set<std::pair<int, int>> quads;
+        for (const std::size_t i : pixels) quads.insert({y_of(i) / 2, x_of(i) / 2});
+        const std::size_t most = std::max<std::size_t>(options_.most_ranged, 1);
+        const std::size_t step = (quads.size() + most - 1) / most;
+        std::vector<Window> chosen;
+        std::size_t next = 0;
+        for (const auto& [y, x] : quads)
+            if (next++ % step == 0)
+                chosen.push_back({2 * x, 2 * y, std::min(2 * x + 2, scene_.width),
+                                  std::min(2 * y + 2, scene_.height)});
+        return chosen;
+    }
+
+    void take_legal(const Group& group, std::vector<std::size_t>& pixels,
+                    GroupReport& report) const {
+        std::vector<std::string> channels;
+        for (const std::string& name : group.channels)
+            if (has_range(name)) channels.push_back(name);
+        if (channels.empty()) return;
+        if (group.kind == GroupKind::hit) channels.emplace_back("undecided");
+        std::set<std::size_t> legal, open, looked_at;
+        try {
+            for (const Window& window : windows(group, pixels)) {
+                const Film ranges = rendered(channels, found_, options_.limits, window);
+                for (const std::size_t i : pixels) {
+                    const int x = x_of(i), y = y_of(i);
+                    if (!contains(window, {x, y, x + 1, y + 1})) continue;
+                    looked_at.insert(i);
+                    bool is_open = false;
+                    if (is_legal(group, ranges, i, is_open)) (is_open ? open : legal).insert(i);
+                }
+            }
+        } catch (const UsageError& error) {
+            report.note = error.what();
+            return;
+        }
+        take(pixels, report, Verdict::legal, [&](std::size_t i) { return legal.contains(i); });
+        take(pixels, report, Verdict::open, [&](std::size_t i) { return open.contains(i); });
+        take(pixels, report, Verdict::left, [&](std::size_t i) { return !looked_at.contains(i); });
+    }
+
+    int x_of(std::size_t i) const { return static_cast<int>(i) % found_->window.width(); }
+    int y_of(std::size_t i) const { return static_cast<int>(i) / found_->window.width(); }
+
+    /// Whether each channel lies in its range. Integers have none: they may be others where a
+    /// decision is open.
+    bool is_legal(const Group& group, const Film& ranges, std::size_t i, bool& open) const {
+        const std::size_t in_quad = ranges.index(x_of(i), y_of(i));
+        const Plane* const decisions = ranges.find("undecided");
+        const bool undecided = decisions != nullptr && decisions->bits[in_quad] != 0;
+        for (const std::string& name : group.channels) {
+            const Plane* const low = ranges.find("gpu.lo." + name);
+            const Plane* const high = ranges.find("gpu.hi." + name);
+            if (low == nullptr || high == nullptr) {
+                if (!equals(own_, name, i) && !undecided) return false;
+                continue;
+            }
+            const double lo = low->as_float(in_quad), hi = high->as_float(in_quad);
+            const double value = std::bit_cast<float>(found_bits(name, i));
+            if (std::isinf(lo) || std::isinf(hi) || std::isnan(lo) || std::isnan(hi))
+                open = true;
+            else if (!(lo <= value && value <= hi))
+                return false;
+        }
+        return true;
+    }
+
+    void give_up(const Group& group, const std::vector<std::size_t>& pixels,
+                 GroupReport& report) const {
+        for (const std::size_t i : pixels) {
+            count(report, Verdict::unexplained);
+            if (report.examples.size() >= options_.examples) continue;
+            const std::string& name = worst_channel(group, i);
+            report.examples.push_back({name, x_of(i), y_of(i), reference_.find(name)->bits[i],
+                                       found_bits(name, i), command_.text(x_of(i), y_of(i))});
+        }
+    }
+
+    /// The first channel that is off by more than roundings, or that differs at all.
+    const std::string& worst_channel(const Group& group, std::size_t i) const {
+        const std::string* differing = &group.channels.front();
+        for (auto name = group.channels.rbegin(); name != group.channels.rend(); ++name)
+            if (!equals(reference_, *name, i)) differing = &*name;
+        if (group.kind == GroupKind::coverage) return *differing;
+        for (const std::string& name : group.channels)
+            if (!equals(own_, name, i) && !is_rounded(name, i)) return name;
+        return *differing;
+    }
+
+    const Scene& scene_;
+    const JudgeOptions& options_;
+    std::shared_ptr<const Film> found_;
+    ProbeCommand command_;
+    Film reference_;
+    Film own_;  ///< of the group that is judged: from the implementation's earlier values
+    std::vector<Group> groups_;
+    std::vector<std::string> earlier_;  ///< channels of the groups before
+    std::vector<bool> skipped_;         ///< pixels that one side alone covers
+};
+
+}  // namespace
+
+std::vector<GroupReport> judge(const Scene& scene, const Film& found, const JudgeOptions& options) {
+    return Judge(scene, found, options).run();
+}
+
+}  // namespace quadrel::conformance

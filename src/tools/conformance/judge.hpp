@@ -1,0 +1,27 @@
+// An implementation's film of a scene beside Quadrel's own, channel by channel in the order of the
+// data flow: whatever differs is explained, or it is not.
+#pragma once
+
+#include <string>
+
+#include "conformance/perturbations.hpp"
+#include "conformance/verdicts.hpp"
+#include "quadrel/scene/scene.hpp"
+
+namespace quadrel::conformance {
+
+struct JudgeOptions {
+    std::string limits = "gl";  ///< as RenderOptions::limits
+    PermittedErrors errors;
+    TexelSize texel;  ///< of the height map
+    std::size_t most_ranged =
+        200;                   ///< quads of a group whose ranges are computed; others are `left`
+    std::size_t examples = 3;  ///< unexplained pixels that are named
+};
+
+/// Judges `found`, a film of the scene's frame. A group's stages are given the implementation's own
+/// values of all groups before it, so that each is judged for itself; at a pixel, a group's verdict
+/// is that of its worst channel.
+std::vector<GroupReport> judge(const Scene& scene, const Film& found, const JudgeOptions& options);
+
+}  // namespace quadrel::conformance

@@ -1,0 +1,246 @@
+// quadrel-conformance: exports scenes, has an implementation of OpenGL draw them, and explains
+// every value that is not the reference's.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "conformance/cases.hpp"
+#include "conformance/judge.hpp"
+#include "conformance/planted.hpp"
+#include "conformance/report.hpp"
+#include "export/scene/export_scene.hpp"
+#include "file/atomic_file.hpp"
+#include "file/temporary_folder.hpp"
+#include "gl/context/context.hpp"
+#include "gl/scene/draw_scene.hpp"
+#include "quadrel/error.hpp"
+#include "text/printable.hpp"
+
+namespace quadrel::conformance {
+namespace {
+
+struct Arguments {
+    std::vector<std::string> rows, maps{"obstacles", "bricks", "dunes"};
+    std::vector<int> angles{0, 45, 75, 85};
+    int size = 256;
+    bool all = false, json = false, markdown = false, llvmpipe = false, planted = false,
+         quiet = false;
+    std::string output, renderer, hardware;
+    JudgeOptions judging;
+    Bounds bounds;
+};
+
+struct Drawn {
+    gl::ExportedScene scene;
+    Scene source;
+};
+
+/// The row's scene as its export has it. Throws UsageError where it cannot be exported.
+Drawn exported(const Case& what, const std::string& hardware) {
+    Scene scene = scene_of(what, hardware);
+    const TemporaryFolder work;
+    const std::filesystem::path folder = work.path() / "export";
+    SceneExport options;
+    options.reference = false;
+    options.baking_limit = std::numeric_limits<double>::infinity();
+    export_scene(scene, options, folder);
+    return {gl::read_exported_scene(folder), std::move(scene)};
+}
+
+/// Of the height map that the first material looks up; 0 where there is none.
+TexelSize texel_size(const gl::ExportedScene& scene) {
+    for (const gl::ExportedSampler& sampler : scene.materials.front().samplers)
+        if (sampler.uniform.find("height") != std::string::npos) {
+            const gl::TextureLevel& level = scene.textures[sampler.texture].levels.front();
+            return {1.0 / level.width, 1.0 / level.height};
+        }
+    return {};
+}
+
+CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOptions& judging) {
+    CaseReport report{what.row, what.map, what.angle, {}, {}, {}};
+    std::optional<Drawn> drawn;
+    try {
+        drawn = exported(what, hardware);
+    } catch (const UsageError& error) {
+        report.refusal = error.what();
+        return report;
+    }
+    JudgeOptions options = judging;
+    options.texel = texel_size(drawn->scene);
+    try {
+        report.groups = judge(drawn->source, gl::draw_scene(drawn->scene), options);
+    } catch (const std::runtime_error& error) {
+        report.failure = error.what();
+    }
+    return report;
+}
+
+std::uint64_t unexplained(const std::vector<GroupReport>& groups) {
+    std::uint64_t sum = 0;
+    for (const GroupReport& group : groups) sum += count_of(group.counts, Verdict::unexplained);
+    return sum;
+}
+
+/// Whether each planted error that a row has room for leaves something unexplained.
+bool run_planted(const Arguments& arguments, const std::string& hardware) {
+    bool all_found = true;
+    for (const std::string& row : arguments.rows) {
+        const Case what{row, arguments.maps.front(), arguments.angles.front(), arguments.size};
+        for (const PlantedError& error : planted_errors()) {
+            Drawn drawn = exported(what, hardware);
+            if (!error.plant(drawn.scene)) continue;
+            JudgeOptions options = arguments.judging;
+            options.texel = texel_size(drawn.scene);
+            const std::uint64_t count =
+                unexplained(judge(drawn.source, gl::draw_scene(drawn.scene), options));
+            std::cout << row << ": " << error.name << ": "
+                      << (count > 0 ? std::to_string(count) + " unexplained" : "not found")
+                      << std::endl;
+            all_found &= count > 0;
+        }
+    }
+    return all_found;
+}
+
+Report run_cases(const Arguments& arguments, const std::string& hardware) {
+    Report report{gl::gl_string(GL_RENDERER),
+                  gl::gl_string(GL_VERSION),
+                  hardware,
+                  arguments.judging.limits,
+                  {}};
+    for (const std::string& row : arguments.rows)
+        for (const std::string& map : arguments.maps)
+            for (const int angle : arguments.angles) {
+                if (!arguments.quiet) std::cerr << row << ' ' << map << ' ' << angle << '\n';
+                report.cases.push_back(
+                    run_case({row, map, angle, arguments.size}, hardware, arguments.judging));
+            }
+    return report;
+}
+
+void write(const Arguments& arguments, const Report& report) {
+    const bool json = arguments.json || std::string_view(arguments.output).ends_with(".json");
+    const std::string text = json                 ? to_json(report).dump(2) + "\n"
+                             : arguments.markdown ? to_markdown(report)
+                                                  : to_text(report);
+    if (arguments.output.empty()) {
+        std::cout << text << std::flush;
+        if (!std::cout) throw OutputError("standard output", "could not be written");
+        return;
+    }
+    AtomicFile file(arguments.output);
+    file.write(text.data(), text.size());
+    file.commit();
+}
+
+void check(Arguments& arguments) {
+    const std::vector<std::string> known = all_rows();
+    if (arguments.all == !arguments.rows.empty())
+        throw UsageError(arguments.all ? "--all and rows: expected one of them"
+                                       : "what is to be judged: rows, or --all");
+    for (const std::string& row : arguments.rows)
+        if (std::ranges::count(known, row) == 0)
+            throw UsageError("no row is called " + printable(row) +
+                             "; quadrel list scenes names them, as rows/linear");
+    for (const std::string& map : arguments.maps) find_map(map);
+    if (arguments.all) arguments.rows = known;
+}
+
+bool run(Arguments& arguments) {
+    check(arguments);
+    const gl::Context context =
+        arguments.llvmpipe ? gl::Context::llvmpipe(0) : gl::Context::at_hand();
+    const std::string renderer = gl::gl_string(GL_RENDERER);
+    if (renderer.find(arguments.renderer) == std::string::npos)
+        throw std::runtime_error("skipped: the renderer is " + printable(renderer));
+    const std::string hardware =
+        arguments.hardware.empty() ? hardware_of(renderer) : arguments.hardware;
+    if (arguments.planted) return run_planted(arguments, hardware);
+    const Report report = run_cases(arguments, hardware);
+    write(arguments, report);
+    return conforms(report, arguments.bounds);
+}
+
+void add_options(CLI::App& app, Arguments& a) {
+    const CLI::Range share(0.0, 1.0);
+    app.add_option("rows", a.rows, "installed scenes of one row each, as linear");
+    app.add_flag("--all", a.all, "all rows");
+    app.add_option("--maps", a.maps, "obstacles, bricks, dunes")
+        ->delimiter(',')
+        ->capture_default_str();
+    app.add_option("--angles", a.angles, "degrees")
+        ->delimiter(',')
+        ->check(CLI::Range(0, 89))
+        ->capture_default_str();
+    app.add_option("--size", a.size, "pixels a side")
+        ->check(CLI::Range(16, 4096))
+        ->capture_default_str();
+    app.add_option("--hardware", a.hardware, "the reference's; else by the renderer's name");
+    app.add_option("--limits", a.judging.limits,
+                   "what an implementation may give, as render has it")
+        ->capture_default_str();
+    app.add_option("--most-ranged", a.judging.most_ranged,
+                   "quads of a case and group whose ranges are computed")
+        ->capture_default_str();
+    app.add_option("--most-perturbed", a.bounds.perturbed, "share of a group's pixels")
+        ->check(share);
+    app.add_option("--most-legal", a.bounds.legal, "share of a group's pixels")->check(share);
+    app.add_option("--most-open", a.bounds.open, "share of a group's pixels")->check(share);
+    app.add_option("--most-left", a.bounds.left, "share of a group's pixels")->check(share);
+    app.add_flag("--json", a.json, "as JSON, with every case");
+    app.add_flag("--markdown", a.markdown, "the table in Markdown");
+    app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");
+    app.add_flag("--llvmpipe", a.llvmpipe, "Mesa's llvmpipe, whatever else there is");
+    app.add_option("--renderer", a.renderer,
+                   "nothing (exit code 3) where its name has not this in it")
+        ->type_name("TEXT");
+    app.add_flag(
+        "--planted", a.planted,
+        "whether errors that are planted into the rows' shaders are found, on the first map "
+        "at the first angle");
+    app.add_flag("--quiet", a.quiet, "do not tell which case is drawn");
+    app.footer(
+        "Exit codes: 0 everything is explained; 1 something is not, or more is merely explained "
+        "than "
+        "may be; 2 bad command line; 3 there is no OpenGL to ask; 5 output could not be written.");
+}
+
+int fail(const std::exception& error, ExitCode code) {
+    std::cerr << "quadrel-conformance: " << error.what() << '\n';
+    return static_cast<int>(code);
+}
+
+int guarded_run(Arguments& arguments) {
+    try {
+        return static_cast<int>(run(arguments) ? ExitCode::ok : ExitCode::difference);
+    } catch (const UsageError& error) {
+        return fail(error, ExitCode::usage);
+    } catch (const OutputError& error) {
+        return fail(error, ExitCode::output);
+    } catch (const std::runtime_error& error) {
+        return fail(error, ExitCode::input);
+    } catch (const std::exception& error) {
+        return fail(error, ExitCode::internal);
+    }
+}
+
+}  // namespace
+}  // namespace quadrel::conformance
+
+int main(int argc, char** argv) {
+    using namespace quadrel::conformance;
+    CLI::App app("Judges an implementation of OpenGL by what it draws of each row",
+                 "quadrel-conformance");
+    Arguments arguments;
+    add_options(app, arguments);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
+    }
+    return guarded_run(arguments);
+}

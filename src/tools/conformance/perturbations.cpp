@@ -1,0 +1,58 @@
+#include "conformance/perturbations.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace quadrel::conformance {
+namespace {
+
+template <class Change>
+void change(Film& film, const std::string& channel, const Change& changed) {
+    Plane* const plane = film.find(channel);
+    if (plane == nullptr) return;
+    for (std::uint32_t& bits : plane->bits)
+        bits = std::bit_cast<std::uint32_t>(
+            static_cast<float>(changed(static_cast<double>(std::bit_cast<float>(bits)))));
+}
+
+void shift(Film& film, const std::string& channel, double by) {
+    if (by != 0) change(film, channel, [by](double x) { return x + by; });
+}
+
+void scale(Film& film, const std::string& channel, double by) {
+    if (by != 1) change(film, channel, [by](double x) { return x * by; });
+}
+
+}  // namespace
+
+std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors) {
+    std::vector<Perturbation> all;
+    if (group < GroupKind::hit) return all;
+    for (const int v : {-1, 0, 1})
+        for (const int u : {-1, 0, 1})
+            if (u != 0 || v != 0) all.push_back({"weight", u * errors.weight, v * errors.weight});
+    for (const double sign : {-1.0, 1.0}) all.push_back({"level", 0, 0, sign * errors.level});
+    if (group == GroupKind::hit)
+        for (const double sign : {-1.0, 1.0}) all.push_back({"ray", 0, 0, 0, sign * errors.ray});
+    return all;
+}
+
+Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
+               const TexelSize& texel) {
+    const bool searches = group == GroupKind::hit;
+    shift(film, searches ? "uv.U" : "hit.U", perturbation.u * texel.u);
+    shift(film, searches ? "uv.V" : "hit.V", perturbation.v * texel.v);
+    for (const char* channel : {"dUVdx.U", "dUVdx.V", "dUVdy.U", "dUVdy.V"})
+        scale(film, channel, std::exp2(perturbation.level));
+    for (const char* channel : {"K.U", "K.V"}) scale(film, channel, 1 + perturbation.ray);
+    return film;
+}
+
+double moved_along(const std::string& channel, GroupKind group, const Perturbation& perturbation,
+                   const TexelSize& texel) {
+    if (group != GroupKind::hit) return 0;
+    if (channel == "hit.U") return perturbation.u * texel.u;
+    return channel == "hit.V" ? perturbation.v * texel.v : 0;
+}
+
+}  // namespace quadrel::conformance

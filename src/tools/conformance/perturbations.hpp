@@ -1,0 +1,50 @@
+// Permitted errors that cannot be had as a range: a look-up's texel weights, its level of detail,
+// the ray's K. The stages of a group run once more on an implementation's own earlier values, moved
+// by such an error; what it has must lie between the results.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conformance/groups.hpp"
+#include "quadrel/film/film.hpp"
+
+namespace quadrel::conformance {
+
+/// OpenGL states none of these. Weights of 8 bits, rounded, are off by up to 2^-9; mip levels of
+/// implementations by up to 0.043 (data/gl), where 2^-4 is assumed (data/limits); K by some ulps of
+/// its terms.
+struct PermittedErrors {
+    /// 16 ulp of a vector's longest component: GLSL permits 2 to 7 for each square root, quotient
+    /// and normalize, of which a stage has a few in a row.
+    double rounding = 0x1p-19;
+    double weight = 0x1p-9;  ///< of a texel, each axis
+    double level = 0x1p-4;
+    double ray = 0x1p-20;  ///< of K, relative
+};
+
+/// One way to move what a group's stages are given.
+struct Perturbation {
+    std::string name;
+    double u = 0, v = 0;  ///< the place of look-ups moves by so many texels of the height map
+    double level = 0;     ///< gradients are those of a footprint 2^level as long
+    double ray = 0;       ///< K grows by this part of it
+};
+
+/// Those that a group's stages may make; none of groups that look nothing up.
+std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors);
+
+struct TexelSize {
+    double u = 0, v = 0;  ///< in UV; 0: there is no height map
+};
+
+/// The earlier values, moved. What a search starts from moves with uv, what is looked up at a hit
+/// with hit.uv.
+Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
+               const TexelSize& texel);
+
+/// By how much the search's result has moved with what it started from, for channels hit.U, hit.V.
+double moved_along(const std::string& channel, GroupKind group, const Perturbation& perturbation,
+                   const TexelSize& texel);
+
+}  // namespace quadrel::conformance

@@ -1,0 +1,31 @@
+// What conformance found, for people and tools.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "conformance/verdicts.hpp"
+
+namespace quadrel::conformance {
+
+struct Report {
+    std::string renderer, version, hardware, limits;
+    std::vector<CaseReport> cases;
+};
+
+/// Shares of pixels that each verdict may have, of all in a group; more is a failure.
+struct Bounds {
+    double perturbed = 1, legal = 1, open = 1, left = 1, coverage = 0.02;
+};
+
+/// Whether nothing is unexplained, and no class is larger than its bound.
+bool conforms(const Report& report, const Bounds& bounds);
+
+/// A line a row, counts over its maps and angles; what is unexplained below.
+std::string to_text(const Report& report);
+/// The same table in Markdown, rows of the same counts together.
+std::string to_markdown(const Report& report);
+nlohmann::ordered_json to_json(const Report& report);
+
+}  // namespace quadrel::conformance

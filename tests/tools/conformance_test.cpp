@@ -1,0 +1,178 @@
+// The judge of conformance: films that are made to differ in one way or another get the verdict
+// that they have earned.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <functional>
+
+#include "conformance/judge.hpp"
+#include "quadrel/render.hpp"
+#include "quadrel/scene/load.hpp"
+
+namespace quadrel::tools_tests {
+namespace {
+
+using conformance::count_of;
+using conformance::GroupReport;
+using conformance::total;
+using conformance::Verdict;
+
+const std::vector<std::string>& channels() {
+    static const std::vector<std::string> names{"A",          "P",    "uv",   "dUVdx",
+                                                "dUVdy",      "dPdx", "dPdy", "K",
+                                                "lod.lambda", "hit",  "N",    "shadow.visibility",
+                                                "R",          "G",    "B"};
+    return names;
+}
+
+const Scene& scene() {
+    static const Scene loaded =
+        load_scene("rows/linear", {"size=[48,48]", "material.relief.steps=24"});
+    return loaded;
+}
+
+/// A render of the scene, with what `changed` has of these values from there on.
+Film drawn(const std::string& values = "", const Film* changed = nullptr) {
+    RenderOptions options;
+    options.channels = channels();
+    if (changed != nullptr)
+        options.injected = {{values, std::make_shared<const Film>(*changed), "test"}};
+    return render(scene(), options);
+}
+
+bool is_covered(const Film& film, std::size_t i) { return film.find("A")->as_float(i) > 0; }
+
+/// Another value at every so many covered pixels.
+Film with(Film film, const std::string& channel, std::size_t every,
+          const std::function<float(float)>& change) {
+    Plane& plane = *film.find(channel);
+    for (std::size_t i = 0; i < plane.bits.size(); i += every)
+        if (is_covered(film, i))
+            plane.bits[i] = std::bit_cast<std::uint32_t>(change(plane.as_float(i)));
+    return film;
+}
+
+std::vector<GroupReport> judged(const Film& film, std::size_t most_ranged = 200) {
+    conformance::JudgeOptions options;
+    options.texel = {1.0 / 256, 1.0 / 256};
+    options.most_ranged = most_ranged;
+    return judge(scene(), film, options);
+}
+
+std::uint64_t count(const std::vector<GroupReport>& reports, const std::string& group,
+                    Verdict verdict) {
+    for (const GroupReport& report : reports)
+        if (report.name == group) return count_of(report.counts, verdict);
+    ADD_FAILURE() << "no group " << group;
+    return 0;
+}
+
+std::uint64_t count(const std::vector<GroupReport>& reports, Verdict verdict) {
+    std::uint64_t sum = 0;
+    for (const GroupReport& report : reports) sum += count_of(report.counts, verdict);
+    return sum;
+}
+
+/// What is not explained, for failures.
+std::string examples(const std::vector<GroupReport>& reports) {
+    std::string text;
+    for (const GroupReport& report : reports)
+        for (const conformance::Unexplained& pixel : report.examples)
+            text += fmt::format("{} at {},{}: {} for {}\n", pixel.channel, pixel.x, pixel.y,
+                                std::bit_cast<float>(pixel.found),
+                                std::bit_cast<float>(pixel.reference));
+    return text;
+}
+
+TEST(Conformance, TheReferenceIsTheSameEverywhere) {
+    const auto reports = judged(drawn());
+    EXPECT_EQ(reports.size(), 9u);
+    for (const GroupReport& report : reports) {
+        EXPECT_EQ(count_of(report.counts, Verdict::same), 48u * 48u) << report.name;
+        EXPECT_EQ(total(report.counts), 48u * 48u) << report.name;
+    }
+}
+
+/// K of another rounding, and what Quadrel makes of it: the search is as it should be. What sums
+/// lose more is too much.
+TEST(Conformance, RoundingIsPermittedAndWhatFollowsInherits) {
+    const auto with_k = [](float factor, std::size_t most_ranged) {
+        const Film other = with(drawn(), "K.V", 7, [&](float k) { return k * factor; });
+        return judged(drawn("K", &other), most_ranged);
+    };
+    const auto rounded = with_k(1 + 0x1p-21f, 200);
+    EXPECT_GT(count(rounded, "frame", Verdict::rounded), 20u);
+    EXPECT_EQ(count(rounded, "uv", Verdict::same), 48u * 48u);
+    EXPECT_GT(count(rounded, "hit", Verdict::inherited), 20u);
+    EXPECT_EQ(count(rounded, Verdict::unexplained), 0u) << examples(rounded);
+    EXPECT_EQ(count(rounded, Verdict::left), 0u);
+    const auto wrong = with_k(1 + 0x1p-15f, 400);
+    EXPECT_GT(count(wrong, "frame", Verdict::unexplained), 20u);
+    EXPECT_GT(count(wrong, "hit", Verdict::inherited), 20u);
+    // Fewer quads are looked at than there are.
+    EXPECT_GT(count(with_k(1 + 0x1p-15f, 4), "frame", Verdict::left), 10u);
+}
+
+TEST(Conformance, LevelsHaveTheirRange) {
+    const auto moved_by = [](float by) {
+        return judged(with(drawn(), "lod.lambda", 7, [&](float level) { return level + by; }));
+    };
+    const auto permitted = moved_by(0.02f);
+    EXPECT_GT(count(permitted, "level", Verdict::legal), 20u);
+    EXPECT_EQ(count(permitted, Verdict::unexplained), 0u) << examples(permitted);
+    EXPECT_GT(count(moved_by(-0.2f), "level", Verdict::unexplained), 20u);
+}
+
+/// Look-ups that are off by a part of a texel's weight, which is no more than permitted, or is.
+TEST(Conformance, WeightsMayBeOffByAPart) {
+    const Film own = drawn();
+    const auto shifted = [&](double texels) {
+        const auto moved = [texels](float u) { return static_cast<float>(u + texels / 256); };
+        const auto back = [texels](float u) { return static_cast<float>(u - texels / 256); };
+        const Film start = with(own, "uv.U", 1, moved);
+        Film film = drawn("uv,dUVdx,dUVdy,K", &start);
+        // Searches began elsewhere; they say that they did not.
+        *film.find("uv.U") = *own.find("uv.U");
+        return with(film, "hit.U", 1, back);
+    };
+    const auto permitted = judged(shifted(0x1p-10));
+    EXPECT_GT(count(permitted, "hit", Verdict::perturbed), 100u);
+    EXPECT_EQ(count(permitted, "hit", Verdict::unexplained), 0u) << examples(permitted);
+    EXPECT_GT(count(judged(shifted(0.2)), "hit", Verdict::unexplained), 20u);
+}
+
+/// What no error explains, stage by stage.
+TEST(Conformance, WrongValuesAreUnexplained) {
+    const Film own = drawn();
+    const auto wrong = [&](const char* channel, const char* group,
+                           const std::function<float(float)>& change) {
+        const auto reports = judged(with(own, channel, 29, change));
+        for (const GroupReport& report : reports)
+            if (report.name == group) {
+                EXPECT_FALSE(report.examples.empty()) << channel;
+            }
+        return count(reports, group, Verdict::unexplained);
+    };
+    EXPECT_GT(wrong("uv.U", "uv", [](float u) { return u + 0.01f; }), 10u);
+    EXPECT_GT(wrong("dUVdx.U", "derivatives", [](float d) { return 2 * d + 0.01f; }), 10u);
+    EXPECT_GT(wrong("K.V", "frame", [](float k) { return 1.001f * k + 0.001f; }), 10u);
+    EXPECT_GT(wrong("hit.s", "hit", [](float s) { return s + 0.5f; }), 10u);
+    EXPECT_GT(wrong("N.Z", "normal", [](float) { return std::nanf(""); }), 10u);
+    EXPECT_GT(wrong("shadow.visibility", "shadow", [](float v) { return v + 2; }), 10u);
+    EXPECT_GT(wrong("G", "color", [](float g) { return g + 1; }), 10u);
+}
+
+/// A pixel that one side alone covers is permitted beside an edge, and nowhere else.
+TEST(Conformance, CoverageIsJudgedByEdges) {
+    const Film own = drawn();
+    Film film = own;
+    const std::size_t middle = film.index(24, 24);
+    film.find("A")->bits[middle] = 0;
+    const auto reports = judged(film);
+    EXPECT_EQ(count(reports, "coverage", Verdict::unexplained), 1u);
+    EXPECT_EQ(count(reports, "hit", Verdict::same), 48u * 48u - 1);
+}
+
+}  // namespace
+}  // namespace quadrel::tools_tests
