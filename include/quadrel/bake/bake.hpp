@@ -97,8 +97,9 @@ enum class BakeKind : std::int32_t {
     rmq,
 
     /// Of depth layers, not of heights: all channels, a front and the back behind it in pairs;
-    /// channels that the map lacks are 1, the bottom. Four channels, laid out as max_mip: the least front and the greatest back of each
-    /// pair, of cells where the pair has any thickness; 2 and -1 where none has.
+    /// channels that the map lacks are 1, the bottom. Four channels, laid out as max_mip: the least
+    /// front and the greatest back of each pair, of cells where the pair has any thickness; 2 and
+    /// -1 where none has.
     layer_bounds,
 };
 
@@ -157,8 +158,8 @@ bool bakes_layers(BakeKind kind);
 /// heights came in.
 std::string height_id(const Texture& height);
 
-/// SHA-256 over height_id (of layers: all channels), the kind and the version of its generator, wrap modes, border height and
-/// parameters: everything that decides about the values.
+/// SHA-256 over height_id (of layers: all channels), the kind and the version of its generator,
+/// wrap modes, border height and parameters: everything that decides about the values.
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options = {});
 

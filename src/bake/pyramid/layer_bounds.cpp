@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "bake/generators.hpp"
@@ -23,10 +25,12 @@ PairBounds bounds_of(const std::array<float, 4>& fronts, const std::array<float,
         is_solid = is_solid || fronts[corner] < backs[corner];
         is_broken = is_broken || std::isnan(fronts[corner]) || std::isnan(backs[corner]);
     }
-    if (!is_solid && !is_broken) return bounds;
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    if (is_broken) return {nan, nan};
+    if (!is_solid) return bounds;
     for (std::size_t corner = 0; corner < 4; ++corner) {
-        bounds.front = min_or_nan(bounds.front, fronts[corner]);
-        bounds.back = max_or_nan(bounds.back, backs[corner]);
+        bounds.front = std::min(bounds.front, fronts[corner]);
+        bounds.back = std::max(bounds.back, backs[corner]);
     }
     return bounds;
 }

@@ -147,7 +147,7 @@ testing::AssertionResult brute_force_finds_none_before(const LayerRow<float>& ro
     return on_layers<float>(batches, [&](const LayerMaps& maps, Batch<float>& rays) {
         Batch<float> found = row.run(maps, rays);
         const oracle::LayerField field(maps.layers.sampled, layers_searched(row.id));
-        for (int lane = 0; lane < rounds(8); ++lane) {
+        for (int lane = 0; lane < std::max(rounds(8), 4); ++lane) {
             const oracle::Real s = found_at(found, lane);
             const oracle::Real brute =
                 oracle::march_layers(field, oracle_ray(rays, lane), samples).s;
@@ -205,8 +205,8 @@ TEST(LayersExact, ThePyramidLeavesOutNothing) {
     const auto multi = [](const std::string& flaw, int batches) {
         return walk_finds_the_same<double, MultilayerExact, 4>(flaw, batches);
     };
-    EXPECT_TRUE(dual("", layer_batches(20)));
-    EXPECT_TRUE(multi("", layer_batches(20)));
+    EXPECT_TRUE(dual("", layer_batches(8)));
+    EXPECT_TRUE(multi("", layer_batches(8)));
     EXPECT_FALSE(dual("a lost layer", 1));
     EXPECT_FALSE(multi("parity off by one", 1));
 }
@@ -382,27 +382,42 @@ TEST(LayersExact, WhatIsNoNumberSaysSo) {
     }
 }
 
-/// Where thickening the solids by eight roundings makes the hit jump, it is flagged.
+/// Whether a ray keeps to a border between cells, or is at a corner: where a front and a back meet
+/// there, a rounding decides whether it comes through the cell at all.
+bool is_at_rim(const oracle::LayerField& field, const oracle::Ray& ray, oracle::Real s) {
+    const oracle::LayerRay<oracle::Real> along(field.layer(0), ray);
+    const auto is_on_border = [s](oracle::Real start, oracle::Real rate) {
+        const oracle::Real at = start + rate * s;
+        return std::fabs(at - std::round(at)) < 1e-5L;
+    };
+    const bool on_x = is_on_border(along.x, along.dx), on_y = is_on_border(along.y, along.dy);
+    return (on_x && on_y) || (on_x && along.dx == 0) || (on_y && along.dy == 0);
+}
+
+/// Where thinning the solids by eight roundings makes the hit jump, it is flagged. (Thickening them
+/// makes walls of rims where front and back meet, which a ray may pass or not by a rounding.)
 template <PlainFloat T>
 testing::AssertionResult flags_layer_grazes(const std::string& id, bool unflagged) {
     int jumps = 0;
-    const auto result = on_layers<T>(layer_batches(3), [&](const LayerMaps& maps, Batch<T>& rays) {
-        constexpr oracle::Real nudge = 4 * std::numeric_limits<T>::epsilon();
-        Batch<T> found = LayerRow<T>{id}.run(maps, rays);
-        const oracle::LayerField field(maps.layers.sampled, layers_searched(id));
-        for (int lane = 0; lane < rays.lanes; ++lane) {
-            const oracle::Ray ray = oracle_ray(rays, lane);
-            const oracle::Real first = oracle::meet_layers<oracle::Real>(field, ray, nudge).s;
-            const oracle::Real last = oracle::meet_layers<oracle::Real>(field, ray, -nudge).s;
-            if (first == last || last - first <= std::sqrt(nudge) * 64) continue;
-            ++jumps;
-            const int flags = found.integer(Value::hit_flags, lane);
-            if ((flags & HitFlag::ambiguous) != 0 && !unflagged) continue;
-            return testing::AssertionFailure()
-                   << "lane " << lane << ": " << double(first) << " to " << double(last);
-        }
-        return testing::AssertionSuccess();
-    });
+    const auto result =
+        on_layers<T>(std::max(3, layer_batches(3)), [&](const LayerMaps& maps, Batch<T>& rays) {
+            constexpr oracle::Real nudge = 4 * std::numeric_limits<T>::epsilon();
+            Batch<T> found = LayerRow<T>{id}.run(maps, rays);
+            const oracle::LayerField field(maps.layers.sampled, layers_searched(id));
+            for (int lane = 0; lane < rays.lanes; ++lane) {
+                const oracle::Ray ray = oracle_ray(rays, lane);
+                const oracle::Real first = oracle::meet_layers<oracle::Real>(field, ray).s;
+                const oracle::Real last = oracle::meet_layers<oracle::Real>(field, ray, -nudge).s;
+                if (first == last || last - first <= std::sqrt(nudge) * 64) continue;
+                if (is_at_rim(field, ray, first)) continue;
+                ++jumps;
+                const int flags = found.integer(Value::hit_flags, lane);
+                if ((flags & HitFlag::ambiguous) != 0 && !unflagged) continue;
+                return testing::AssertionFailure()
+                       << "lane " << lane << ": " << double(first) << " to " << double(last);
+            }
+            return testing::AssertionSuccess();
+        });
     if (result && jumps == 0) return testing::AssertionFailure() << "no grazes";
     return result;
 }

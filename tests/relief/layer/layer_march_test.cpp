@@ -42,12 +42,13 @@ testing::AssertionResult keeps_to_its_lattice(const std::string& id, int steps, 
         fill_stress_rays(rays, maps.layers, random);
         rays.material.seat = static_cast<float>(random.below(5)) / 4;
         maps.bind(rays);
+        Batch<float> given = rays;
         if (before) before(rays);
         rays.run(id, {{"steps", steps}, {"binary_steps", halvings}});
         if (after) after(rays);
         const oracle::LayerField field(maps.layers.sampled, layers_searched(id));
         for (int lane = 0; lane < rays.lanes; ++lane) {
-            const oracle::Ray ray = oracle_ray(rays, lane);
+            const oracle::Ray ray = oracle_ray(given, lane);
             int first = 0, close = 0;
             for (; first <= steps; ++first) {
                 const int inside = inside_at(field, ray, oracle::Real(first) / steps);
@@ -68,7 +69,7 @@ testing::AssertionResult keeps_to_its_lattice(const std::string& id, int steps, 
                 return testing::AssertionFailure() << id << ", lane " << lane << ": outside";
         }
     }
-    if (hits < 300 || misses < 100)
+    if (hits < rounds(300) || misses < rounds(40))
         return testing::AssertionFailure() << hits << " hits, " << misses << " misses";
     return testing::AssertionSuccess();
 }
@@ -272,7 +273,7 @@ TEST(LayerMarch, TheEngineHasNoMisses) {
     const Map sheet = make_map(
         4, 4, 4,
         [](int, int, int c) {
-            return std::array{0.2f, 0.21f, 0.21f, 0.2f}[std::size_t(c)];
+            return std::array{0.22f, 0.24f, 0.24f, 0.22f}[std::size_t(c)];
         },
         plain_sampler());
     Batch<float> rays(64);
