@@ -74,7 +74,8 @@ void Fragments::bake_for(const StageInfo& stage) {
     const SamplerState sampler = textures_[static_cast<std::size_t>(TextureSlot::height)].sampler;
     for (const TextureSlot slot : stage.textures) {
         const auto i = static_cast<std::size_t>(slot);
-        if (slot < first_baked_slot || baked_[i]) continue;
+        if (source_of(slot) != TextureSlot::height || slot < first_baked_slot || baked_[i])
+            continue;
         baked_[i] = baked_texture(*height_, bake_kind_from_name(slot_name(slot)), sampler);
         textures_[i] = {baked_[i]->view(), sampler};
     }

@@ -69,6 +69,17 @@ void require_size(const Texture& height, const SamplerState& sampler) {
 
 }  // namespace
 
+std::string source_id(const Texture& source, BakeKind kind) {
+    if (!bakes_layers(kind)) return height_id(source);
+    const TextureView& view = source.view();
+    const std::size_t floats =
+        static_cast<std::size_t>(view.channels) * view.width[0] * view.height[0];
+    Sha256 hash;
+    hash.update(fmt::format("layers {} {} {}\n", view.channels, view.width[0], view.height[0]));
+    hash.update({reinterpret_cast<const char*>(source.level_texels(0, 0)), floats * sizeof(float)});
+    return hash.hex();
+}
+
 std::string height_id(const Texture& height) {
     const TextureView& view = height.view();
     const float* texels = height.level_texels(0, 0);
@@ -89,6 +100,8 @@ std::string baked_id_of(const std::string& heights, BakeKind kind, const Sampler
     std::string text = fmt::format("{} {} {} {} {}", heights, row.info.name, row.info.version,
                                    wrap_name(sampler.wrap_u), wrap_name(sampler.wrap_v));
     if (has_border(sampler)) text += fmt::format(" border={:a}", sampler.border[0]);
+    if (has_border(sampler) && row.heights == Heights::layers)
+        for (int c = 1; c < 4; ++c) text += fmt::format(",{:a}", sampler.border[c]);
     for (const auto& [name, value] : complete_parameters(row.info, options)) {
         text += fmt::format(" {}={:a}", name, value);
     }
@@ -97,7 +110,7 @@ std::string baked_id_of(const std::string& heights, BakeKind kind, const Sampler
 
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options) {
-    return baked_id_of(height_id(height), kind, sampler, options);
+    return baked_id_of(source_id(height, kind), kind, sampler, options);
 }
 
 std::shared_ptr<const Texture> bake_as(const std::string& id, const Texture& height, BakeKind kind,
@@ -108,7 +121,7 @@ std::shared_ptr<const Texture> bake_as(const std::string& id, const Texture& hei
     const HeightPlane plane(height, sampler);
     if (row.heights == Heights::finite) require_finite(plane, row.info);
     Progress progress(options.progress, options.seconds_limit);
-    const BakeJob job{plane, sampler, parameters, id, progress};
+    const BakeJob job{height, plane, sampler, parameters, id, progress};
     std::shared_ptr<Texture> map;
     const AllowedThreads allowed(options.threads);
     arena_of(options.threads).execute([&] { map = row.generate(job); });

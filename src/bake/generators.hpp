@@ -25,5 +25,6 @@ std::shared_ptr<Texture> bake_normal_gather(const BakeJob& job);
 std::shared_ptr<Texture> bake_normal_4tap(const BakeJob& job);
 std::shared_ptr<Texture> bake_normal_sobel(const BakeJob& job);
 std::shared_ptr<Texture> bake_rmq(const BakeJob& job);
+std::shared_ptr<Texture> bake_layer_bounds(const BakeJob& job);
 
 }  // namespace quadrel

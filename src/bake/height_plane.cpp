@@ -2,7 +2,7 @@
 
 namespace quadrel {
 
-HeightPlane::HeightPlane(const Texture& texture, const SamplerState& sampler)
+HeightPlane::HeightPlane(const Texture& texture, const SamplerState& sampler, int channel)
     : width(texture.view().width[0]),
       height(texture.view().height[0]),
       grid(texel_grid(width, height, sampler)) {
@@ -24,7 +24,8 @@ HeightPlane::HeightPlane(const Texture& texture, const SamplerState& sampler)
             const bool inside = inside_level<float>(i, width, sampler.wrap_u) &&
                                 inside_level<float>(j, height, sampler.wrap_v);
             const std::size_t texel = static_cast<std::size_t>(row) * width + column;
-            wrapped_.push_back(inside ? texels[texel * view.channels] : sampler.border[0]);
+            wrapped_.push_back(inside ? texels[texel * view.channels + channel]
+                                      : sampler.border[channel]);
         }
     }
     heights = wrapped_;

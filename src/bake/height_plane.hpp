@@ -11,8 +11,9 @@
 namespace quadrel {
 
 struct HeightPlane {
-    /// `height` must outlive it: texels that lie as the plane's do are not copied.
-    HeightPlane(const Texture& height, const SamplerState& sampler);
+    /// `height` must outlive it: texels that lie as the plane's do are not copied. Of a map of
+    /// several channels one is taken, and that component of the border colour.
+    HeightPlane(const Texture& height, const SamplerState& sampler, int channel = 0);
     HeightPlane(const HeightPlane&) = delete;
     HeightPlane& operator=(const HeightPlane&) = delete;
 

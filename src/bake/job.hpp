@@ -16,7 +16,8 @@
 namespace quadrel {
 
 struct BakeJob {
-    const HeightPlane& plane;
+    const Texture& source;     ///< all channels of what the plane is made of
+    const HeightPlane& plane;  ///< of its first channel
     const SamplerState& sampler;
     const std::map<std::string, double>& parameters;  ///< all that the kind has
     const std::string& id;                            ///< of the result

@@ -118,6 +118,10 @@ std::vector<BakeKindRow> other_rows() {
                  linear_time),
         make_row(BakeKind::rmq, "rmq", "range-maximum tables of dual cells",
                  {"bilinear", "none", "exact"}, {}, bake_rmq, Heights::any, table_time),
+        make_row(BakeKind::layer_bounds, "layer-bounds",
+                 "pyramid of least fronts and greatest backs of depth layers",
+                 {"bilinear", "none", "exact"}, {}, bake_layer_bounds, Heights::layers,
+                 linear_time),
     };
 }
 

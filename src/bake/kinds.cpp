@@ -36,12 +36,15 @@ BakeKind bake_kind_from_name(std::string_view name) {
                                  one_of(name, names)));
 }
 
+bool bakes_layers(BakeKind kind) { return bake_row(kind).heights == Heights::layers; }
+
 double bake_seconds_estimate(BakeKind kind, int width, int height) {
     return bake_row(kind).seconds(static_cast<double>(width) * height);
 }
 
 bool is_quick_to_bake(BakeKind kind) {
-    return kind == BakeKind::max_mip || kind == BakeKind::min_max || kind == BakeKind::texel_max;
+    return kind == BakeKind::max_mip || kind == BakeKind::min_max || kind == BakeKind::texel_max ||
+           kind == BakeKind::layer_bounds;
 }
 
 }  // namespace quadrel

@@ -6,8 +6,8 @@
 
 namespace quadrel {
 
-/// What a generator takes.
-enum class Heights { any, finite };
+/// What a generator takes: heights in the first channel, or depth layers in all of them.
+enum class Heights { any, finite, layers };
 
 struct BakeKindRow {
     BakeKindInfo info;
@@ -24,6 +24,9 @@ const BakeKindRow& bake_row(BakeKind kind);
 /// that it has not or that are out of range.
 std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
                                                   const BakeOptions& options);
+
+/// SHA-256 over all that a kind reads of its source: height_id, or every channel of layers.
+std::string source_id(const Texture& source, BakeKind kind);
 
 /// baked_id() of heights with that name.
 std::string baked_id_of(const std::string& heights, BakeKind kind, const SamplerState& sampler,

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "bake/wrap_names.hpp"
+#include "cli/bake_layers.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/compression_option.hpp"
 #include "cli/common/console.hpp"
@@ -36,11 +38,12 @@ struct BakeArguments {
     float border = 0;
     int threads = 0;
     bool flip_v = false, no_cache = false;
+    LayerArguments layers;
 };
 
-std::shared_ptr<const Texture> load_heights(const BakeArguments& arguments) {
+std::shared_ptr<const Texture> load_heights(const BakeArguments& arguments, BakeKind kind) {
     TextureOptions options;
-    options.swizzle = arguments.channel;
+    if (!bakes_layers(kind)) options.swizzle = arguments.channel;
     for (const auto& [name, format] : named_formats)
         if (name == arguments.format) options.format = format;
     options.flip_v = arguments.flip_v;
@@ -54,7 +57,7 @@ SamplerState make_sampler(const BakeArguments& arguments) {
     const bool both = !arguments.wrap.empty();
     sampler.wrap_u = wrap_modes().at(both ? arguments.wrap : arguments.wrap_u);
     sampler.wrap_v = wrap_modes().at(both ? arguments.wrap : arguments.wrap_v);
-    sampler.border[0] = arguments.border;
+    std::fill(std::begin(sampler.border), std::end(sampler.border), arguments.border);
     return sampler;
 }
 
@@ -88,6 +91,11 @@ void check_arguments(const BakeArguments& arguments, BakeKind kind, Packing pack
     check_output_kinds({{"--packed", png ? ".png" : ".exr", arguments.packed}});
     if (arguments.output.empty() && arguments.packed.empty() && arguments.no_cache)
         throw UsageError("bake has nothing to write: give -o, --packed or leave out --no-cache");
+    if (bakes_layers(kind) && arguments.channel != "r")
+        throw UsageError(
+            fmt::format("--channel: found \"{}\", expected none: {} maps are made of "
+                        "all channels",
+                        arguments.channel, arguments.kind));
     if (!std::isfinite(arguments.border))
         throw UsageError(fmt::format("--border: found {}, expected a number", arguments.border));
     if (!arguments.packed.empty() && !is_packable(kind, packing))
@@ -112,14 +120,42 @@ std::shared_ptr<const Texture> bake_with_bar(const Texture& height, BakeKind kin
     return baked_texture(height, kind, sampler, options);
 }
 
+/// Of a mesh, with nothing that a height field takes.
+ExitCode run_layers(const BakeArguments& arguments) {
+    if (arguments.layers.mesh.empty())
+        throw UsageError(fmt::format("--kind {} expects --mesh MESH", depth_layers_kind));
+    if (!arguments.image.empty())
+        throw UsageError(
+            fmt::format("found \"{}\", expected no height field: {} are made of --mesh",
+                        arguments.image, depth_layers_kind));
+    if (!arguments.packed.empty())
+        throw UsageError(
+            fmt::format("{} maps have no packing \"{}\"", depth_layers_kind, arguments.packing));
+    if (!arguments.parameters.empty())
+        throw UsageError(fmt::format("{} maps have no parameters; found \"{}\"", depth_layers_kind,
+                                     arguments.parameters.front()));
+    if (arguments.output.empty())
+        throw UsageError(fmt::format("--kind {} expects -o OUT.exr", depth_layers_kind));
+    LayerArguments layers = arguments.layers;
+    layers.output = arguments.output;
+    layers.compression = arguments.compression;
+    layers.threads = arguments.threads;
+    return bake_layers(layers);
+}
+
 ExitCode run_bake(const BakeArguments& arguments) {
+    if (arguments.kind == depth_layers_kind) return run_layers(arguments);
+    if (!arguments.layers.mesh.empty())
+        throw UsageError(fmt::format("--mesh: expected with --kind {}, found --kind {}",
+                                     depth_layers_kind, arguments.kind));
+    if (arguments.image.empty()) throw UsageError("bake expects a height field: heights");
     const BakeKind kind = bake_kind_from_name(arguments.kind);
     const BakedTextureOptions options = make_options(arguments);
     if (const auto hint = threads_hint(arguments.threads)) tell("quadrel: " + *hint);
     const Packing packing = packing_from_name(arguments.packing, kind);
     check_arguments(arguments, kind, packing);
     check_files(arguments);
-    const auto height = load_heights(arguments);
+    const auto height = load_heights(arguments, kind);
     const SamplerState sampler = make_sampler(arguments);
     const auto map = bake_with_bar(*height, kind, sampler, options);
     const ExrWriting writing{arguments.compression, arguments.threads};
@@ -139,7 +175,8 @@ ExitCode run_bake(const BakeArguments& arguments) {
 
 /// The kinds and their parameters, for the end of the help text.
 std::string describe_kinds() {
-    std::string text = "Kinds:\n";
+    std::string text = fmt::format("Kinds:\n  {:<20}{}\n", depth_layers_kind,
+                                   "sorted depths of a closed mesh, of --mesh in place of heights");
     for (const BakeKindInfo& info : bake_kinds()) {
         text += fmt::format("  {:<20}{}\n", info.name, info.text);
         for (const BakeParameter& p : info.parameters)
@@ -150,7 +187,7 @@ std::string describe_kinds() {
 
 void add_field(CLI::App& verb, BakeArguments& a) {
     const CLI::Validator modes = one_word_of(wrap_modes());
-    verb.add_option("heights", a.image, "image of any format that textures may have")->required();
+    verb.add_option("heights", a.image, "image of any format that textures may have");
     add_selection_options(verb, a.selection);
     verb.add_option("--channel", a.channel,
                     "where the heights are: r, g, b, a, or 1-r ... for depth; alpha-or-first: a "
@@ -174,6 +211,22 @@ void add_field(CLI::App& verb, BakeArguments& a) {
     verb.add_flag("--flip-v", a.flip_v, "last row first");
 }
 
+void add_mesh(CLI::App& verb, LayerArguments& a) {
+    verb.add_option("--mesh", a.mesh,
+                    "depth-layers: a closed mesh, .obj .gltf .glb, or cube icosahedron "
+                    "sphere torus")
+        ->type_name("MESH");
+    verb.add_option("--size", a.size, "depth-layers: texels")
+        ->type_name("WxH")
+        ->capture_default_str();
+    verb.add_option("--towards", a.towards, "depth-layers: the way of depth, x,y,z")
+        ->type_name("X,Y,Z")
+        ->capture_default_str();
+    verb.add_option("--margin", a.margin,
+                    "depth-layers: tiles left free on the mesh's longer side, [0, 0.5)")
+        ->capture_default_str();
+}
+
 void add_outputs(CLI::App& verb, BakeArguments& a) {
     verb.add_option("-o,--output", a.output, "EXR to write (without it the map is cached only)")
         ->type_name("OUT.exr");
@@ -193,13 +246,14 @@ void add_outputs(CLI::App& verb, BakeArguments& a) {
 }  // namespace
 
 void add_bake(CLI::App& app, Action& action) {
-    CLI::App* verb = app.add_subcommand("bake", "derive a map from a height field");
+    CLI::App* verb = app.add_subcommand("bake", "derive a map from a height field or a mesh");
     const auto a = std::make_shared<BakeArguments>();
     add_field(*verb, *a);
     verb->add_option("--kind", a->kind, "what to derive, see below")->required();
     verb->add_option("--param", a->parameters, "of the kind; repeatable")
         ->type_name("NAME=NUMBER")
         ->allow_extra_args(false);
+    add_mesh(*verb, a->layers);
     add_outputs(*verb, *a);
     add_quiet_option(*verb);
     verb->add_option("-t,--threads", a->threads,

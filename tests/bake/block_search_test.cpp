@@ -12,14 +12,15 @@ namespace {
 /// A field as generators get it.
 struct Field {
     Field(const Texture& heights, const SamplerState& wraps)
-        : sampler(wraps), plane(heights, wraps) {}
+        : source(heights), sampler(wraps), plane(heights, wraps) {}
 
+    const Texture& source;
     SamplerState sampler;
     HeightPlane plane;
     std::map<std::string, double> parameters;
     std::string id = "field";
     Progress progress{{}, std::numeric_limits<double>::infinity()};
-    BakeJob job{plane, sampler, parameters, id, progress};
+    BakeJob job{source, plane, sampler, parameters, id, progress};
 };
 
 unsigned octants_at(const HeightPlane& plane, double u_low, double u_high, double v_low,

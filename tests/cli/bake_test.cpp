@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include "cli/process.hpp"
@@ -10,6 +11,7 @@
 #include "quadrel/bake/baked_file.hpp"
 #include "quadrel/bake/packed_map.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/film/exr.hpp"
 
 namespace quadrel::cli_tests {
 namespace {
@@ -170,10 +172,44 @@ TEST(Bake, PacksForOtherPrograms) {
     EXPECT_EQ(map.cones->view().width[0], load_heights()->view().width[0]);
 }
 
+/// A tetrahedron, in OBJ; without its last face it is open.
+std::string tetrahedron(bool closed) {
+    std::string text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    return closed ? text + "f 2 3 4\n" : text;
+}
+
+TEST(Bake, PeelsAMesh) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "t.obj") << tetrahedron(true);
+    const std::string out = (folder / "t.exr").string();
+    const Outcome outcome =
+        run({"bake", "--kind", "depth-layers", "--mesh", (folder / "t.obj").string(), "--size",
+             "8x8", "--margin", "0", "-o", out});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("\"thickness\": 4, \"tile\": 4"), std::string::npos) << outcome.err;
+    const ExrFile file = read_exr(out);
+    EXPECT_EQ(file.attributes.at("quadrel:bake.kind"), "depth-layers");
+    // Above (x, y) it begins at z = 4 - x - y and ends at 0.
+    const std::size_t near = file.film.index(1, 2), outside = file.film.index(6, 6);
+    EXPECT_NEAR(file.film.find("R")->as_float(near), (0.75 + 1.25) / 4, 1e-6);
+    EXPECT_EQ(file.film.find("G")->as_float(near), 1);
+    EXPECT_EQ(file.film.find("R")->as_float(outside), file.film.find("G")->as_float(outside));
+    // From the other side, looking along z.
+    ASSERT_EQ(run({"bake", "--kind", "depth-layers", "--mesh", (folder / "t.obj").string(),
+                   "--size", "8x8", "--margin", "0", "--towards", "0,0,1", "-o", out})
+                  .code,
+              0);
+    const ExrFile back = read_exr(out);
+    EXPECT_EQ(back.film.find("R")->as_float(back.film.index(6, 2)), 0);
+}
+
 TEST(Bake, ComplainsInOneLine) {
     const TemporaryFolder folder;
     const CacheFolder cache;
     const std::string out = (folder / "map.exr").string();
+    const std::string open = (folder / "open.obj").string(), whole = (folder / "t.obj").string();
+    std::ofstream(open) << tetrahedron(false);
+    std::ofstream(whole) << tetrahedron(true);
     const std::pair<std::vector<std::string>, int> lines[] = {
         {{"bake", heights}, 2},
         {{"bake", heights, "--kind", "conic", "-o", out}, 2},
@@ -187,6 +223,21 @@ TEST(Bake, ComplainsInOneLine) {
         {{"bake", heights, "--kind", "cone-quick", "--packed", out, "--packing", "gg4"}, 2},
         {{"bake", heights, "--kind", "cone-rabbid", "--packed", out, "--packing", "gg3"}, 2},
         {{"bake", heights, "--kind", "cone-quick", "--packed", (folder / "a.jpg").string()}, 2},
+        {{"bake", "--kind", "cone", "-o", out}, 2},
+        {{"bake", heights, "--kind", "cone", "--mesh", whole, "-o", out}, 2},
+        {{"bake", heights, "--kind", "layer-bounds", "--channel", "a", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole}, 2},
+        {{"bake", heights, "--kind", "depth-layers", "--mesh", whole, "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--param", "a=1", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--packed", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--towards", "0,0", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--towards", "0,0,0", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--margin", "0.5", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--size", "20000x2", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", open, "-o", out}, 3},
+        {{"bake", "--kind", "depth-layers", "--mesh", "none.obj", "-o", out}, 3},
+        {{"bake", "--kind", "depth-layers", "--mesh", "teapot", "-o", out}, 3},
         {{"bake", "none.exr", "--kind", "cone", "-o", out}, 3},
         {{"bake", heights, "--kind", "max-mip", "--channel", "a", "-o", out}, 3},
         {{"bake", heights, "--kind", "max-mip", "-o", "/none/map.exr"}, 5}};

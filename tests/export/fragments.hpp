@@ -53,16 +53,19 @@ class RandomMaps {
             // Layers and tables go on behind the last level, where texels come again.
             constexpr std::size_t most = 400000, different = 20011;
             texels.resize(slot < static_cast<int>(first_baked_slot) ? texels_of(map.view) : most);
+            map.view.texels = texels.data();
+            if (source_of(static_cast<TextureSlot>(slot)) == TextureSlot::layers) continue;
             const std::size_t made = std::min(texels.size(), different);
             for (std::size_t i = 0; i < made; ++i)
                 texels[i] = static_cast<float>(random.uniform(0, 1));
             for (std::size_t i = made; i < texels.size(); i += made)
                 std::copy_n(texels.begin(), std::min(made, texels.size() - i),
                             texels.begin() + static_cast<std::ptrdiff_t>(i));
-            map.view.texels = texels.data();
         }
         shape_heights(random, nans);
         raise_pyramid();
+        stack_layers(nans);
+        bound_layers();
     }
 
     const SampledTexture& map(int slot) const { return maps_[slot]; }
@@ -86,6 +89,42 @@ class RandomMaps {
                 const int part = i % side * 4 / side;
                 texel = part == 0 ? 0.5f : part == 2 ? 0.0f : part == 1 ? 0.3f * texel : texel;
                 if (nans && random.chance(0.01)) texel = std::numeric_limits<float>::quiet_NaN();
+            }
+        }
+    }
+    /// Sorted depths on level 0, some of them equal; coarser levels are those of a corner.
+    void stack_layers(bool nans) {
+        test::Random random(7);
+        std::vector<float>& texels = texels_[static_cast<int>(TextureSlot::layers)];
+        for (std::size_t i = 0; i + 3 < texels.size(); i += 4) {
+            float* const depths = texels.data() + i;
+            for (int c = 0; c < 4; ++c) depths[c] = static_cast<float>(random.uniform(0.1, 1));
+            std::sort(depths, depths + 4);
+            if (random.chance(0.4)) depths[1] = depths[0];
+            if (random.chance(0.4)) depths[3] = depths[2];
+            if (nans && random.chance(0.01)) depths[1] = std::numeric_limits<float>::quiet_NaN();
+        }
+    }
+    /// Bounds that hold: of each cell's corners, then of nodes.
+    void bound_layers() {
+        const TextureView& layers = maps_[static_cast<int>(TextureSlot::layers)].view;
+        const TextureView& bounds = maps_[static_cast<int>(TextureSlot::layer_bounds)].view;
+        std::vector<float>& texels = texels_[static_cast<int>(TextureSlot::layer_bounds)];
+        for (int level = 0; level < bounds.levels; ++level) {
+            const TextureView& below = level == 0 ? layers : bounds;
+            const int side = bounds.width[level], from_level = std::max(level - 1, 0);
+            const int from_side = below.width[from_level], stride = level == 0 ? 1 : 2;
+            const float* const from = below.texels + below.offset[from_level];
+            for (int i = 0; i < 4 * side * side; ++i) {
+                const int x = i / 4 % side, y = i / 4 / side, c = i % 4;
+                float& to = texels[static_cast<std::size_t>(bounds.offset[level] + i)];
+                to = c % 2 == 0 ? 2.0f : -1.0f;
+                for (int tap = 0; tap < 4; ++tap) {
+                    const int column = (x * stride + tap % 2) % from_side;
+                    const int row = (y * stride + tap / 2) % from_side;
+                    const float depth = from[(row * from_side + column) * 4 + c];
+                    if (c % 2 == 0 ? !(depth >= to) : !(depth <= to)) to = depth;
+                }
             }
         }
     }

@@ -2,6 +2,8 @@
 // stages before it would have handed on.
 #pragma once
 
+#include <algorithm>
+
 #include "quadrel/bake/bake.hpp"
 #include "relief/triangle.hpp"
 
@@ -34,7 +36,9 @@ class MadeInputs {
 
     void bind(TextureSlot slot) {
         Map& map = maps[static_cast<std::size_t>(slot)];
-        if (slot >= first_baked_slot) {
+        if (slot == TextureSlot::layers) {
+            map = random_layers();
+        } else if (slot >= first_baked_slot) {
             map.texture = baked(slot);
             map.sampled.view = map.texture->view();
         } else {
@@ -46,8 +50,23 @@ class MadeInputs {
         batch.bind(slot, map.sampled);
     }
     std::shared_ptr<const Texture> baked(TextureSlot slot) const {
-        const Map& height = maps[static_cast<std::size_t>(TextureSlot::height)];
-        return bake(*height.texture, bake_kind_from_name(slot_name(slot)), plain_sampler());
+        const Map& source = maps[static_cast<std::size_t>(source_of(slot))];
+        return bake(*source.texture, bake_kind_from_name(slot_name(slot)), plain_sampler());
+    }
+    /// Sorted depths.
+    static Map random_layers() {
+        Random depths(77);
+        std::array<float, 4> texel{};
+        return make_map(
+            23, 29, 4,
+            [&](int, int, int c) {
+                if (c == 0) {
+                    for (float& depth : texel) depth = static_cast<float>(depths.uniform(0, 1));
+                    std::sort(texel.begin(), texel.end());
+                }
+                return texel[static_cast<std::size_t>(c)];
+            },
+            plain_sampler());
     }
     void run_chain() {
         for (const char* id :

@@ -43,7 +43,8 @@ inline std::string short_hash(const Film& film) { return film_hash(film).substr(
 /// Relief is slow in an unoptimised build, so its pictures are small.
 inline std::string hash_size(const Scene& scene) {
     for (const Material& material : scene.materials)
-        if (material.textures.count("height") > 0) return "24x18";
+        if (material.textures.count("height") + material.textures.count("layers") > 0)
+            return "24x18";
     return "40x30";
 }
 

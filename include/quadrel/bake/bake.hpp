@@ -95,6 +95,12 @@ enum class BakeKind : std::int32_t {
     /// Layer b * (A + 1) + a, A = floor(log2(columns)): maximum over the 2^a x 2^b dual cells from
     /// (i, j) on, i and j stored cells. Source: Thonat et al., "RMIP", SIGGRAPH Asia 2023.
     rmq,
+
+    /// Of depth layers, not of heights: all channels, a front and the back behind it in pairs;
+    /// channels that the map lacks are 1, the bottom. Four channels, laid out as max_mip: the least
+    /// front and the greatest back of each pair, of cells where the pair has any thickness; 2 and
+    /// -1 where none has.
+    layer_bounds,
 };
 
 /// A number that steers a kind.
@@ -140,17 +146,20 @@ struct BakeStopped : std::runtime_error {
 
 /// Derives a map. Its id() is baked_id().
 /// Throws UsageError for parameters that the kind has not or that are out of range, InputError for
-/// a map that would be too large, and, for kinds that measure slopes, for heights that are NaN or
+/// a map that would be too large and, for kinds that measure slopes, for heights that are NaN or
 /// infinite (pyramids have NaN wherever a NaN is below), BakeStopped after seconds_limit.
 std::shared_ptr<const Texture> bake(const Texture& height, BakeKind kind,
                                     const SamplerState& sampler, const BakeOptions& options = {});
+
+/// Whether a kind is made of depth layers instead of heights: of all channels.
+bool bakes_layers(BakeKind kind);
 
 /// SHA-256 over size and heights: what a map is derived from, whatever file, channel or format the
 /// heights came in.
 std::string height_id(const Texture& height);
 
-/// SHA-256 over height_id, the kind and the version of its generator, wrap modes, border height and
-/// parameters: everything that decides about the values.
+/// SHA-256 over height_id (of layers: all channels), the kind and the version of its generator,
+/// wrap modes, border height and parameters: everything that decides about the values.
 std::string baked_id(const Texture& height, BakeKind kind, const SamplerState& sampler,
                      const BakeOptions& options = {});
 

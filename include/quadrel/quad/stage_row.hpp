@@ -21,7 +21,7 @@ struct StageRow {
     std::int32_t input_count, output_count, texture_count, parameter_count;
     std::int64_t params_size;
     /// See StageDefaults and StageInfo.
-    std::int32_t uses_height_bounds, needs_height_map, reads_vertices, runs_on_duals;
+    std::int32_t uses_height_bounds, needs_height_map, may_miss, reads_vertices, runs_on_duals;
     std::int32_t reads_finest_heights_only, reads_first_gloss_only;
     const char* not_reproduced;  ///< see StageInfo; never null
     /// Of a search that leaves out steps by the maxima of the height map (MaterialUniforms), with
@@ -40,6 +40,14 @@ namespace detail {
 template <class Stage>
 constexpr bool declares_height_map() {
     if constexpr (requires { Stage::needs_height_map; }) return Stage::needs_height_map;
+    return false;
+}
+
+/// Whether a search says that rays may pass it without a hit:
+///     static constexpr bool may_miss = true;
+template <class Stage>
+constexpr bool declares_misses() {
+    if constexpr (requires { Stage::may_miss; }) return Stage::may_miss;
     return false;
 }
 
@@ -84,6 +92,7 @@ StageRow describe_stage() {
     row.params_size = sizeof(Params);
     row.uses_height_bounds = Stage::uses_height_bounds;
     row.needs_height_map = detail::declares_height_map<Stage>();
+    row.may_miss = detail::declares_misses<Stage>();
     row.reads_vertices = Stage::reads_vertices;
     row.runs_on_duals = Stage::runs_on_duals;
     row.reads_finest_heights_only = Stage::reads_finest_heights_only;

@@ -12,7 +12,7 @@
 namespace quadrel {
 
 /// Texture uses that a stage may ask for: first what a scene names, then what is baked from the
-/// height field (bake.hpp says what each holds).
+/// height field or the depth layers (bake.hpp says what each holds).
 enum class TextureSlot : std::int32_t {
     height,
     color,
@@ -20,6 +20,7 @@ enum class TextureSlot : std::int32_t {
     emissive,
     normal,
     environment,
+    layers,
     max_mip,
     min_max,
     texel_max,
@@ -37,11 +38,18 @@ enum class TextureSlot : std::int32_t {
     horizon,
     horizon_sampled,
     rmq,
+    layer_bounds,
     count
 };
 
 /// Slots from this one on hold baked maps.
 inline constexpr auto first_baked_slot = TextureSlot::max_mip;
+
+/// What the map of a slot is made of: a slot that scenes name.
+constexpr TextureSlot source_of(TextureSlot slot) {
+    if (slot == TextureSlot::layer_bounds) return TextureSlot::layers;
+    return slot >= first_baked_slot ? TextureSlot::height : slot;
+}
 
 inline constexpr int texture_slot_count = static_cast<int>(TextureSlot::count);
 

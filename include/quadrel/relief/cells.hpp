@@ -166,6 +166,17 @@ template <Number F>
     gather2<F>(view.texels + view.offset[0], texel + texel, channel);
     return {channel[0], channel[1]};
 }
+/// All channels of a texel of `level`; those that the map lacks are 1.
+template <Number F>
+vec4<F> all_channels(const TextureView& view, Int<F> x, Int<F> y, Int<F> level) {
+    const Int<F> texel = y * gather_int<F>(view.width, level) + x;
+    const Int<F> first = gather_int<F>(view.offset, level) + texel * Int<F>(view.channels);
+    F channel[4] = {F(1), F(1), F(1), F(1)};
+    if (view.channels == 1) channel[0] = gather<F>(view.texels, first);
+    if (view.channels > 1) gather2<F>(view.texels, first, channel);
+    if (view.channels == 4) gather2<F>(view.texels, first + Int<F>(2), channel + 2);
+    return {channel[0], channel[1], channel[2], channel[3]};
+}
 /// Texel `index` of a map of one channel, counted over all levels.
 template <Number F>
 [[gnu::always_inline]] inline F only_channel(const TextureView& view, Int<F> index) {

@@ -23,6 +23,9 @@ struct StageInfo {
     /// Whether it reads the height map itself (its texels, sizes or levels), so that heights of
     /// noise do not serve it.
     bool needs_height_map;
+    /// Whether it is a search that a ray may pass without a hit: its fragments of status CLIP are
+    /// demoted, whatever clipping the material has.
+    bool may_miss;
     bool reads_vertices;  ///< see StageDefaults, as of the next two
     bool reads_finest_heights_only, reads_first_gloss_only;
     /// Of a search that leaves out steps by the maxima of the height map: see StageRow. Else null.
@@ -46,7 +49,8 @@ std::span<const StageInfo> all_stages();
 /// The stage of that id, or null.
 const StageInfo* find_stage(std::string_view id);
 
-/// Name of a texture slot in scene files: height, color, gloss, emissive, normal, environment.
+/// Name of a texture slot in scene files: height, color, gloss, emissive, normal, environment,
+/// layers.
 std::string_view slot_name(TextureSlot slot);
 
 /// Adds stages of the calling program (see register_stages): all or none; the rows must live as

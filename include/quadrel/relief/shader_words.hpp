@@ -111,6 +111,12 @@ inline vec2<Shader> both_channels<Shader>(const TextureView& view, ShaderInt x, 
     return {Shader(recorded::component(texel, 0)), Shader(recorded::component(texel, 1))};
 }
 
+template <>
+inline vec4<Shader> all_channels<Shader>(const TextureView& view, ShaderInt x, ShaderInt y,
+                                         ShaderInt level) {
+    return recorded::unpack<4>(recorded::texel(view, x, y, level.node()));
+}
+
 /// Statuses have names.
 template <>
 inline ShaderInt status_packet<Shader>(Status status) {

@@ -11,6 +11,7 @@
 #include "quadrel/relief/trace/cone/stages.hpp"
 #include "quadrel/relief/trace/engine/stages.hpp"
 #include "quadrel/relief/trace/exact/stages.hpp"
+#include "quadrel/relief/trace/layer/stages.hpp"
 #include "quadrel/relief/trace/march/stages.hpp"
 #include "quadrel/relief/trace/offset/stages.hpp"
 #include "quadrel/relief/trace/oracle/stages.hpp"

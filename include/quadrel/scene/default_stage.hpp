@@ -8,7 +8,7 @@
 namespace quadrel {
 
 /// Where a material has its heights from.
-enum class HeightSource : std::uint8_t { none, map, noise };
+enum class HeightSource : std::uint8_t { none, map, noise, layers };
 
 /// The id of the stage that a material runs in a room that scenes choose from, where its scene
 /// names none.

@@ -84,7 +84,8 @@ struct Material {
     glm::vec4 specular{0.3f, 0.3f, 0.3f, 1}, emission{0, 0, 0, 1};
     float shininess = 50;
     glm::mat4 texture_matrix{1.0f};                    ///< applied to (u, v, 0, 1)
-    std::map<std::string, TextureReference> textures;  ///< color, height, gloss, emissive, normal
+    std::map<std::string, TextureReference> textures;  ///< color, height, gloss, emissive, normal,
+                                                       ///< layers
     std::optional<NoiseHeights> noise;                 ///< in place of the texture `height`
     Cull cull = Cull::none;
     float discard_below = -1;  ///< demote fragments whose colour alpha is below; < 0: never

@@ -24,7 +24,7 @@ Attributes describe(const Texture& height, BakeKind kind, const SamplerState& sa
                           {"quadrel:bake.version", fmt::format("{}", info.version)},
                           {"quadrel:bake.wrapU", wrap_name(sampler.wrap_u)},
                           {"quadrel:bake.wrapV", wrap_name(sampler.wrap_v)},
-                          {"quadrel:bake.heightSha256", height_id(height)}};
+                          {"quadrel:bake.heightSha256", source_id(height, kind)}};
     if (has_border(sampler))
         attributes["quadrel:bake.border"] = fmt::format("{}", sampler.border[0]);
     return attributes;

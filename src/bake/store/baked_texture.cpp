@@ -108,8 +108,8 @@ std::shared_ptr<const Texture> baked_texture(const Texture& height, BakeKind kin
                                              const BakedTextureOptions& options) {
     static std::mutex mutex;
     static std::map<std::string, std::weak_ptr<const Texture>> maps;
-    const std::string id =
-        baked_id_of(options.in_memory ? height.id() : height_id(height), kind, sampler, options);
+    const std::string id = baked_id_of(options.in_memory ? height.id() : source_id(height, kind),
+                                       kind, sampler, options);
     const std::lock_guard lock(mutex);
     if (auto found = maps[id].lock()) return found;
     auto map = load_or_bake(id, height, kind, sampler, options);

@@ -43,6 +43,8 @@ constexpr Example all[] = {
     {"bake", "heights.exr --kind cone-cell -o cones.exr", "into a file and into the cache"},
     {"bake", "heights.png --kind relaxed-cone --packed relaxed.png --packing gg3",
      "in the channels of its source, 8 bits each"},
+    {"bake", "--kind depth-layers --mesh fence.obj --size 512x512 -o fence.exr",
+     "sorted depths of a closed mesh, to look behind it"},
     {"sweep", "plan.json -o sweep", "run time against error, as a page, CSV, JSON and SVG"},
     {"sweep", "plan.json -o part2 --task 2/8", "the second of eight jobs"},
     {"sweep", "--merge part1 part2 -o sweep", "what the jobs have measured, as one"},

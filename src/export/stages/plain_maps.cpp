@@ -8,18 +8,31 @@
 namespace quadrel::recorded {
 
 std::string map_name(TextureSlot slot) {
-    static const char* const names[] = {"height",       "color",
-                                        "gloss",        "emissive",
-                                        "normal",       "environment",
-                                        "max_mip",      "min_max",
-                                        "texel_max",    "cone",
-                                        "cone_robust",  "cone_quick",
-                                        "cone_rabbid",  "cone_cell",
-                                        "relaxed_cone", "relaxed_cone_exact",
-                                        "quad_cone",    "aniso_cone",
-                                        "distance",     "distance_exact",
-                                        "horizon",      "horizon_sampled",
-                                        "rmq"};
+    static const char* const names[] = {"height",
+                                        "color",
+                                        "gloss",
+                                        "emissive",
+                                        "normal",
+                                        "environment",
+                                        "layers",
+                                        "max_mip",
+                                        "min_max",
+                                        "texel_max",
+                                        "cone",
+                                        "cone_robust",
+                                        "cone_quick",
+                                        "cone_rabbid",
+                                        "cone_cell",
+                                        "relaxed_cone",
+                                        "relaxed_cone_exact",
+                                        "quad_cone",
+                                        "aniso_cone",
+                                        "distance",
+                                        "distance_exact",
+                                        "horizon",
+                                        "horizon_sampled",
+                                        "rmq",
+                                        "layer_bounds"};
     static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
     return std::string(names[static_cast<int>(slot)]) + "_map";
 }
@@ -42,6 +55,8 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::emissive:
         case TextureSlot::normal:
         case TextureSlot::environment:
+        case TextureSlot::layers:
+        case TextureSlot::layer_bounds:
         case TextureSlot::quad_cone:
         case TextureSlot::aniso_cone:
             return 4;
@@ -71,7 +86,7 @@ TextureView plain_view(TextureSlot slot, int side) {
     view.channels = channels_of(slot);
     view.faces = slot == TextureSlot::environment ? 6 : 1;
     const bool is_pyramid = slot == TextureSlot::max_mip || slot == TextureSlot::min_max ||
-                            slot == TextureSlot::texel_max;
+                            slot == TextureSlot::texel_max || slot == TextureSlot::layer_bounds;
     view.levels = slot < first_baked_slot || is_pyramid ? full_mip_levels(side, side) : 1;
     int offset = 0;
     for (int level = 0; level < view.levels; ++level) {

@@ -18,7 +18,8 @@ class Namer {
     void visit_material(Json& material, const std::string& path) {
         if (!material.is_object()) return;
         const Json* height = member_of(&material, "height");
-        heights_ = height == nullptr                       ? HeightSource::none
+        const bool layers = member_of(&material, "layers") != nullptr;
+        heights_ = height == nullptr ? (layers ? HeightSource::layers : HeightSource::none)
                    : member_of(height, "noise") == nullptr ? HeightSource::map
                                                            : HeightSource::noise;
         visit(material, path, "material");

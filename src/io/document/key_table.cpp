@@ -105,6 +105,11 @@ constexpr SceneKey keys[] = {
     {"material", "gloss", "name or `texture`", "none", "", Below::object, "texture"},
     {"material", "emissive", "name or `texture`", "none", "", Below::object, "texture"},
     {"material", "normal", "name or `texture`", "none", "", Below::object, "texture"},
+    {"material", "layers", "name or `texture`", "none",
+     "depth layers, for the searches that look behind things: depths of a front and of the back "
+     "behind it in two or four channels, in pairs, sorted, 0 at the top and 1 at the bottom; where "
+     "both are equal there is nothing. Of one channel: a front that is solid down to the bottom",
+     Below::object, "texture"},
     {"material", "relief", "a `relief`", "the defaults below", "", Below::object, "relief"},
     {"material", "shade", "a stage's id, or a `stage`", "the default stage", "lighting",
      Below::object, "stage"},

@@ -154,6 +154,7 @@ std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& materi
     if (material.noise || material.textures.count("height") == 0) return std::nullopt;
     const std::vector<PlannedStage> stages = material_stages(scene, material);
     const PlannedStage& trace = *stage_of_room(stages, "trace");
+    if (reads_slot(trace, TextureSlot::layers)) return std::nullopt;  // the judge knows heights
     const std::string own = trace.info->text.id;
     const std::string judge = stores(trace, Value::oracle_s)              ? own
                               : reads_slot(trace, TextureSlot::texel_max) ? "oracle-block"

@@ -4,15 +4,11 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/scene/default_stage.hpp"
+#include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel {
 namespace {
-
-HeightSource height_source(const Material& material) {
-    if (material.noise) return HeightSource::noise;
-    return material.textures.count("height") != 0 ? HeightSource::map : HeightSource::none;
-}
 
 /// The stage that runs; null where the name is unknown, about which the plan complains.
 const StageInfo* stage_of(const Material& material, const StageChoice& choice, const char* room) {
@@ -42,6 +38,10 @@ void replace_trace(const Scene& scene, Material& material) {
     if (material.noise)
         throw InputError(scene.file.string(), material.trace.key,
                          std::string("a search of noise, ") + trace->text.id,
+                         "a height map, or no trace: integrals take the judge's hits");
+    if (reads(*trace, TextureSlot::layers))
+        throw InputError(scene.file.string(), material.trace.key,
+                         std::string("a search of depth layers, ") + trace->text.id,
                          "a height map, or no trace: integrals take the judge's hits");
     replace(material.trace,
             reads(*trace, TextureSlot::texel_max) ? "oracle-block" : "oracle-bilinear");

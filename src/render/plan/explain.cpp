@@ -161,8 +161,10 @@ void describe_textures(const PreparedRender& prepared, std::size_t m, MaterialTe
     if (scene.environment) describe("environment", scene.environment->faces[0].string());
     for (int i = static_cast<int>(first_baked_slot); i < texture_slot_count; ++i) {
         if (!slots[i]) continue;
+        const auto slot = static_cast<TextureSlot>(i);
         text.does.push_back(
-            fmt::format("derives {} from the height map", slot_name(static_cast<TextureSlot>(i))));
+            fmt::format("derives {} from the {}", slot_name(slot),
+                        source_of(slot) == TextureSlot::layers ? "depth layers" : "height map"));
     }
 }
 

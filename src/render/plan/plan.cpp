@@ -10,7 +10,6 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/rooms.hpp"
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
-#include "quadrel/scene/default_stage.hpp"
 #include "render/draw/border_check.hpp"
 #include "render/errors/error_plan.hpp"
 #include "render/exact/observed.hpp"
@@ -111,11 +110,26 @@ StageFunction kernel(const KernelTable& table, std::string_view id) {
     check_failed(__FILE__, __LINE__, "stage has a kernel", std::string(id));
 }
 
-}  // namespace
-
-bool clips(const Material& material) {
+bool has_clip_stage(const Material& material) {
     return !material.clip.id.empty() && material.clip.id != "none";
 }
+
+bool may_miss(const Material& material) {
+    const std::string& id = material.trace.id;
+    const StageInfo* trace =
+        find_stage(id.empty() ? default_stage("trace", height_source(material)) : id);
+    return trace != nullptr && trace->may_miss;
+}
+
+}  // namespace
+
+HeightSource height_source(const Material& material) {
+    if (material.noise) return HeightSource::noise;
+    if (material.textures.count("height") != 0) return HeightSource::map;
+    return material.textures.count("layers") != 0 ? HeightSource::layers : HeightSource::none;
+}
+
+bool clips(const Material& material) { return has_clip_stage(material) || may_miss(material); }
 
 bool writes_depth(const Material& material) {
     return !material.frag_depth.id.empty() && material.frag_depth.id != "none";
@@ -131,9 +145,7 @@ bool grades_depth(const Material& material) {
 }
 
 std::vector<PlannedStage> material_stages(const Scene& scene, const Material& material) {
-    const HeightSource heights = material.noise                      ? HeightSource::noise
-                                 : material.textures.count("height") ? HeightSource::map
-                                                                     : HeightSource::none;
+    const HeightSource heights = height_source(material);
     const auto chosen = [&](const StageChoice& choice, const char* room, int light = -1) {
         return make_chosen(scene, choice, room, heights, light);
     };
@@ -146,7 +158,7 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
     PlannedStage trace = chosen(material.trace, "trace");
     if (auto judge = judge_of(trace)) stages.push_back(*std::move(judge));
     stages.push_back(std::move(trace));
-    if (clips(material)) stages.push_back(chosen(material.clip, "clip"));
+    if (has_clip_stage(material)) stages.push_back(chosen(material.clip, "clip"));
     stages.push_back(make_stage(*find_stage("displace")));
     stages.push_back(writes_depth(material) ? chosen(material.frag_depth, "frag-depth")
                                             : make_stage(*find_stage("frag-depth")));
@@ -177,8 +189,10 @@ MaterialPlan plan_material(const Scene& scene, const Material& material, const W
             const std::string_view room = stage->info->text.room;
             const bool optional = room == "quad" || room == "oracle";
             const bool baked = slot >= first_baked_slot;
-            plan.needs_height |= (slot == TextureSlot::height || baked) && !optional;
-            if ((baked && !optional) || stage->info->needs_height_map)
+            const bool layers = source_of(slot) == TextureSlot::layers;
+            plan.needs_height |= (slot == TextureSlot::height || baked) && !optional && !layers;
+            if (layers) plan.needs_layers = stage->info;
+            if ((baked && !optional && !layers) || stage->info->needs_height_map)
                 plan.needs_height_map = stage->info;
         }
         stage->run = kernel(table, stage->info->text.id);

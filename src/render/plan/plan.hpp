@@ -9,6 +9,7 @@
 
 #include "kernels/table.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "quadrel/scene/default_stage.hpp"
 #include "quadrel/scene/scene.hpp"
 #include "render/plan/channel_source.hpp"
 
@@ -54,9 +55,15 @@ struct MaterialPlan {
     /// The first stage that noise in place of a height map does not serve: it reads the map itself,
     /// or one that is baked from it. Null if there is none.
     const StageInfo* needs_height_map = nullptr;
+    /// The first stage that reads the depth layers. Null if there is none.
+    const StageInfo* needs_layers = nullptr;
 };
 
-/// Whether fragments of status CLIP are demoted.
+/// Where the material's heights come from, which its default stages follow.
+HeightSource height_source(const Material& material);
+
+/// Whether fragments of status CLIP are demoted: the material has a clipping stage, or its search
+/// is one that rays may pass.
 bool clips(const Material& material);
 
 /// Whether fragments are tested and written with the depth of their hit.

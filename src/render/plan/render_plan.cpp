@@ -42,6 +42,14 @@ void check_height(const Scene& scene, const Material& material, const MaterialPl
                          "a texture: the material's relief stages read heights");
 }
 
+void check_layers(const Scene& scene, const Material& material, const MaterialPlan& plan) {
+    if (plan.needs_layers == nullptr || material.textures.count("layers") != 0) return;
+    const std::string key = material.key.empty() ? "materials." + material.name : material.key;
+    throw InputError(
+        scene.file.string(), key + ".layers", "nothing",
+        fmt::format("a texture of depth layers: {} reads them", plan.needs_layers->text.id));
+}
+
 constexpr auto height_slot = static_cast<std::size_t>(TextureSlot::height);
 
 /// Whether the stage's search, at its parameters, goes by what the height map can give anywhere.
@@ -122,6 +130,8 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         plan.discard.push_back(discard_plan(scene, material, kernels));
         check_height(scene, material, plan.materials.back());
         check_height(scene, material, plan.discard.back());
+        check_layers(scene, material, plan.materials.back());
+        check_layers(scene, material, plan.discard.back());
         plan.uniforms.push_back(material_uniforms(material));
         if (observes_heights(channels) && material.textures.count("height") != 0)
             plan.materials.back().textures.set(height_slot);

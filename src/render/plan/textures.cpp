@@ -42,7 +42,7 @@ struct Need {
 std::optional<Need> need_of(const Scene& scene, std::size_t material, TextureSlot slot) {
     const bool baked = slot >= first_baked_slot;
     const auto& textures = scene.materials[material].textures;
-    const auto found = textures.find(std::string(slot_name(baked ? TextureSlot::height : slot)));
+    const auto found = textures.find(std::string(slot_name(source_of(slot))));
     if (slot == TextureSlot::environment || found == textures.end()) return std::nullopt;
     Need need{material, slot, found->second};
     // Level 0 alone, as the bake command reads it: then both find the same entries of the cache.
@@ -92,9 +92,8 @@ std::vector<std::shared_ptr<const Texture>> load_all(const std::vector<Need>& ne
                                                      TextureCache& cache) {
     std::vector<TextureRequest> requests;
     for (const Need& need : needs) {
-        const bool baked = need.slot >= first_baked_slot;
-        const TextureSlot slot = baked ? TextureSlot::height : need.slot;
-        requests.push_back({need.reference.file, texture_options(need.reference, slot),
+        requests.push_back({need.reference.file,
+                            texture_options(need.reference, source_of(need.slot)),
                             need.reference.allow_nan ? NotFinite::count : NotFinite::refuse,
                             need.reference.selection});
     }
@@ -122,10 +121,10 @@ void load_environment(const Scene& scene, const std::vector<SlotSet>& slots, Tex
         }
 }
 
-/// The height map as arguments of `quadrel bake`.
-std::string bake_arguments(const TextureReference& reference) {
-    std::string arguments =
-        shell_word(reference.file.string()) + " --channel " + height_swizzle(reference);
+/// The map that one is baked from, as arguments of `quadrel bake`.
+std::string bake_arguments(const TextureReference& reference, TextureSlot source) {
+    std::string arguments = shell_word(reference.file.string());
+    if (source == TextureSlot::height) arguments += " --channel " + height_swizzle(reference);
     if (!reference.selection.layer.empty())
         arguments += " --layer " + shell_word(reference.selection.layer);
     if (!reference.selection.part.empty())
@@ -138,9 +137,10 @@ std::string bake_arguments(const TextureReference& reference) {
 /// Equal for renders of one scene whose height map's file changes in between.
 std::string baked_name(const Need& need) {
     const SamplerState& sampler = need.reference.sampler;
-    return fmt::format("{} of {} {} {} {}", slot_name(need.slot), bake_arguments(need.reference),
+    return fmt::format("{} of {} {} {} {}", slot_name(need.slot),
+                       bake_arguments(need.reference, source_of(need.slot)),
                        static_cast<int>(sampler.wrap_u), static_cast<int>(sampler.wrap_v),
-                       sampler.border[0]);
+                       fmt::join(sampler.border, " "));
 }
 
 /// What is derived from a height map, under the wrap modes that this is sampled with. Throws
@@ -151,7 +151,7 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
     const std::string_view kind = slot_name(need.slot);
     BakedTextureOptions options;
     options.in_memory = is_quick_to_bake(bake_kind_from_name(kind));
-    options.input = bake_arguments(need.reference);
+    options.input = bake_arguments(need.reference, source_of(need.slot));
     options.key = need.reference.key;
     options.not_kept = baking.not_kept;
     options.seconds_limit = baking.seconds_limit;

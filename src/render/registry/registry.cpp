@@ -31,6 +31,7 @@ StageInfo describe(const StageRow& row) {
             .params_size = static_cast<std::size_t>(row.params_size),
             .uses_height_bounds = row.uses_height_bounds != 0,
             .needs_height_map = row.needs_height_map != 0,
+            .may_miss = row.may_miss != 0,
             .reads_vertices = row.reads_vertices != 0,
             .reads_finest_heights_only = row.reads_finest_heights_only != 0,
             .reads_first_gloss_only = row.reads_first_gloss_only != 0,
@@ -55,9 +56,9 @@ std::vector<StageInfo> describe_lists() {
 std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
-                       ExactStages, OracleTraceStages, EngineStages, HitStages, SurfaceStages,
-                       ShadowStages, OracleShadowStages, OcclusionStages, OracleOcclusionStages,
-                       ShadeStages>();
+                       ExactStages, LayerStages, OracleTraceStages, EngineStages, HitStages,
+                       SurfaceStages, ShadowStages, OracleShadowStages, OcclusionStages,
+                       OracleOcclusionStages, ShadeStages>();
     return stages;
 }
 
@@ -79,19 +80,31 @@ const StageInfo* find_stage(std::string_view id) {
 }
 
 std::string_view slot_name(TextureSlot slot) {
-    constexpr std::array<std::string_view, texture_slot_count> names{
-        "height",       "color",
-        "gloss",        "emissive",
-        "normal",       "environment",
-        "max-mip",      "min-max",
-        "texel-max",    "cone",
-        "cone-robust",  "cone-quick",
-        "cone-rabbid",  "cone-cell",
-        "relaxed-cone", "relaxed-cone-exact",
-        "quad-cone",    "aniso-cone",
-        "distance",     "distance-exact",
-        "horizon",      "horizon-sampled",
-        "rmq"};
+    constexpr std::array<std::string_view, texture_slot_count> names{"height",
+                                                                     "color",
+                                                                     "gloss",
+                                                                     "emissive",
+                                                                     "normal",
+                                                                     "environment",
+                                                                     "layers",
+                                                                     "max-mip",
+                                                                     "min-max",
+                                                                     "texel-max",
+                                                                     "cone",
+                                                                     "cone-robust",
+                                                                     "cone-quick",
+                                                                     "cone-rabbid",
+                                                                     "cone-cell",
+                                                                     "relaxed-cone",
+                                                                     "relaxed-cone-exact",
+                                                                     "quad-cone",
+                                                                     "aniso-cone",
+                                                                     "distance",
+                                                                     "distance-exact",
+                                                                     "horizon",
+                                                                     "horizon-sampled",
+                                                                     "rmq",
+                                                                     "layer-bounds"};
     return names[static_cast<std::size_t>(slot)];
 }
 

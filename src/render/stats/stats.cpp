@@ -93,12 +93,11 @@ Json to_json(const IntegralStats& integral) {
             {"pixels_above_error", integral.above}};
 }
 
-// What is baked comes from the file of the heights.
+// What is baked comes from the file of the heights, or of the layers.
 std::string file_of_slot(const Scene& scene, const Material& material, int slot) {
     const auto kind = static_cast<TextureSlot>(slot);
     if (kind == TextureSlot::environment) return scene.environment->faces[0].string();
-    const auto source = kind >= first_baked_slot ? TextureSlot::height : kind;
-    return material.textures.at(std::string(slot_name(source))).file.string();
+    return material.textures.at(std::string(slot_name(source_of(kind)))).file.string();
 }
 
 /// Integers of 8 and 16 bits stand for finite numbers alone.

@@ -7,7 +7,7 @@
 
 namespace quadrel::sweep {
 
-/// "offset", "march", "cone", "exact", "oracle", "engine", or "other" for a plugin's.
+/// "offset", "march", "cone", "exact", "layer", "oracle", "engine", or "other" for a plugin's.
 std::string_view family_of(std::string_view trace);
 
 /// Which rows a plan may ask for by one word.
@@ -19,7 +19,7 @@ enum class Rows {
     oracles
 };
 
-/// Ids in the registry's order.
+/// Ids in the registry's order, but for searches of depth layers: sweeps have height maps.
 std::vector<std::string> trace_rows(Rows rows);
 
 }  // namespace quadrel::sweep

@@ -5,10 +5,11 @@
 namespace quadrel::textures {
 
 std::span<const Recipe> recipes() {
-    static constexpr std::array<Recipe, 10> all{{{"bricks", write_bricks},
+    static constexpr std::array<Recipe, 11> all{{{"bricks", write_bricks},
                                                  {"calibration", write_calibration},
                                                  {"city", write_city},
                                                  {"dunes", write_dunes},
+                                                 {"layers", write_layers},
                                                  {"mip-levels", write_mip_levels},
                                                  {"obstacles", write_obstacles},
                                                  {"sky", write_sky},

@@ -17,6 +17,7 @@ void write_bricks(const std::filesystem::path& directory);
 void write_calibration(const std::filesystem::path& directory);
 void write_city(const std::filesystem::path& directory);
 void write_dunes(const std::filesystem::path& directory);
+void write_layers(const std::filesystem::path& directory);
 void write_mip_levels(const std::filesystem::path& directory);
 void write_obstacles(const std::filesystem::path& directory);
 void write_sky(const std::filesystem::path& directory);

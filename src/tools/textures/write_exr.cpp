@@ -89,4 +89,12 @@ void write_normal_height(const std::filesystem::path& file, const Grid<glm::dvec
     write_exr(file, texels.width, texels.height, "RGBA", flatten<float>(texels, convert));
 }
 
+void write_depths(const std::filesystem::path& file, int channels, const Grid<glm::dvec4>& depths) {
+    const auto convert = [channels](const glm::dvec4& d, std::vector<float>& out) {
+        for (int i = 0; i < channels; ++i) out.push_back(unorm16(d[i]));
+    };
+    write_exr(file, depths.width, depths.height, channels == 2 ? "RG" : "RGBA",
+              flatten<float>(depths, convert));
+}
+
 }  // namespace quadrel::textures

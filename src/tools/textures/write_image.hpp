@@ -26,6 +26,9 @@ void write_radiance(const std::filesystem::path& file, const Grid<glm::dvec3>& r
 /// R G B tangent-space normal as n * 0.5 + 0.5, rounded to c / 255; A height, k / 65535; float.
 void write_normal_height(const std::filesystem::path& file, const Grid<glm::dvec4>& texels);
 
+/// The first 2 (R G) or 4 (R G B A) depths of each texel in [0, 1], each k / 65535; float.
+void write_depths(const std::filesystem::path& file, int channels, const Grid<glm::dvec4>& depths);
+
 /// 16-bit grey PNG.
 void write_height_png(const std::filesystem::path& file, const Grid<double>& height);
 

@@ -156,7 +156,8 @@ TEST(ExactShading, ServesEverySurface) {
     for (const StageInfo& info : all_stages()) {
         if (std::string_view(info.text.room) != "surface") continue;
         Scene scene = bumpy_sphere(12, info.text.id);
-        scene.materials[0].textures["normal"] = noise_texture();
+        for (const char* map : {"normal", "layers"})
+            scene.materials[0].textures[map] = noise_texture();
         EXPECT_NO_THROW(take_shading(render, scene, "float")) << info.text.id;
     }
     Scene noisy = bumpy_sphere(24, "h2n-patch");

@@ -5,6 +5,8 @@
 #include "quadrel/relief/shadow/cone.hpp"
 #include "quadrel/relief/shadow/exact.hpp"
 #include "quadrel/relief/shadow/horizon.hpp"
+#include "quadrel/relief/shadow/layers.hpp"
+#include "quadrel/relief/shadow/layers_exact.hpp"
 #include "quadrel/relief/shadow/march_mcguire.hpp"
 #include "quadrel/relief/shadow/march_mcguire_published.hpp"
 #include "quadrel/relief/shadow/march_thesis.hpp"
@@ -17,9 +19,9 @@
 
 namespace quadrel {
 
-using ShadowStages =
-    StageList<ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished, ShadowMarchMcguire,
-              ShadowMarchMcguirePublished, ShadowRelief, ShadowSoftPom, ShadowSoftPomPublished,
-              ShadowSoftRiccardi, ShadowCone, ShadowExact, Horizon>;
+using ShadowStages = StageList<ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished,
+                               ShadowMarchMcguire, ShadowMarchMcguirePublished, ShadowRelief,
+                               ShadowSoftPom, ShadowSoftPomPublished, ShadowSoftRiccardi,
+                               ShadowCone, ShadowExact, Horizon, ShadowLayers, ShadowLayersExact>;
 
 }  // namespace quadrel

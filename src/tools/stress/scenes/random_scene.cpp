@@ -169,6 +169,7 @@ class Draw {
             material["height"]["noise"]["frequency"] = random_.whole(1, 64);
         else
             material["height"] = texture(true);
+        material["layers"] = texture_of({"noise", 16, 16});
         material["relief"] = relief(scale);
         material["shade"] = stage("shade");
         if (wild(0.5) || random_.chance(0.2)) material["texture_matrix"] = texture_matrix();

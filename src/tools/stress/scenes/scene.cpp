@@ -62,7 +62,8 @@ StressScene plain_scene(const std::string& name, const MapName& map, double degr
                       {"lights", Json::array()}};
     material_of(scene) = {{"color", texture_of(colour)},    {"gloss", texture_of(colour)},
                           {"emissive", texture_of(colour)}, {"normal", texture_of(colour)},
-                          {"height", texture_of(map)},      {"shade", "shade-thesis"}};
+                          {"height", texture_of(map)},      {"layers", texture_of(colour)},
+                          {"shade", "shade-thesis"}};
     relief_of(scene) = {{"frame", "frame-gram"},
                         {"trace", trace},
                         {"surface", "h2n-thesis"},

@@ -131,13 +131,15 @@ bool are_steps_counted(const Io& io) {
 }
 
 /// Stores what was found, with `wrapped` where the hit is in another tile than the fragment.
-/// Unsearchable rays are NAN, or CAP at the top.
+/// Unsearchable rays are NAN, or CAP at the top; those that end without a hit, `otherwise`.
 template <class Io, class F = typename Io::Number>
-void store_cell_search(const Io& io, const SearchRay<F>& ray, CellSearch<F>& search) {
+void store_cell_search(const Io& io, const SearchRay<F>& ray, CellSearch<F>& search,
+                       Status otherwise = Status::floor) {
     SearchResult<F>& result = search.result;
     const Mask<F> capped = search.capped | search.ray.too_long;
-    result.status = select(capped, status_packet<F>(Status::cap),
-                           search_status<F>(search.found, search.met_nan | search.ray.is_nan));
+    result.status =
+        select(capped, status_packet<F>(Status::cap),
+               search_status<F>(search.found, search.met_nan | search.ray.is_nan, otherwise));
     result.s = select(search.ray.too_long, F(0), result.s);
     const vec2<F> uv = ray.at(result.s);
     const Mask<F> wrapped = (floor(uv.x) != floor(ray.uv.x)) | (floor(uv.y) != floor(ray.uv.y));

@@ -7,15 +7,26 @@
 
 namespace quadrel {
 
-/// One node a lane.
+/// Where a node is, lane by lane.
+template <Number F>
+struct PyramidPlace {
+    CellBlock<F> block;                        ///< as cells around the ray's
+    Int<F> column, row;                        ///< in its level
+    Mask<F> leaves_parent_x, leaves_parent_y;  ///< the border ahead is one of the node's parent too
+
+    /// Whether the border that is crossed is one of the parent.
+    Mask<F> leaves_parent(const CellExit<F>& exit) const {
+        const Mask<F> across_y = !exit.across_x;
+        return (exit.across_x & leaves_parent_x) | (across_y & leaves_parent_y);
+    }
+};
 template <Number F>
 struct PyramidNode {
-    CellBlock<F> block;                        ///< as cells around the ray's
-    F height;                                  ///< the greatest in it, NaN if one is
-    Mask<F> leaves_parent_x, leaves_parent_y;  ///< the border ahead is one of the node's parent too
+    PyramidPlace<F> place;
+    F height;  ///< the greatest in it, NaN if one is
 };
 
-/// A map of BakeKind::max_mip or texel_max.
+/// A map of BakeKind::max_mip or texel_max; of any pyramid over a grid, where its nodes are.
 template <Number F>
 class HeightPyramid {
   public:
@@ -27,12 +38,13 @@ class HeightPyramid {
 
     /// The node of `level` around the cell where each ray is.
     PyramidNode<F> node(const CellSearch<F>& search, Int<F> level) const {
+        const PyramidPlace<F> at = place(search, level);
+        return {at, first_channel<F>(map_.view, at.column, at.row, level)};
+    }
+    PyramidPlace<F> place(const CellSearch<F>& search, Int<F> level) const {
         const Span x = span(search.i, grid_.u, level, search.ray.x.forward());
         const Span y = span(search.j, grid_.v, level, search.ray.y.forward());
-        return {{x.low, y.low, x.high, y.high},
-                first_channel<F>(map_.view, x.index, y.index, level),
-                x.leaves_parent,
-                y.leaves_parent};
+        return {{x.low, y.low, x.high, y.high}, x.index, y.index, x.leaves_parent, y.leaves_parent};
     }
 
   private:
@@ -69,7 +81,7 @@ void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int 
         if (none(search.active)) break;
         const Mask<F> active = search.active;
         const PyramidNode<F> node = pyramid.node(search, level);
-        const CellExit<F> exit = search.exit(node.block);
+        const CellExit<F> exit = search.exit(node.place.block);
         const F bound = node.height + search.ray.margin;
         const Mask<F> above = F(1) - min(exit.s, F(1)) > bound;
         const Mask<F> finest = level == Int<F>(0), tests = active & !above & finest;
@@ -77,10 +89,8 @@ void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int 
         visit(active, node.height);
         if (when(tests)) leaf(tests, exit, node.height);
         const Mask<F> crosses = (active & (above | finest)) & search.active;
-        search.leap(crosses, node.block, exit);
-        const Mask<F> across_y = !exit.across_x;
-        const Mask<F> leaves_parent =
-            (exit.across_x & node.leaves_parent_x) | (across_y & node.leaves_parent_y);
+        search.leap(crosses, node.place.block, exit);
+        const Mask<F> leaves_parent = node.place.leaves_parent(exit);
         const Mask<F> up = crosses & (leaves_parent | Mask<F>(ascent > 0)) & Mask<F>(ascent != 0);
         level = select(up, min(level + Int<F>(ascent > 0 ? ascent : 1), pyramid.top()), level);
         // Into the node, no further than the ray is above all of it.

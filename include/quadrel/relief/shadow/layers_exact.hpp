@@ -1,0 +1,130 @@
+// shadow-layers-exact: every dual cell that the light ray crosses, its layers compared exactly.
+//
+// No source's search does this; it is shadow-exact for solids between layers. The ray starts on the
+// layer next to the hit, at the UV of the hit, wherever the search for the hit stopped. In the
+// patch where it starts that layer's quadratic is 0 at t = 0; the root is divided out, so that no
+// bias is needed: dark where the ray is inside of the layer's solid right away or comes into it
+// again. Of all other patches dark where the ray is inside by more than the rounding error on
+// either side: a ray that only touches is lit. The field is that of level 0, whatever filters the
+// sampler has; its wrap modes hold. Lit where a ray crosses more than 2^20 borders, or meets only
+// NaN.
+#pragma once
+
+#include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/trace/layer/layer_search.hpp"
+
+namespace quadrel {
+
+/// A light ray's own layer: the one that it starts on.
+template <Number F>
+struct StartLayer {
+    F depth;
+    Mask<F> is_own[4];
+};
+
+/// The layer next to s where the ray starts.
+template <Number F>
+StartLayer<F> start_layer(const CellLayers<F>& cell, const vec2<F>& at, F s) {
+    const Mask<F> no(false);
+    StartLayer<F> start{F(0), {no, no, no, no}};
+    F nearest(std::numeric_limits<Scalar<F>>::infinity());
+    for (int layer = 0; layer < 4; ++layer) {
+        const F depth = patch_height(cell.layer[layer], at), distance = abs(depth - s);
+        const Mask<F> nearer = distance < nearest;
+        for (int other = 0; other < 4; ++other) start.is_own[other] = start.is_own[other] & !nearer;
+        start.is_own[layer] = nearer;
+        start.depth = select(nearer, depth, start.depth);
+        nearest = select(nearer, distance, nearest);
+    }
+    return start;
+}
+
+/// Whether a ray that starts on one side of a solid, where `own` is 0 without its rounding error,
+/// is inside of it in the part.
+template <Number F>
+Mask<F> enters_own_solid(const SolidQuadratics<F>& solid, const PatchQuadratic<F>& own,
+                         const PatchQuadratic<F>& other, F length) {
+    const F again = -own.B / own.A;
+    const Mask<F> returns = (own.A > F(0)) & (again > F(0)) & (again <= length);
+    const Mask<F> at_once = (own.B > F(0)) & (other.C > F(0));
+    const auto across = upward_crossing(solid, other, length);
+    return (length > F(0)) & (at_once | (returns & (solid.thickness(again) > F(0))) |
+                              (across.enters & (across.tau > F(0))));
+}
+
+struct ShadowLayersExact : StageDefaults {
+    static constexpr bool runs_on_duals = true;
+    static constexpr StageText text{"shadow-layers-exact", "shadow",
+                                    "every cell towards the light, its layers exactly",
+                                    "after Amanatides and Woo 1987; Ramsey et al. 2004"};
+    static constexpr auto inputs = light_ray_inputs;
+    static constexpr auto outputs = shadow_outputs;
+    static constexpr auto textures = slots(TextureSlot::layers);
+
+    template <class Io>
+    void operator()(Io& io, const Params&) const {
+        using F = typename Io::Number;
+        const LightRay<F> light = light_ray(io);
+        const SampledTexture& map = layer_map(io);
+        const Grid grid = cell_grid(map.view.width[0], map.view.height[0], map.sampler);
+        SearchRay<F> upwards{light.uv, light.K, F(1), 0, light.active, Int<F>(0), Int<F>(0)};
+        CellSearch<F> search(make_cell_ray(upwards, map, grid, 0.5f), light.active);
+        const auto cell_here = [&] {
+            return cell_layers<F>(map, grid, stored_index<F>(search.i, grid.u),
+                                  stored_index<F>(search.j, grid.v));
+        };
+        const vec2<F> at{clamp(search.ray.x.start - to_float<F>(search.i), F(0), F(1)),
+                         clamp(search.ray.y.start - to_float<F>(search.j), F(0), F(1))};
+        CellLayers<F> cell = cell_here();
+        const StartLayer<F> start = start_layer(cell, at, io.template load<Value::hit_s>());
+        // s = 1 is where the ray leaves the relief at its top.
+        const F rise = start.depth;
+        search.active = search.active & (rise > F(0));
+        search.ray.x.rate = search.ray.x.rate * rise;
+        search.ray.y.rate = search.ray.y.rate * rise;
+        Mask<F> first(true);
+        for (const auto k : rounds<F>()) {
+            search.count_step(1, 2);
+            if (none(search.active)) break;
+            const CellExit<F> exit = search.exit(search.cell());
+            const PatchRay<F> part = search.part_in_cell(exit);
+            const F depth = rise * (F(1) - part.s);
+            record(io, search.active, depth, light.uv + light.K * (part.s * rise), cell.layer[0]);
+            const Mask<F> dark = is_dark<F>(cell, part, {depth, -rise}, first, start);
+            search.hit(search.active & dark, part.s, F(0));
+            first = Mask<F>(false);
+            search.step(search.active, exit);
+            cell = cell_here();
+        }
+        store_shadow(io, light, select(search.found, F(0), F(1)), search.result.steps);
+    }
+
+  private:
+    template <Number F>
+    static Mask<F> is_dark(const CellLayers<F>& cell, const PatchRay<F>& part,
+                           const RayDepth<F>& ray, Mask<F> first, const StartLayer<F>& start) {
+        Mask<F> dark(false);
+        for (int layer = 0; layer < 4; layer += 2) {
+            const CellHeights<F>&front = cell.layer[layer], &back = cell.layer[layer + 1];
+            const SolidQuadratics<F> solid = solid_quadratics(front, back, part, ray);
+            const F error = solid_error(front, back, part.slack);
+            const Mask<F> from_front = first & start.is_own[layer];
+            const Mask<F> from_back = first & start.is_own[layer + 1];
+            const Mask<F> inside = enter_solid(inset(solid, error), part.length).hit;
+            const Mask<F> of_front = enters_own_solid(solid, solid.below, solid.above, part.length);
+            const Mask<F> of_back = enters_own_solid(solid, solid.above, solid.below, part.length);
+            const Mask<F> own = (from_front & of_front) | (from_back & of_back);
+            dark = dark | own | (inside & !(from_front | from_back));
+        }
+        return dark;
+    }
+
+    template <class Io, class F>
+    static void record(Io& io, Mask<F> active, F depth, const vec2<F>& uv,
+                       const CellHeights<F>& front) {
+        count_fetch(io.template context<TextureSlot::layers>(active));
+        io.march_step(active, depth, uv, F(1) - depth, F(1) - front.h00);
+    }
+};
+
+}  // namespace quadrel
