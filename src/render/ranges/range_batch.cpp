@@ -17,6 +17,16 @@ constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 constexpr FragmentRange unknown{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity(), 0};
 
+/// By the pieces that triangles have been cut into, whose vertices the edges belong to.
+void interpolate_exactly(StageCall& call, const Geometry& geometry) {
+    call.planes = nullptr;
+    const PrimitiveRows& pieces = geometry.pieces;
+    if (pieces.data.empty()) return;
+    call.primitives = pieces.data.data();
+    if (!pieces.frames.empty()) call.frames = pieces.frames.data();
+    if (!pieces.vertices.empty()) call.vertices = pieces.vertices.data();
+}
+
 /// Before the first of several.
 constexpr FragmentRange no_range{std::numeric_limits<double>::infinity(),
                                  -std::numeric_limits<double>::infinity(), 0};
@@ -106,7 +116,7 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.counters = nullptr;
         call_.log = nullptr;
         drawn.point_to_quads(call_, geometry, q);
-        call_.planes = nullptr;
+        interpolate_exactly(call_, geometry);
         call_.values = values_.data();
         call_.lanes = quad_lanes;
         surface_ = plan_.surfaces[material];
