@@ -113,6 +113,29 @@ inline RealInterval level_of(const SampledTexture& texture, const RealInterval& 
     return {std::clamp(lambda.lo, 0.0, last), std::clamp(lambda.hi, 0.0, last)};
 }
 
+/// What this run takes of what a lane's level may be: a part of it, where the gradients are those
+/// of the lane's first look-up in the map whose levels are gone through part by part. In a map of
+/// another size the level of these gradients is as much higher or lower, whatever it is made of.
+inline RealInterval part_of_levels(const SampledTexture& texture, int lane,
+                                   const RealInterval& all) {
+    RangeContext& context = range_context();
+    RealInterval& first = context.lane_level[lane];
+    if (!context.level_known[lane] && context.leveled_map == texture.view.texels) {
+        context.level_known[lane] = true;
+        first = all;
+        context.clamped_level[lane] =
+            level_of(texture, clamped_lambda(texture.sampler, Ranged(all)));
+    }
+    if (!context.level_known[lane] || context.followed != lane) return all;
+    constexpr double rounding = 1e-9;
+    double higher = all.lo - first.lo;
+    if (std::fabs(all.hi - first.hi - higher) > rounding) return all;
+    const double whole = std::nearbyint(higher);
+    if (std::fabs(higher - whole) <= rounding) higher = whole;
+    return {std::clamp(context.level_from + higher, all.lo, all.hi),
+            std::clamp(context.level_to + higher, all.lo, all.hi)};
+}
+
 /// Whether the level, or which filter, depends on rounding.
 inline bool is_level_undecided(const SamplerState& s, bool mips, const RealInterval& lambda,
                                const RealInterval& d) {
@@ -278,7 +301,7 @@ inline LodRecord<Ranges> select_level(const SampledTexture& texture, const Range
     LodRecord<Ranges> record{rho, lambda, Ranges(0), Ranges(0), RangeMask(false)};
     for (int i = 0; i < 4; ++i) {
         Ranged& raw = record.lambda.lane[i];
-        if (raw.is_bounded()) raw = Ranged(widened(raw.range(), off));
+        if (raw.is_bounded()) raw = Ranged(part_of_levels(texture, i, widened(raw.range(), off)));
         const RealInterval clamped = clamped_lambda(s, raw), d = level_of(texture, clamped);
         RangeTruth& magnified = record.magnified.lane[i];
         magnified = clamped.hi <= 0  ? RangeTruth(true)
