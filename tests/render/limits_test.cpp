@@ -167,21 +167,24 @@ TEST(Limits, HoldWhatEveryPresetMakesOfTrianglesThatAreCut) {
     }
 }
 
-/// Searches whose hits are known without following them, and those that stay within a bracket.
+/// Searches whose hits are known without following them, and those that stay within a bracket;
+/// these read levels that are free.
 TEST(Limits, BoundSearchesThatTheyDoNotFollow) {
     for (const std::string row : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "qdm",
                                   "pyramid", "secant", "interval"}) {
         if (test::sanitized && row != "max-mip" && row != "secant") continue;
         const LimitedScene what{
             "rows/" + row, {40, 60, 46, 62}, {}, {"K", "hit.s", "hit.U", "hit.V"}};
+        const bool exact = row != "secant" && row != "interval";
+        const float widest = exact ? 0.25f : 0.5f;
         const Film ranges = render_limited(what, "gl");
         const RangeShares shares = range_shares_of(ranges, "hit.s");
         EXPECT_EQ(shares.unbounded, 0) << row;
-        EXPECT_LE(shares.ambiguous, 0.25) << row;
+        EXPECT_LE(shares.ambiguous, exact ? 0.25 : 0.5) << row;
         for (std::size_t i = 0; i < ranges.planes[0].bits.size(); ++i)
             EXPECT_LE(
                 ranges.find("gpu.hi.hit.s")->as_float(i) - ranges.find("gpu.lo.hit.s")->as_float(i),
-                0.25f)
+                widest)
                 << row;
         for (const std::string hardware : {"exact", "llvmpipe", "swiftshader"}) {
             const RangeVerdict verdict =
@@ -276,10 +279,22 @@ TEST(Limits, FindMistakes) {
     expect_found(verdict_of(ranges, with_normal_of_any_length(ranges)), "a normal of any length");
 }
 
+/// Shares of pixels whose range of a channel is wider than `most`.
+double wide_share(const Film& ranges, const std::string& channel, float most) {
+    const Plane &low = *ranges.find("gpu.lo." + channel), &high = *ranges.find("gpu.hi." + channel);
+    double wide = 0;
+    for (std::size_t i = 0; i < low.bits.size(); ++i)
+        wide += !(high.as_float(i) - low.as_float(i) <= most);
+    return wide / static_cast<double>(low.bits.size());
+}
+
 TEST(Limits, AreMostlyDecided) {
-    const RangeShares shares = range_shares_of(render_limited(bricks_part, "gl"), "R");
+    const Film ranges = render_limited(bricks_part, "gl");
+    const RangeShares shares = range_shares_of(ranges, "R");
     EXPECT_LE(shares.ambiguous, 0.25);  // of few pixels; over whole scenes, less
     EXPECT_LE(shares.unbounded, 0.01);
+    EXPECT_LE(wide_share(ranges, "N.X", 0.2f), 0.25);
+    EXPECT_LE(wide_share(ranges, "R", 0.1f), 0.25);
 }
 
 TEST(Limits, OfExactArithmeticAreNarrowAndWithinThose) {

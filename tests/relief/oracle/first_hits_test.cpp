@@ -34,7 +34,7 @@ struct PartsFound {
 /// than `claimed`, on a surface as if it were `asked`.
 testing::AssertionResult all_are_held(double apart, double claimed, judge::Surface surface,
                                       judge::Surface asked, PartsFound& found) {
-    constexpr int rays_a_map = rounds(16), samples = 6;
+    constexpr int rays_a_map = rounds(3), samples = 6;
     for (const StressMap& kind : stress_maps()) {
         Random random(static_cast<std::uint64_t>(kind.name[0]) + 7);
         const JudgedMap map(random_stress_map(random, kind, 24));

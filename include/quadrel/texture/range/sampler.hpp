@@ -115,7 +115,8 @@ inline RealInterval level_of(const SampledTexture& texture, const RealInterval& 
 
 /// What this run takes of what a lane's level may be: a part of it, where the gradients are those
 /// of the lane's first look-up in the map whose levels are gone through part by part. In a map of
-/// another size the level of these gradients is as much higher or lower, whatever it is made of.
+/// another size the level of these gradients is as much higher or lower, whatever it is made of,
+/// but for the error of either level.
 inline RealInterval part_of_levels(const SampledTexture& texture, int lane,
                                    const RealInterval& all) {
     RangeContext& context = range_context();
@@ -132,8 +133,9 @@ inline RealInterval part_of_levels(const SampledTexture& texture, int lane,
     if (std::fabs(all.hi - first.hi - higher) > rounding) return all;
     const double whole = std::nearbyint(higher);
     if (std::fabs(higher - whole) <= rounding) higher = whole;
-    return {std::clamp(context.level_from + higher, all.lo, all.hi),
-            std::clamp(context.level_to + higher, all.lo, all.hi)};
+    const double apart = texture.view.texels == context.leveled_map ? 0 : 2 * budget().lod;
+    return {std::clamp(context.level_from + higher - apart, all.lo, all.hi),
+            std::clamp(context.level_to + higher + apart, all.lo, all.hi)};
 }
 
 /// Whether the level, or which filter, depends on rounding.
