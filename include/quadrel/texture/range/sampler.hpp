@@ -192,13 +192,19 @@ inline bool form_of_look_up(LinearForm& form, const SampledTexture& texture, con
     const bool mips = s.mip != MipFilter::none && texture.view.levels > 1;
     const RealInterval d = mips ? level_of(texture, clamped_lambda(s, lambda)) : RealInterval(0);
     const double first = std::floor(d.lo);
-    if ((mips && s.mip == MipFilter::nearest && d.hi > 0) || d.hi > first + 1) return false;
+    if ((mips && s.mip == MipFilter::nearest && d.hi > 0) || d.hi > first + 2) return false;
     const int level = static_cast<int>(first);
-    if (!linear_form(form, LevelTexels(texture, level), u, v)) return false;
+    LinearForm fine, coarse, coarsest;
+    if (!linear_form(fine, LevelTexels(texture, level), u, v)) return false;
+    form = fine;
     if (d.hi == first) return true;
-    LinearForm coarse;
     if (!linear_form(coarse, LevelTexels(texture, level + 1), u, v)) return false;
-    form = blended(form, coarse, {d.lo - first, d.hi - first}, error_of_level(texture, u, v, d));
+    const bool two = d.hi > first + 1;
+    form = blended(fine, coarse, {d.lo - first, std::min(d.hi - first, 1.0)},
+                   two ? -1 : error_of_level(texture, u, v, d));
+    if (!two) return true;
+    if (!linear_form(coarsest, LevelTexels(texture, level + 2), u, v)) return false;
+    form = either(form, blended(coarse, coarsest, {0, d.hi - first - 1}, -1));
     return true;
 }
 

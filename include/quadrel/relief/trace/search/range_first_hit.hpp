@@ -17,11 +17,12 @@ namespace quadrel {
 
 namespace range_detail {
 
+/// More parts of s than this are taken together.
+inline constexpr int most_parts = 8;
+inline constexpr int most_ends = 9;  ///< and past all of them
+
 class FirstHits {
   public:
-    /// More parts are taken together.
-    static constexpr int most_parts = 8;
-
     /// `blocks`: each texel a box. Otherwise bilinear patches between centres; level 0 either way.
     FirstHits(const SampledTexture& map, bool blocks, const oracle::RayRange& rays)
         : map_(map),
@@ -129,11 +130,13 @@ inline int one_of_parts(int count, int lane) {
         context.join(lane);
         return -1;
     }
-    for (int k = 0; k + 1 < count; ++k) {
+    const int last = count - 1;
+    for (int k = 0; k < most_ends; ++k) {
+        if (k == last) break;
         const std::int32_t comparison = context.leave_open();
         if (comparison < 0 || context.decide(comparison)) return k;
     }
-    return count - 1;
+    return last;
 }
 
 /// From one status to another.
@@ -150,8 +153,8 @@ inline void find_first_hits(const SampledTexture& map, bool blocks, const Search
     result.s.lane[lane] = Ranged(0.0, 1.0);
     result.h.lane[lane] = Ranged::anything();
     result.status.lane[lane] = {0, static_cast<std::int32_t>(allowed_end(Value::hit_status)) - 1};
-    for (const Ranged& x : numbers)
-        if (!x.is_bounded()) return;
+    for (int k = 0; k < 4; ++k)
+        if (!numbers[k].is_bounded()) return;
     const FirstHits hits(map, blocks,
                          {numbers[0].range(), numbers[1].range(), numbers[2].range(),
                           numbers[3].range(), ray.s_polygon});
@@ -168,7 +171,8 @@ inline void find_first_hits(const SampledTexture& map, bool blocks, const Search
     }
     RealInterval s = hits.part(std::max(which, 0));
     RealInterval h = hits.height_in(s);
-    for (int k = 1; all && k < hits.parts(); ++k) {
+    for (int k = 1; k < most_parts; ++k) {
+        if (!all || k >= hits.parts()) continue;
         s = hull(s, hits.part(k));
         h = hull(h, hits.height_in(hits.part(k)));
     }
