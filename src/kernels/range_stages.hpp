@@ -1,10 +1,11 @@
-// The stages that run on ranges: those that find their way by comparing numbers. Searches that walk
-// over cells and levels do not, since their state is whole numbers (the judge certifies what they
-// find), nor what reads baked maps or texels by its own addresses.
+// The stages that run on ranges: those that find their way by comparing numbers, and, by what they
+// are known to find, those that walk over cells and levels to the first hit. Others that have whole
+// numbers as their state do not, nor what reads baked maps or texels by its own addresses.
 #pragma once
 
 #include "quadrel/relief/range_words.hpp"
 #include "quadrel/relief/stages.hpp"
+#include "quadrel/relief/trace/search/range_first_hit.hpp"
 #include "quadrel/shade/stages.hpp"
 
 namespace quadrel {
@@ -23,7 +24,9 @@ using RangeStages = StageList<
     RabbidPom, ReliefBinary, ReliefGg3, RabbidRelief, ThesisLinearBinary,
     ThesisLinearBinaryPublished, Secant, Interval, Contact, ThesisSphere, Babylon, Bevy, Godot,
     JMonkey, LearnOpenGl, O3de, PlayCanvas, ThreeParallax, ThreeParallaxUv, UnityPom,
-    UnrealBumpOffset,
+    UnrealBumpOffset, FirstHitOnRanges<TexelExact, false>, FirstHitOnRanges<MaxMip, false>,
+    FirstHitOnRanges<ConeCell, false>, FirstHitOnRanges<RmqLeap, false>,
+    FirstHitOnRanges<Qdm, true>, FirstHitOnRanges<Pyramid, true>,
     // hit, surface
     ClipUv, ClipPath, Displace, FragDepth, FragDepthPublished, SurfaceNone, H2nThesis,
     H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap, H2n4TapPublished, H2nSobel,

@@ -17,17 +17,6 @@ void set_float_position(const glm::dvec4& clip, const Viewport& viewport, Screen
     vertex.window_y = std::fma(vertex.clip_y * inverse_w, y_scale, half_height);
 }
 
-ScreenVertex screen_vertex(const glm::dvec4& clip, const RasterState& state) {
-    const WindowPoint point = to_window(state.viewport, clip);
-    ScreenVertex vertex;
-    vertex.x = snap(point.x, state.subpixel_bits, state.snap_rounding);
-    vertex.y = snap(point.y, state.subpixel_bits, state.snap_rounding);
-    set_float_position(clip, state.viewport, vertex);
-    vertex.depth = point.z;
-    vertex.w = static_cast<float>(clip.w);
-    return vertex;
-}
-
 /// The edge from p to q, positive to its left where x turns left to y; `sign` turns it around.
 EdgeFunction edge_function(const ScreenVertex& p, const ScreenVertex& q, std::int64_t sign) {
     EdgeFunction edge;
@@ -62,6 +51,17 @@ bool is_culled(bool front, Cull cull) {
 }
 
 }  // namespace
+
+ScreenVertex screen_vertex(const glm::dvec4& clip, const RasterState& state) {
+    const WindowPoint point = to_window(state.viewport, clip);
+    ScreenVertex vertex;
+    vertex.x = snap(point.x, state.subpixel_bits, state.snap_rounding);
+    vertex.y = snap(point.y, state.subpixel_bits, state.snap_rounding);
+    set_float_position(clip, state.viewport, vertex);
+    vertex.depth = point.z;
+    vertex.w = static_cast<float>(clip.w);
+    return vertex;
+}
 
 std::int64_t signed_area2(const std::array<ScreenVertex, 3>& v) {
     const std::int64_t x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y;

@@ -42,7 +42,7 @@ struct ScreenVertex {
     float window_x = 0, window_y = 0;  ///< unsnapped, pixels, by float32 arithmetic
     float clip_y = 0;
     double depth = 0;  ///< window depth, unclamped
-    float w = 1;       ///< clip w, > 0
+    float w = 1;       ///< clip w, > 0 but for vertices that have not been clipped
 };
 
 /// A triangle of positive area, ready to be rasterized; vertices in the order they were given.
@@ -58,6 +58,10 @@ struct ScreenTriangle {
 /// Twice the signed area of the snapped triangle, in (1/256 pixel)^2; positive if x turns towards
 /// y.
 std::int64_t signed_area2(const std::array<ScreenVertex, 3>& v);
+
+/// A clip-space position divided and snapped. Where w < 0 it is the point of the window at which
+/// the line through the eye and the position meets it.
+ScreenVertex screen_vertex(const glm::dvec4& clip, const RasterState& state);
 
 enum class SetupOutcome {
     drawn,

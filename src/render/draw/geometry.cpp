@@ -42,8 +42,40 @@ PrimitiveData primitive_data(const AssembledTriangle& piece, const ShadedVertice
     return data;
 }
 
+/// Whether pieces of a clipped triangle are interpolated from its own vertices, which may lie
+/// behind the eye, and not from theirs. SetupRoutine.cpp (generate) reprojects clipped polygons for
+/// their edges alone; Mesa's clipper makes vertices, as any of ours. From a vertex at the near
+/// plane, where 1/w is largest, planes would be off by many times as much.
+constexpr bool has_planes_of_the_whole(Interpolation form) {
+    return form == Interpolation::swiftshader;
+}
+
+/// The triangle as it was submitted, with nothing but what planes are made of.
+ScreenTriangle submitted_triangle(const std::array<glm::vec4, 3>& clip, const RasterState& state) {
+    ScreenTriangle triangle;
+    for (std::size_t v = 0; v < 3; ++v)
+        triangle.vertex[v] = screen_vertex(glm::dvec4(clip[v]), state);
+    return triangle;
+}
+
+/// Whether the window has a place for each vertex.
+bool has_places(const ScreenTriangle& triangle) {
+    return std::ranges::all_of(triangle.vertex, [](const ScreenVertex& v) {
+        return v.w != 0 && std::abs(v.x) < snapped_limit && std::abs(v.y) < snapped_limit;
+    });
+}
+
+/// The triangle that a piece has been cut from, on the piece's edges.
+AssembledTriangle whole_of(AssembledTriangle piece) {
+    for (std::size_t v = 0; v < 3; ++v) {
+        piece.weights[v] = {};
+        piece.weights[v].perspective[v] = piece.weights[v].window[v] = 1;
+    }
+    return piece;
+}
+
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
-                     const GeometryParts& parts, Geometry& geometry) {
+                     Interpolation form, const GeometryParts& parts, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
     const Mesh& mesh = scene.meshes[object.mesh];
     const Material& material = scene.materials[object.material];
@@ -56,6 +88,14 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
     std::optional<VertexRows> rows;
     if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
     const bool mirrored = is_mirrored(model_view);
+    const bool keeps_pieces = has_planes_of_the_whole(form);
+    const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece,
+                              const std::array<std::uint32_t, 3>& index,
+                              const DrawnCorners& drawn) {
+        to.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
+        if (frames) to.frames.push_back(frames->of(piece, drawn));
+        if (rows) to.vertices.push_back(rows->of(piece, drawn));
+    };
     std::vector<AssembledTriangle> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const DrawnCorners drawn = drawn_corners(t, mirrored);
@@ -67,17 +107,21 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
             continue;
         }
         pieces.clear();
-        assemble_triangle(
-            {vertices.clip[index[0]], vertices.clip[index[1]], vertices.clip[index[2]]}, state,
-            pieces, geometry.counts);
+        const std::array<glm::vec4, 3> clip{vertices.clip[index[0]], vertices.clip[index[1]],
+                                            vertices.clip[index[2]]};
+        assemble_triangle(clip, state, pieces, geometry.counts);
+        const ScreenTriangle submitted = submitted_triangle(clip, state);
         for (const AssembledTriangle& piece : pieces) {
             // Of a fine mesh these are most, and would take most of the memory.
             if (!parts.all_triangles && !may_cover(piece.screen, scene.samples)) continue;
             geometry.triangles.push_back(
                 {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
-            geometry.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
-            if (frames) geometry.frames.push_back(frames->of(piece, drawn));
-            if (rows) geometry.vertices.push_back(rows->of(piece, drawn));
+            const bool whole = keeps_pieces && piece.clipped && has_places(submitted);
+            add_rows(geometry, whole ? whole_of(piece) : piece, index, drawn);
+            if (keeps_pieces) add_rows(geometry.pieces, piece, index, drawn);
+            if (form != Interpolation::exact)
+                geometry.planes.push_back(
+                    plane_setup(form, whole ? submitted : piece.screen, scene.samples));
         }
     }
 }
@@ -186,12 +230,9 @@ Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
         const Object& object = scene.objects[i];
         if (!object.visible) continue;
         const Cull cull = scene.materials[object.material].cull;
-        assemble_object(scene, i, raster_state(viewport, hardware, cull), parts, geometry);
+        assemble_object(scene, i, raster_state(viewport, hardware, cull), hardware.interpolation,
+                        parts, geometry);
     }
-    if (hardware.interpolation != Interpolation::exact)
-        for (const DrawnTriangle& triangle : geometry.triangles)
-            geometry.planes.push_back(
-                plane_setup(hardware.interpolation, triangle.screen, scene.samples));
     return geometry;
 }
 

@@ -19,13 +19,20 @@ struct DrawnTriangle {
     std::uint32_t material = 0;
 };
 
-/// Everything to draw, in submission order; `data` runs parallel to `triangles`.
-struct Geometry {
-    std::vector<DrawnTriangle> triangles;
+/// What stages read of triangles, a row each.
+struct PrimitiveRows {
     std::vector<PrimitiveData> data;
     std::vector<PrimitiveFrame> frames;  ///< as long as `data`, or empty where nothing reads them
     std::vector<PrimitiveVertices> vertices;  ///< likewise
+};
+
+/// Everything to draw, in submission order; rows run parallel to `triangles`.
+struct Geometry : PrimitiveRows {
+    std::vector<DrawnTriangle> triangles;
     std::vector<PlaneSetup> planes;  ///< likewise; empty if attributes are interpolated exactly
+    /// Where a hardware's planes, and so the rows, are those of whole triangles: the rows of the
+    /// pieces that clipping has made of them, for who interpolates exactly. Else empty.
+    PrimitiveRows pieces;
     PrimitiveCounts counts;
 };
 

@@ -18,12 +18,22 @@ namespace {
 constexpr int quad_lanes = 4;
 constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 
-constexpr FragmentRange unknown{-std::numeric_limits<double>::infinity(),
-                                std::numeric_limits<double>::infinity(), 0};
+constexpr double no_border = std::numeric_limits<double>::infinity();
+
+constexpr FragmentRange unknown{-no_border, no_border, 0};
+
+/// By the pieces that triangles have been cut into, whose vertices the edges belong to.
+void interpolate_exactly(StageCall& call, const Geometry& geometry) {
+    call.planes = nullptr;
+    const PrimitiveRows& pieces = geometry.pieces;
+    if (pieces.data.empty()) return;
+    call.primitives = pieces.data.data();
+    if (!pieces.frames.empty()) call.frames = pieces.frames.data();
+    if (!pieces.vertices.empty()) call.vertices = pieces.vertices.data();
+}
 
 /// Before the first of several.
-constexpr FragmentRange no_range{std::numeric_limits<double>::infinity(),
-                                 -std::numeric_limits<double>::infinity(), 0};
+constexpr FragmentRange no_range{no_border, -no_border, 0};
 
 /// Whether coordinates of a range may lie in two cells of an axis.
 bool may_change_cell(const FragmentRange& range, int texels, double centre, const GridAxis& axis) {
@@ -111,6 +121,8 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
     context_ = plan_.table->context();
     context_->budget = plan_.budget;
     context_->maps = plan_.maps;
+    const SampledTexture* const heights = call.textures[static_cast<int>(TextureSlot::height)];
+    context_->leveled_map = heights != nullptr ? heights->view.texels : nullptr;
     material_ = *call.material;
     material_.heights_bounded = 0;
     material_.maxima = nullptr;
@@ -120,7 +132,7 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.counters = nullptr;
         call_.log = nullptr;
         drawn.point_to_quads(call_, geometry, q);
-        call_.planes = nullptr;
+        interpolate_exactly(call_, geometry);
         call_.values = values_.data();
         call_.lanes = quad_lanes;
         surface_ = plan_.surfaces[material];
@@ -202,9 +214,14 @@ void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage
     for (int lane = 0; lane < quad_lanes; ++lane) record(quad, lane);
     if (context_->too_many) return give_up(quad);
     const std::uint32_t several = context_->joined;
+    std::array<std::vector<double>, quad_lanes> borders;
     for (int lane = 0; lane < quad_lanes; ++lane)
-        if ((several >> lane & 1) != 0 && coverage.samples[static_cast<std::size_t>(lane)] != 0)
-            follow(plan, quad, lane);
+        borders[static_cast<std::size_t>(lane)] = level_borders(lane);
+    for (int lane = 0; lane < quad_lanes; ++lane) {
+        const auto i = static_cast<std::size_t>(lane);
+        if (((several >> lane & 1) != 0 || !borders[i].empty()) && coverage.samples[i] != 0)
+            follow(plan, quad, lane, borders[i]);
+    }
     mark_cells();
     for (int lane = 0; lane < quad_lanes; ++lane)
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
@@ -301,29 +318,64 @@ void RangeBatch::record(int quad, int lane) {
     }
 }
 
-/// One way after another, if they are no more than `most`.
+/// One way after another, if they are no more than `most`; else none.
 bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int most) {
-    for (auto& ways : ways_) ways.clear();
-    hits_[static_cast<std::size_t>(lane)] = {no_range, no_range};
+    const auto hits_before = hits_[static_cast<std::size_t>(lane)];
+    const std::size_t before = ways_.empty() ? 0 : ways_.front().size();
     context_->begin_lane(lane);
     int count = 0;
     do {
         run_stages(plan);
         record(quad, lane);
     } while (!context_->too_many && ++count < most && context_->next_way());
-    return !context_->too_many && (count < most || !context_->next_way());
+    const bool all = !context_->too_many && (count < most || !context_->next_way());
+    if (all) return true;
+    for (auto& ways : ways_) ways.resize(before);
+    hits_[static_cast<std::size_t>(lane)] = hits_before;
+    return false;
 }
 
-/// Where a lane has too many ways, the sides of its decisions are taken together, but for those
-/// between constants; where that is too many as well, all are, as they are already.
-void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane) {
-    const auto together = hits_[static_cast<std::size_t>(lane)];
+/// Where a lane's height map may be read at levels from `from` to `to`. Where that has too many
+/// ways, the sides of its decisions are taken together, but for those between constants.
+bool RangeBatch::follow_levels(const MaterialPlan& plan, int quad, int lane, double from,
+                               double to) {
+    context_->level_from = from;
+    context_->level_to = to;
     bool all = follow_ways(plan, quad, lane, most_ways);
     if (!all) {
         context_->together = true;
         all = follow_ways(plan, quad, lane, most_ways);
         context_->together = false;
     }
+    context_->level_from = -no_border;
+    context_->level_to = no_border;
+    return all;
+}
+
+/// The ends of the parts that the last run's levels are gone through in; between whole levels,
+/// since look-ups in more than two do not hang together. None where levels are known, or nothing is
+/// known of them.
+std::vector<double> RangeBatch::level_borders(int lane) const {
+    std::vector<double> borders;
+    if (!context_->level_known[lane]) return borders;
+    const RealInterval& all = context_->clamped_level[lane];
+    const double step = all.width() <= most_levels_apart ? levels_at_once : 1;
+    for (double k = std::floor(all.lo / step) + 1; k * step < all.hi; ++k)
+        borders.push_back(k * step);
+    return borders;
+}
+
+/// Part by part and way by way. Where even that is too much, all is taken together, as it is
+/// already.
+void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane,
+                        const std::vector<double>& borders) {
+    for (auto& ways : ways_) ways.clear();
+    const auto together = hits_[static_cast<std::size_t>(lane)];
+    hits_[static_cast<std::size_t>(lane)] = {no_range, no_range};
+    bool all = true;
+    for (std::size_t part = 0; part <= borders.size() && all; ++part)
+        all = follow_levels(plan, quad, lane, part == 0 ? -no_border : borders[part - 1],
+                            part == borders.size() ? no_border : borders[part]);
     if (!all) hits_[static_cast<std::size_t>(lane)] = together;
     for (std::size_t s = 0; all && s < plan_.slots.size(); ++s)
         result(s, quad_lanes * quad + lane) = joined(ways_[s]);

@@ -24,6 +24,9 @@ class RangeBatch {
   public:
     /// Ways of a lane that are followed.
     static constexpr int most_ways = 16;
+    /// Levels of detail of the height map that are taken at once; where a lane may have more than
+    /// the second number of them, whole levels are.
+    static constexpr double levels_at_once = 0.25, most_levels_apart = 3;
 
     explicit RangeBatch(const RangePlan& plan);
 
@@ -48,8 +51,10 @@ class RangeBatch {
     void inject_after(const PlannedStage& stage);
     void name_place();
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
-    void follow(const MaterialPlan& plan, int quad, int lane);
+    void follow(const MaterialPlan& plan, int quad, int lane, const std::vector<double>& borders);
     bool follow_ways(const MaterialPlan& plan, int quad, int lane, int most);
+    bool follow_levels(const MaterialPlan& plan, int quad, int lane, double from, double to);
+    std::vector<double> level_borders(int lane) const;
     void record(int quad, int lane);
     void give_up(int quad);
     void mark_coverage(const QuadCoverage& coverage);

@@ -10,24 +10,6 @@ namespace {
 using judge::CommonHit;
 using judge::RayRange;
 
-/// All numbers of the ray, each up to `apart` of its size off, or of 1.
-RayRange about(const judge::Ray& ray, double apart) {
-    const auto around = [apart](double x) {
-        const double off = apart * std::max(1.0, std::fabs(x));
-        return RealInterval(x - off, x + off);
-    };
-    return {around(ray.u), around(ray.v), around(ray.Ku), around(ray.Kv), ray.s_polygon};
-}
-
-/// One of the range, its corners as likely as all the rest.
-judge::Ray one_of(const RayRange& rays, Random& random) {
-    const auto in = [&](const RealInterval& x) {
-        if (random.chance(0.5)) return random.chance(0.5) ? x.lo : x.hi;
-        return std::clamp(random.uniform(x.lo, x.hi), x.lo, x.hi);
-    };
-    return {in(rays.u), in(rays.v), in(rays.Ku), in(rays.Kv), rays.s_polygon};
-}
-
 testing::AssertionResult holds(const CommonHit& common, const judge::Hit& hit) {
     if (hit.status != common.status)
         return testing::AssertionFailure() << "another status at " << hit.s;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "quadrel/relief/cells.hpp"
-#include "quadrel/relief/trace/oracle/first_hit.hpp"
+#include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "relief/exact/exact_search.hpp"
 #include "relief/exact/oracle_exact.hpp"
 
@@ -37,6 +37,24 @@ judge::Ray judged_ray(Batch<T>& batch, int lane) {
 }
 inline oracle::Ray long_ray(const judge::Ray& ray) {
     return {ray.u, ray.v, ray.Ku, ray.Kv, ray.s_polygon};
+}
+
+/// All numbers of the ray, each up to `apart` of its size off, or of 1.
+inline judge::RayRange about(const judge::Ray& ray, double apart) {
+    const auto around = [apart](double x) {
+        const double off = apart * std::max(1.0, std::fabs(x));
+        return RealInterval(x - off, x + off);
+    };
+    return {around(ray.u), around(ray.v), around(ray.Ku), around(ray.Kv), ray.s_polygon};
+}
+
+/// One of the range, its corners as likely as all the rest.
+inline judge::Ray one_of(const judge::RayRange& rays, Random& random) {
+    const auto in = [&](const RealInterval& x) {
+        if (random.chance(0.5)) return random.chance(0.5) ? x.lo : x.hi;
+        return std::clamp(random.uniform(x.lo, x.hi), x.lo, x.hi);
+    };
+    return {in(rays.u), in(rays.v), in(rays.Ku), in(rays.Kv), rays.s_polygon};
 }
 
 /// A hit in rationals: s within [lo, hi], the cell in the plane, before it is wrapped.

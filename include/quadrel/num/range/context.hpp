@@ -77,6 +77,17 @@ struct RangeContext {
     };
     PlaceLevel place_level[4] = {};
 
+    /// Look-ups with the same gradients have the same level of detail, which may be far from known:
+    /// a run takes the part of what the followed lane's may be from `level_from` to `level_to`.
+    /// Levels are those of this map (by its texels), and the first look-up in it says which
+    /// gradients are meant.
+    const float* leveled_map = nullptr;
+    double level_from = -std::numeric_limits<double>::infinity();
+    double level_to = std::numeric_limits<double>::infinity();
+    bool level_known[4] = {};            ///< whether a lane has asked for a level in this run
+    RealInterval lane_level[4] = {};     ///< what it may be as a whole, and
+    RealInterval clamped_level[4] = {};  ///< after the sampler's clamps
+
     bool is_place(std::int32_t group) const {
         return places > 0 && group >= places && group < places + 4;
     }
@@ -87,6 +98,7 @@ struct RangeContext {
         joined = 0;
         shared_errors = unit_vectors = alternatives = places = 0;
         for (PlaceLevel& level : place_level) level.place = 0;
+        for (bool& known : level_known) known = false;
         ++run;
     }
     /// Before the first run of a lane (none if negative).

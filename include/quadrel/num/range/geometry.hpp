@@ -68,6 +68,21 @@ inline vec3<Ranges> reflect(const vec3<Ranges>& i, const vec3<Ranges>& n) {
     return result;
 }
 
+namespace range_detail {
+
+/// x / root(x^2 + y) for x of a range and y of one that is not below 0: it grows with x, and comes
+/// nearer to 0 as y grows.
+inline RealInterval over_length(const RealInterval& x, const RealInterval& others) {
+    const auto at = [&](double part, bool least) {
+        const double other = (part >= 0) == least ? others.hi : others.lo;
+        const double length = std::sqrt(part * part + other);
+        return length > 0 ? part / length : part;
+    };
+    return near(at(x.lo, true), at(x.hi, false));
+}
+
+}  // namespace range_detail
+
 /// v over its length, or times the inverse root of its square: no component is above 1 by more than
 /// errors. Of what may be a null vector, anything.
 template <int size>
@@ -76,10 +91,13 @@ vec<size, Ranges> normalize(const vec<size, Ranges>& v) {
     vec<size, Ranges> result;
     for (int i = 0; i < 4; ++i) {
         const std::int32_t number = range_detail::next_unit(false);
-        Ranged square(0);
+        Ranged square(0), others[size];
+        for (int c = 0; c < size; ++c) others[c] = 0;
         for (int c = 0; c < size; ++c) {
-            const Ranged size_of = abs(v[c].lane[i]);
-            square = square + size_of * size_of;
+            const Ranged size_of = abs(v[c].lane[i]), of_component = size_of * size_of;
+            square = square + of_component;
+            for (int other = 0; other < size; ++other)
+                if (other != c) others[other] = others[other] + of_component;
         }
         const RealInterval sum = square.range();
         const bool known = square.is_bounded() && sum.lo > 0x1p-100 && sum.hi < 0x1p100;
@@ -87,9 +105,10 @@ vec<size, Ranges> normalize(const vec<size, Ranges>& v) {
             Ranged& component = result[c].lane[i];
             component = Ranged::anything();
             if (!known) continue;
-            const RealInterval root(next_down(std::sqrt(sum.lo)), next_up(std::sqrt(sum.hi)));
-            const RealInterval unit =
-                range_detail::rounded(v[c].lane[i].range() / root, errors.normalize);
+            const RealInterval rest = others[c].range();
+            const RealInterval unit = range_detail::rounded(
+                range_detail::over_length(v[c].lane[i].range(), {std::max(rest.lo, 0.0), rest.hi}),
+                errors.normalize + (errors.unit > 0 ? 2 : 0));  // of the square's sum
             const double most = 1 + (errors.normalize + 8) * 0x1p-23;
             component = Ranged(std::max(unit.lo, -most), std::min(unit.hi, most));
             if (size == 3) component.unit = number + c;

@@ -119,6 +119,25 @@ inline LinearForm blended(const LinearForm& fine, const LinearForm& coarse, cons
     return form;
 }
 
+/// A form that is each of two: of both the middle, and what is left of either.
+inline LinearForm either(const LinearForm& a, const LinearForm& b) {
+    LinearForm form;
+    for (int c = 0; c < 4; ++c) {
+        form.at[c] = (a.at[c] + b.at[c]) / 2;
+        double left_a = a.rest[c] + std::fabs(a.at[c] - form.at[c]);
+        double left_b = b.rest[c] + std::fabs(b.at[c] - form.at[c]);
+        double size = std::fabs(a.at[c]) + std::fabs(b.at[c]);
+        for (int k = 0; k < 3; ++k) {
+            form.part[k][c] = (a.part[k][c] + b.part[k][c]) / 2;
+            left_a += std::fabs(a.part[k][c] - form.part[k][c]);
+            left_b += std::fabs(b.part[k][c] - form.part[k][c]);
+            size += std::fabs(a.part[k][c]) + std::fabs(b.part[k][c]);
+        }
+        form.rest[c] = std::max(left_a, left_b) * (1 + 0x1p-40) + size * 0x1p-40;
+    }
+    return form;
+}
+
 /// The form as a number, with what filters are off by; `range` where the form is wider.
 inline Ranged narrower(const LinearForm& form, int channel, std::int32_t named,
                        const RealInterval& range) {

@@ -113,6 +113,31 @@ inline RealInterval level_of(const SampledTexture& texture, const RealInterval& 
     return {std::clamp(lambda.lo, 0.0, last), std::clamp(lambda.hi, 0.0, last)};
 }
 
+/// What this run takes of what a lane's level may be: a part of it, where the gradients are those
+/// of the lane's first look-up in the map whose levels are gone through part by part. In a map of
+/// another size the level of these gradients is as much higher or lower, whatever it is made of,
+/// but for the error of either level.
+inline RealInterval part_of_levels(const SampledTexture& texture, int lane,
+                                   const RealInterval& all) {
+    RangeContext& context = range_context();
+    RealInterval& first = context.lane_level[lane];
+    if (!context.level_known[lane] && context.leveled_map == texture.view.texels) {
+        context.level_known[lane] = true;
+        first = all;
+        context.clamped_level[lane] =
+            level_of(texture, clamped_lambda(texture.sampler, Ranged(all)));
+    }
+    if (!context.level_known[lane] || context.followed != lane) return all;
+    constexpr double rounding = 1e-9;
+    double higher = all.lo - first.lo;
+    if (std::fabs(all.hi - first.hi - higher) > rounding) return all;
+    const double whole = std::nearbyint(higher);
+    if (std::fabs(higher - whole) <= rounding) higher = whole;
+    const double apart = texture.view.texels == context.leveled_map ? 0 : 2 * budget().lod;
+    return {std::clamp(context.level_from + higher - apart, all.lo, all.hi),
+            std::clamp(context.level_to + higher + apart, all.lo, all.hi)};
+}
+
 /// Whether the level, or which filter, depends on rounding.
 inline bool is_level_undecided(const SamplerState& s, bool mips, const RealInterval& lambda,
                                const RealInterval& d) {
@@ -167,13 +192,19 @@ inline bool form_of_look_up(LinearForm& form, const SampledTexture& texture, con
     const bool mips = s.mip != MipFilter::none && texture.view.levels > 1;
     const RealInterval d = mips ? level_of(texture, clamped_lambda(s, lambda)) : RealInterval(0);
     const double first = std::floor(d.lo);
-    if ((mips && s.mip == MipFilter::nearest && d.hi > 0) || d.hi > first + 1) return false;
+    if ((mips && s.mip == MipFilter::nearest && d.hi > 0) || d.hi > first + 2) return false;
     const int level = static_cast<int>(first);
-    if (!linear_form(form, LevelTexels(texture, level), u, v)) return false;
+    LinearForm fine, coarse, coarsest;
+    if (!linear_form(fine, LevelTexels(texture, level), u, v)) return false;
+    form = fine;
     if (d.hi == first) return true;
-    LinearForm coarse;
     if (!linear_form(coarse, LevelTexels(texture, level + 1), u, v)) return false;
-    form = blended(form, coarse, {d.lo - first, d.hi - first}, error_of_level(texture, u, v, d));
+    const bool two = d.hi > first + 1;
+    form = blended(fine, coarse, {d.lo - first, std::min(d.hi - first, 1.0)},
+                   two ? -1 : error_of_level(texture, u, v, d));
+    if (!two) return true;
+    if (!linear_form(coarsest, LevelTexels(texture, level + 2), u, v)) return false;
+    form = either(form, blended(coarse, coarsest, {0, d.hi - first - 1}, -1));
     return true;
 }
 
@@ -278,7 +309,7 @@ inline LodRecord<Ranges> select_level(const SampledTexture& texture, const Range
     LodRecord<Ranges> record{rho, lambda, Ranges(0), Ranges(0), RangeMask(false)};
     for (int i = 0; i < 4; ++i) {
         Ranged& raw = record.lambda.lane[i];
-        if (raw.is_bounded()) raw = Ranged(widened(raw.range(), off));
+        if (raw.is_bounded()) raw = Ranged(part_of_levels(texture, i, widened(raw.range(), off)));
         const RealInterval clamped = clamped_lambda(s, raw), d = level_of(texture, clamped);
         RangeTruth& magnified = record.magnified.lane[i];
         magnified = clamped.hi <= 0  ? RangeTruth(true)
