@@ -32,6 +32,7 @@ set(QUADREL_KERNEL_GROUPS
   "march|relief/trace/march/stages.hpp|MarchStages"
   "cone|relief/trace/cone/stages.hpp|ConeStages"
   "exact|relief/trace/exact/stages.hpp|ExactStages"
+  "tables|relief/trace/table/stages.hpp|TableStages"
   "engine|relief/trace/engine/stages.hpp|EngineStages"
   "hit|relief/hit/stages.hpp|HitStages"
   "surface|relief/surface/stages.hpp|SurfaceStages"

@@ -37,6 +37,9 @@ enum class TextureSlot : std::int32_t {
     horizon,
     horizon_sampled,
     rmq,
+    ddm,
+    gdm,
+    vdm,
     count
 };
 

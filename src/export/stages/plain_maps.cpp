@@ -19,7 +19,8 @@ std::string map_name(TextureSlot slot) {
                                         "quad_cone",    "aniso_cone",
                                         "distance",     "distance_exact",
                                         "horizon",      "horizon_sampled",
-                                        "rmq"};
+                                        "rmq",          "ddm",
+                                        "gdm",          "vdm"};
     static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
     return std::string(names[static_cast<int>(slot)]) + "_map";
 }
@@ -36,6 +37,9 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::horizon:
         case TextureSlot::horizon_sampled:
         case TextureSlot::rmq:
+        case TextureSlot::ddm:
+        case TextureSlot::gdm:
+        case TextureSlot::vdm:
             return 1;
         case TextureSlot::color:
         case TextureSlot::gloss:

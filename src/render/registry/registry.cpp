@@ -55,9 +55,9 @@ std::vector<StageInfo> describe_lists() {
 std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
-                       ExactStages, OracleTraceStages, EngineStages, HitStages, SurfaceStages,
-                       ShadowStages, OracleShadowStages, OcclusionStages, OracleOcclusionStages,
-                       ShadeStages>();
+                       ExactStages, TableStages, OracleTraceStages, EngineStages, HitStages,
+                       SurfaceStages, ShadowStages, OracleShadowStages, OcclusionStages,
+                       OracleOcclusionStages, ShadeStages>();
     return stages;
 }
 
@@ -91,7 +91,8 @@ std::string_view slot_name(TextureSlot slot) {
         "quad-cone",    "aniso-cone",
         "distance",     "distance-exact",
         "horizon",      "horizon-sampled",
-        "rmq"};
+        "rmq",          "ddm",
+        "gdm",          "vdm"};
     return names[static_cast<std::size_t>(slot)];
 }
 

@@ -7,7 +7,7 @@
 
 namespace quadrel::sweep {
 
-/// "offset", "march", "cone", "exact", "oracle", "engine", or "other" for a plugin's.
+/// "offset", "march", "cone", "exact", "table", "oracle", "engine", or "other" for a plugin's.
 std::string_view family_of(std::string_view trace);
 
 /// Which rows a plan may ask for by one word.
