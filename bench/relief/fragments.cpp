@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <sstream>
 
 #include "io/document/stage_parameters.hpp"
@@ -80,6 +81,7 @@ void Fragments::bake_for(const Row& row) {
     const SamplerState sampler = textures_[static_cast<std::size_t>(TextureSlot::height)].sampler;
     BakedTextureOptions options;
     options.parameters = row.baking;
+    options.seconds_limit = std::numeric_limits<double>::infinity();
     std::string key;
     for (const auto& [name, value] : row.baking) key += fmt::format(" {}={}", name, value);
     double floats = 0;

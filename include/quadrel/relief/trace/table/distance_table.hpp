@@ -1,6 +1,4 @@
-// Look-ups in tables of distances by place, layer and direction, linear in each. What they give
-// lies above or below the surface, so that a shadow that starts at hit.s may start in the dark:
-// shadow-exact starts at the height that the field has there.
+// Look-ups in tables of distances by place, layer and direction, linear in each.
 #pragma once
 
 #include "quadrel/relief/direction_table.hpp"
