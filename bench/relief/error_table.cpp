@@ -166,8 +166,9 @@ void print_row(const std::string& name, const std::vector<std::vector<Figures>>&
     const std::pair<const char*, double Figures::*> lines[] = {{"late %", &Figures::late},
                                                                {"early %", &Figures::early},
                                                                {"mean texels", &Figures::distance},
-                                                               {"look-ups", &Figures::fetches},
-                                                               {"MiB", &Figures::mebibytes}};
+                                                               {"look-ups", &Figures::fetches}};
+    const double mebibytes = a_map.at(0).at(0).mebibytes;
+    const std::string memory = mebibytes > 0 ? fmt::format(", {:.2g} MiB", mebibytes) : "";
     bool first = true;
     for (const auto& [title, figure] : lines) {
         std::string cells;
@@ -177,7 +178,7 @@ void print_row(const std::string& name, const std::vector<std::vector<Figures>>&
             for (const Figures& f : figures) zero &= number(f.*figure) == "0";
         }
         if (zero) continue;
-        fmt::print("| {} | {} |{}\n", first ? "`" + name + "`" : "", title, cells);
+        fmt::print("| {} | {} |{}\n", first ? "`" + name + "`" + memory : "", title, cells);
         first = false;
     }
 }

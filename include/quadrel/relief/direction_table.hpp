@@ -48,8 +48,8 @@ class DirectionTable {
   public:
     explicit DirectionTable(const TextureView& view)
         : view_(view),
-          depth_(gather<F>(view.texels + view.offset[2], Int<F>(0))),
-          curvature_(gather<F>(view.texels + view.offset[2], Int<F>(1))) {}
+          depth_(only_channel<F>(view, Int<F>(view.offset[2]))),
+          curvature_(only_channel<F>(view, Int<F>(view.offset[2] + 1))) {}
 
     std::int32_t columns() const { return view_.width[1]; }
     std::int32_t rows() const { return view_.height[1]; }
@@ -64,7 +64,7 @@ class DirectionTable {
     F at(Int<F> i, Int<F> j, Int<F> k, Int<F> a, Int<F> b) const {
         const Int<F> row = k * Int<F>(view_.height[0]) + b * Int<F>(rows()) + j;
         const Int<F> texel = row * Int<F>(view_.width[0]) + a * Int<F>(columns()) + i;
-        return gather<F>(view_.texels, texel);
+        return only_channel<F>(view_, texel);
     }
 
     /// The slice that height z lies in: the k-th reaches from k / slices to (k + 1) / slices.
