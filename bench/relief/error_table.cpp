@@ -38,6 +38,25 @@ const std::vector<std::string> standard_rows{
     "max-mip",
     "cone-cell",
     "rmq-leap",
+    "ddm",
+};
+
+/// Tables by direction, at some resolutions.
+const std::vector<std::string> table_rows{
+    "ddm bake.columns=32 bake.slices=4 bake.directions=8",
+    "ddm bake.columns=64 bake.slices=8 bake.directions=8",
+    "ddm bake.columns=128 bake.slices=8 bake.directions=8",
+    "ddm bake.columns=64 bake.slices=8 bake.directions=16",
+    "gdm bake.columns=32 bake.slices=4 bake.directions=9",
+    "gdm bake.columns=64 bake.slices=4 bake.directions=9",
+    "gdm bake.columns=128 bake.slices=4 bake.directions=9",
+    "gdm bake.columns=64 bake.slices=8 bake.directions=9",
+    "gdm bake.columns=64 bake.slices=4 bake.directions=17",
+    "vdm bake.columns=32 bake.directions=9 bake.curvatures=1",
+    "vdm bake.columns=64 bake.directions=9 bake.curvatures=1",
+    "vdm bake.columns=128 bake.directions=9 bake.curvatures=1",
+    "vdm bake.columns=64 bake.directions=17 bake.curvatures=1",
+    "vdm bake.columns=64 bake.directions=33 bake.curvatures=1",
 };
 
 /// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), in [0, 1).
@@ -108,9 +127,10 @@ void set_rays(Fragments& fragments, double degrees) {
     }
 }
 
-/// Per cent late and early, mean distance in texels, look-ups a ray.
+/// Per cent late and early, mean distance in texels, look-ups a ray, memory of baked maps where the
+/// row says how they are baked.
 struct Figures {
-    double late = 0, early = 0, distance = 0, fetches = 0;
+    double late = 0, early = 0, distance = 0, fetches = 0, mebibytes = 0;
 };
 
 Figures measure(Fragments& fragments, const Row& row, const std::vector<double>& truth) {
@@ -125,7 +145,8 @@ Figures measure(Fragments& fragments, const Row& row, const std::vector<double>&
         sum.distance += std::fabs(by);
         sum.fetches += fragments.integer(Value::hit_fetches, lane);
     }
-    return {100 * sum.late / rays, 100 * sum.early / rays, sum.distance / rays, sum.fetches / rays};
+    return {100 * sum.late / rays, 100 * sum.early / rays, sum.distance / rays, sum.fetches / rays,
+            row.baking.empty() ? 0 : fragments.baked_mebibytes()};
 }
 
 std::string number(double x) {
@@ -146,6 +167,8 @@ void print_row(const std::string& name, const std::vector<std::vector<Figures>>&
                                                                {"early %", &Figures::early},
                                                                {"mean texels", &Figures::distance},
                                                                {"look-ups", &Figures::fetches}};
+    const double mebibytes = a_map.at(0).at(0).mebibytes;
+    const std::string memory = mebibytes > 0 ? fmt::format(", {:.2g} MiB", mebibytes) : "";
     bool first = true;
     for (const auto& [title, figure] : lines) {
         std::string cells;
@@ -155,7 +178,7 @@ void print_row(const std::string& name, const std::vector<std::vector<Figures>>&
             for (const Figures& f : figures) zero &= number(f.*figure) == "0";
         }
         if (zero) continue;
-        fmt::print("| {} | {} |{}\n", first ? "`" + name + "`" : "", title, cells);
+        fmt::print("| {} | {} |{}\n", first ? "`" + name + "`" + memory : "", title, cells);
         first = false;
     }
 }
@@ -194,10 +217,11 @@ void print_table(const std::vector<Row>& rows) {
 int main(int argc, char** argv) {
     using namespace quadrel;
     try {
+        std::vector<std::string> texts(argv + 1, argv + argc);
+        if (texts.empty()) texts = bench::standard_rows;
+        if (texts == std::vector<std::string>{"--tables"}) texts = bench::table_rows;
         std::vector<bench::Row> rows;
-        for (int i = 1; i < argc; ++i) rows.emplace_back(argv[i]);
-        if (argc < 2)
-            for (const std::string& row : bench::standard_rows) rows.emplace_back(row);
+        for (const std::string& text : texts) rows.emplace_back(text);
         bench::print_table(rows);
     } catch (const UsageError& error) {
         fmt::print(stderr, "quadrel-relief-errors: {}\n", error.what());

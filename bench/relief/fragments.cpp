@@ -1,5 +1,8 @@
 #include "relief/fragments.hpp"
 
+#include <fmt/format.h>
+
+#include <limits>
 #include <sstream>
 
 #include "io/document/stage_parameters.hpp"
@@ -17,6 +20,10 @@ Row::Row(const std::string& row) : text(row) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos) throw UsageError("\"" + word + "\" is not name=value");
         const std::string name = word.substr(0, equals), value = word.substr(equals + 1);
+        if (name.starts_with("bake.")) {
+            baking[name.substr(5)] = std::stod(value);
+            continue;
+        }
         const ParameterText* parameter = find_parameter(id, name);
         if (!parameter) throw UsageError(id + " has no parameter \"" + name + "\"");
         const std::optional<double> named = number_of(*parameter, value);
@@ -70,20 +77,30 @@ void Fragments::bind(const Texture& height, const SamplerState& sampler) {
     textures_[static_cast<std::size_t>(TextureSlot::height)] = {height.view(), sampler};
 }
 
-void Fragments::bake_for(const StageInfo& stage) {
+void Fragments::bake_for(const Row& row) {
     const SamplerState sampler = textures_[static_cast<std::size_t>(TextureSlot::height)].sampler;
-    for (const TextureSlot slot : stage.textures) {
-        const auto i = static_cast<std::size_t>(slot);
-        if (source_of(slot) != TextureSlot::height || slot < first_baked_slot || baked_[i])
-            continue;
-        baked_[i] = baked_texture(*height_, bake_kind_from_name(slot_name(slot)), sampler);
-        textures_[i] = {baked_[i]->view(), sampler};
+    BakedTextureOptions options;
+    options.parameters = row.baking;
+    options.seconds_limit = std::numeric_limits<double>::infinity();
+    std::string key;
+    for (const auto& [name, value] : row.baking) key += fmt::format(" {}={}", name, value);
+    double floats = 0;
+    for (const TextureSlot slot : row.stage().textures) {
+        if (source_of(slot) != TextureSlot::height || slot < first_baked_slot) continue;
+        auto& map = baked_[std::string(slot_name(slot)) + key];
+        if (!map)
+            map = baked_texture(*height_, bake_kind_from_name(slot_name(slot)), sampler, options);
+        const TextureView& view = map->view();
+        textures_[static_cast<std::size_t>(slot)] = {view, sampler};
+        for (int level = 0; level < view.levels; ++level)
+            floats += double(view.width[level]) * view.height[level] * view.channels * view.faces;
     }
+    baked_mebibytes_ = floats * sizeof(float) / (1 << 20);
 }
 
 void Fragments::run(const Row& row) {
     const StageInfo& stage = row.stage();
-    bake_for(stage);
+    bake_for(row);
     std::vector<std::max_align_t> params(stage.params_size / sizeof(std::max_align_t) + 1);
     stage.set_defaults(params.data());
     for (const auto& [name, value] : row.parameters)

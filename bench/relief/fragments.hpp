@@ -13,10 +13,11 @@
 
 namespace quadrel::bench {
 
-/// A search and its parameters, as "id name=value name=value".
+/// A search and its parameters, as "id name=value name=value", of its baked maps
+/// "bake.name=value".
 struct Row {
     std::string text, id;
-    std::map<std::string, double> parameters;
+    std::map<std::string, double> parameters, baking;
 
     /// Throws UsageError for what is not of that form, or no search.
     explicit Row(const std::string& text);
@@ -41,12 +42,14 @@ class Fragments {
         return integers_[slot(v)][static_cast<std::size_t>(lane)];
     }
     int count() const { return count_; }
+    /// Of the maps that the last run read, besides the heights.
+    double baked_mebibytes() const { return baked_mebibytes_; }
 
   private:
     static std::size_t slot(Value v, int component = 0) {
         return static_cast<std::size_t>(slot_of(v) + component);
     }
-    void bake_for(const StageInfo& stage);
+    void bake_for(const Row& row);
 
     int count_;
     std::vector<std::uint32_t> active_;
@@ -55,7 +58,8 @@ class Fragments {
     MaterialUniforms material_{};
     FrameUniforms frame_{};
     const Texture* height_ = nullptr;
-    std::array<std::shared_ptr<const Texture>, texture_slot_count> baked_;
+    std::map<std::string, std::shared_ptr<const Texture>> baked_;
+    double baked_mebibytes_ = 0;
     std::array<SampledTexture, texture_slot_count> textures_{};
 };
 

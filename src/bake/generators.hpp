@@ -26,5 +26,8 @@ std::shared_ptr<Texture> bake_normal_4tap(const BakeJob& job);
 std::shared_ptr<Texture> bake_normal_sobel(const BakeJob& job);
 std::shared_ptr<Texture> bake_rmq(const BakeJob& job);
 std::shared_ptr<Texture> bake_layer_bounds(const BakeJob& job);
+std::shared_ptr<Texture> bake_ddm(const BakeJob& job);
+std::shared_ptr<Texture> bake_gdm(const BakeJob& job);
+std::shared_ptr<Texture> bake_vdm(const BakeJob& job);
 
 }  // namespace quadrel

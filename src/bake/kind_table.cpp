@@ -18,6 +18,8 @@ double ray_time(double texels) { return 2.5e-8 * texels * std::sqrt(texels); }
 double sampled_ray_time(double texels) { return 2.5e-8 * texels * std::sqrt(texels); }
 double pair_time(double texels) { return 3e-11 * texels * texels; }
 double sector_time(double texels) { return 5e-6 * texels; }
+double block_table_time(double texels) { return 1e-4 * std::min(texels, 4096.0); }
+double node_table_time(double texels) { return 3e-4 * std::min(texels, 1024.0); }
 double cone_time(double texels) { return 1.5e-6 * texels; }
 double relaxed_time(double texels) { return 1e-10 * texels * texels; }
 
@@ -32,6 +34,22 @@ const BakeParameter azimuths{"azimuths", 8, 4, 64, true, "directions"};
 const BakeParameter reach{
     "reach", 4,     0,
     64,      false, "tiles to look at, at least, towards other than multiples of 45 degrees"};
+const BakeParameter columns{"columns", 64,   1,
+                            4096,      true, "blocks along u, or all cells if there are fewer"};
+const BakeParameter thick_slices{"slices", 8, 2, 64, true, "slices between heights 0 and 1"};
+const BakeParameter directions{
+    "directions", 8, 2, 64, true, "ranges of directions along a side of their square"};
+const BakeParameter few_columns{"columns", 32,   1,
+                                4096,      true, "nodes along u, or all texels if there are fewer"};
+const BakeParameter few_slices{"slices", 4, 1, 64, true, "heights of nodes above 0, to 1"};
+const BakeParameter direction_nodes{
+    "directions", 9, 3, 65, true, "nodes along a side of the square of directions"};
+const BakeParameter curvatures{"curvatures", 5, 1, 65, true, "curvatures of the base; 1: none"};
+const BakeParameter most_curvature{"curvature", 1,     0x1p-10,
+                                   1024,        false, "the greatest of them, in 1 / tile"};
+const BakeParameter table_depth{
+    "depth", 0.1,   0x1p-10,
+    16,      false, "depth of the relief in tiles that directions are spread for"};
 const BakeParameter relief_depth{"depth", 0.1, 0, 16, false, "depth of the relief in tiles"};
 
 /// How lengths in the plane and values are to be read.
@@ -122,6 +140,17 @@ std::vector<BakeKindRow> other_rows() {
                  "pyramid of least fronts and greatest backs of depth layers",
                  {"bilinear", "none", "exact"}, {}, bake_layer_bounds, Heights::layers,
                  linear_time),
+        make_row(BakeKind::ddm, "ddm", "heights down to which ranges of directions are free",
+                 {"bilinear", "tile", "up"}, {columns, thick_slices, directions, table_depth},
+                 bake_ddm, Heights::finite, block_table_time),
+        make_row(BakeKind::gdm, "gdm", "distances along rays from places, heights and directions",
+                 {"bilinear", "none", "nearest"},
+                 {few_columns, few_slices, direction_nodes, table_depth}, bake_gdm, Heights::finite,
+                 node_table_time),
+        make_row(BakeKind::vdm, "vdm", "distances along rays from the top of curved bases",
+                 {"bilinear", "none", "nearest"},
+                 {few_columns, direction_nodes, curvatures, most_curvature, table_depth}, bake_vdm,
+                 Heights::finite, node_table_time),
     };
 }
 

@@ -284,7 +284,8 @@ testing::AssertionResult hits_by_the_implicit_formula(const DualStage& stage) {
 }
 
 TEST(DualStages, ExactHitsHaveTheImplicitDerivative) {
-    for (const char* id : {"texel-exact", "max-mip", "cone-cell", "rmq-leap", "cone-robust-exact"})
+    for (const char* id :
+         {"texel-exact", "max-mip", "cone-cell", "rmq-leap", "ddm", "cone-robust-exact"})
         EXPECT_TRUE(hits_by_the_implicit_formula({id})) << id;
     EXPECT_FALSE(hits_by_the_implicit_formula({"linear"}));
 }

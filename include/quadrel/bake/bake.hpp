@@ -101,6 +101,25 @@ enum class BakeKind : std::int32_t {
     /// front and the greatest back of each pair, of cells where the pair has any thickness; 2 and
     /// -1 where none has.
     layer_bounds,
+    // Tables of directions, `slices` layers of one channel: quadrel/relief/direction_table.hpp says
+    // how they lie. At most 512 MiB.
+
+    /// The height down to which every ray is free that starts in a block of stored dual cells
+    /// (cell_grid), a slice of heights and a range of directions: the directions are those of
+    /// `directions` x `directions` equal squares. Level 1: for every direction. After Mehra, Kumar,
+    /// "Accurate and Efficient Rendering of Detail using Directional Distance Maps", ICVGIP 2012.
+    ddm,
+    /// The distance to the bilinear field along a ray, in lengths of its way from height 1 to 0,
+    /// from the middles of blocks of stored texels (texel_grid), heights (k + 1) / slices, towards
+    /// `directions` x `directions` nodes of the square, those of its border included; 0 inside of
+    /// the relief. Level 1: the least. Source: Wang, Tong, Lin, Hu, Guo, Shum, "Generalized
+    /// Displacement Maps", EGSR 2004.
+    gdm,
+    /// The same from the top alone, with a layer for each of `curvatures` curvatures of the base
+    /// along the ray from -`curvature` to `curvature`, in 1 / tile, above 0 where the base bends
+    /// away; -1 where the ray leaves through the top. Source: Wang, Wang, Tong, Lin, Hu, Guo, Shum,
+    /// "View-Dependent Displacement Mapping", SIGGRAPH 2003.
+    vdm,
 };
 
 /// A number that steers a kind.

@@ -39,6 +39,9 @@ enum class TextureSlot : std::int32_t {
     horizon_sampled,
     rmq,
     layer_bounds,
+    ddm,
+    gdm,
+    vdm,
     count
 };
 

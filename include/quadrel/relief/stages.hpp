@@ -15,3 +15,4 @@
 #include "quadrel/relief/trace/march/stages.hpp"
 #include "quadrel/relief/trace/offset/stages.hpp"
 #include "quadrel/relief/trace/oracle/stages.hpp"
+#include "quadrel/relief/trace/table/stages.hpp"

@@ -32,7 +32,10 @@ std::string map_name(TextureSlot slot) {
                                         "horizon",
                                         "horizon_sampled",
                                         "rmq",
-                                        "layer_bounds"};
+                                        "layer_bounds",
+                                        "ddm",
+                                        "gdm",
+                                        "vdm"};
     static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
     return std::string(names[static_cast<int>(slot)]) + "_map";
 }
@@ -49,6 +52,9 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::horizon:
         case TextureSlot::horizon_sampled:
         case TextureSlot::rmq:
+        case TextureSlot::ddm:
+        case TextureSlot::gdm:
+        case TextureSlot::vdm:
             return 1;
         case TextureSlot::color:
         case TextureSlot::gloss:

@@ -8,6 +8,7 @@
 #include "quadrel/relief/trace/layer/stages.hpp"
 #include "quadrel/relief/trace/march/stages.hpp"
 #include "quadrel/relief/trace/offset/stages.hpp"
+#include "quadrel/relief/trace/table/stages.hpp"
 
 namespace quadrel::recorded {
 
@@ -15,7 +16,8 @@ std::vector<RecordedStage> search_stages() {
     std::vector<RecordedStage> all;
     for (const auto& group : {recorded_stages(OffsetStages()), recorded_stages(MarchStages()),
                               recorded_stages(ConeStages()), recorded_stages(ExactStages()),
-                              recorded_stages(LayerStages()), recorded_stages(EngineStages())})
+                              recorded_stages(LayerStages()), recorded_stages(TableStages()),
+                              recorded_stages(EngineStages())})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

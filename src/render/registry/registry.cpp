@@ -56,8 +56,8 @@ std::vector<StageInfo> describe_lists() {
 std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
-                       ExactStages, LayerStages, OracleTraceStages, EngineStages, HitStages,
-                       SurfaceStages, ShadowStages, OracleShadowStages, OcclusionStages,
+                       ExactStages, LayerStages, TableStages, OracleTraceStages, EngineStages,
+                       HitStages, SurfaceStages, ShadowStages, OracleShadowStages, OcclusionStages,
                        OracleOcclusionStages, ShadeStages>();
     return stages;
 }
@@ -104,7 +104,10 @@ std::string_view slot_name(TextureSlot slot) {
                                                                      "horizon",
                                                                      "horizon-sampled",
                                                                      "rmq",
-                                                                     "layer-bounds"};
+                                                                     "layer-bounds",
+                                                                     "ddm",
+                                                                     "gdm",
+                                                                     "vdm"};
     return names[static_cast<std::size_t>(slot)];
 }
 

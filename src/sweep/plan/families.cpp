@@ -50,6 +50,7 @@ std::string_view family_of(std::string_view trace) {
     if (lists(ConeStages(), trace)) return "cone";
     if (lists(ExactStages(), trace)) return "exact";
     if (lists(LayerStages(), trace)) return "layer";
+    if (lists(TableStages(), trace)) return "table";
     if (lists(OracleTraceStages(), trace)) return "oracle";
     if (lists(EngineStages(), trace)) return "engine";
     return "other";

@@ -7,7 +7,8 @@
 
 namespace quadrel::sweep {
 
-/// "offset", "march", "cone", "exact", "layer", "oracle", "engine", or "other" for a plugin's.
+/// "offset", "march", "cone", "exact", "layer", "table", "oracle", "engine", or "other" for a
+/// plugin's.
 std::string_view family_of(std::string_view trace);
 
 /// Which rows a plan may ask for by one word.

@@ -19,12 +19,12 @@ constexpr const char* chart_style = R"(<style>
 text{font:13px system-ui,sans-serif;fill:#333}.title{font-size:17px;font-weight:600;fill:#111}
 .note,.tick{font-size:12px;fill:#666}.label{font-size:12px;fill:#222;stroke:#fff;stroke-width:3;paint-order:stroke}.grid{stroke:#e3e3e6}
 .axis{stroke:#999}.ground{fill:#fff}.front{stroke:#222;fill:none;stroke-width:1.5;stroke-dasharray:5 4}
-.offset{--c:#b86200}.march{--c:#1f63d6}.cone{--c:#0a7f57}.exact{--c:#7a2be8}.engine{--c:#70757d}
+.offset{--c:#b86200}.march{--c:#1f63d6}.cone{--c:#0a7f57}.exact{--c:#7a2be8}.table{--c:#8a6d00}.engine{--c:#70757d}
 .oracle{--c:#c02556}.other{--c:#444}.dot{fill:var(--c);stroke:#fff;stroke-width:1}
 .line{fill:none;stroke:var(--c);stroke-width:2}
 @media (prefers-color-scheme:dark){text{fill:#ccc}.title{fill:#fff}.note,.tick{fill:#9a9aa2}
 .label{fill:#eee;stroke:#17181c}.grid{stroke:#33343a}.axis{stroke:#777}.ground{fill:#17181c}.front{stroke:#eee}
-.dot{stroke:#17181c}.offset{--c:#f0a040}.march{--c:#6ea8ff}.cone{--c:#45cf9c}.exact{--c:#bd93ff}
+.dot{stroke:#17181c}.offset{--c:#f0a040}.march{--c:#6ea8ff}.cone{--c:#45cf9c}.exact{--c:#bd93ff}.table{--c:#d9c04a}
 .engine{--c:#a5abb5}.oracle{--c:#ff7a9f}.other{--c:#bbb}}
 </style>
 )";

@@ -13,7 +13,7 @@ constexpr Column all_columns[] = {
     {"angle", "degrees", "between view and normal"},
     {"algorithm", "", "trace and what the plan sets of it"},
     {"trace", "", "the stage's id"},
-    {"family", "", "offset, march, cone, exact, oracle, engine or other"},
+    {"family", "", "offset, march, cone, exact, table, oracle, engine or other"},
     {"steps_asked", "", "the plan's value of the parameter that counts steps"},
     {"number", "", "float or double"},
     {"isa", "", "instruction set that ran"},

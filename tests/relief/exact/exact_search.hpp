@@ -17,12 +17,17 @@ struct ExactMaps {
     explicit ExactMaps(Map map, std::initializer_list<TextureSlot> slots = {TextureSlot::max_mip,
                                                                             TextureSlot::texel_max,
                                                                             TextureSlot::cone_cell,
-                                                                            TextureSlot::rmq})
+                                                                            TextureSlot::rmq,
+                                                                            TextureSlot::ddm})
         : height(std::move(map)) {
         for (const TextureSlot slot : slots) {
             Map& to = baked[static_cast<std::size_t>(slot)];
-            to.texture =
-                bake(*height.texture, bake_kind_from_name(slot_name(slot)), height.sampled.sampler);
+            // Of tables as many directions as show their borders, in blocks of one cell and more.
+            BakeOptions options;
+            if (slot == TextureSlot::ddm)
+                options.parameters = {{"columns", 24}, {"slices", 5}, {"directions", 6}};
+            to.texture = bake(*height.texture, bake_kind_from_name(slot_name(slot)),
+                              height.sampled.sampler, options);
             to.sampled = {to.texture->view(), height.sampled.sampler};
         }
     }
@@ -64,7 +69,7 @@ Batch<T> in_number(Batch<float>& rays) {
 }
 
 /// The searches that promise the same hits, bit for bit.
-inline constexpr std::array exact_rows{"texel-exact", "max-mip", "cone-cell", "rmq-leap"};
+inline constexpr std::array exact_rows{"texel-exact", "max-mip", "cone-cell", "rmq-leap", "ddm"};
 
 /// What they agree in: all but the counts.
 inline constexpr auto agreed_values = values(Value::hit_uv, Value::hit_s, Value::hit_h,

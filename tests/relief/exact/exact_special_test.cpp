@@ -4,7 +4,8 @@
 namespace quadrel::test {
 namespace {
 
-constexpr std::array all_rows{"texel-exact", "max-mip", "cone-cell", "rmq-leap", "qdm", "pyramid"};
+constexpr std::array all_rows{"texel-exact", "max-mip", "cone-cell", "rmq-leap",
+                              "ddm",         "qdm",     "pyramid"};
 
 /// 16 rays over a map, K and uv from a seed; K = 0 for a quarter.
 struct Rays {

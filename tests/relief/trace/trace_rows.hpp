@@ -101,14 +101,15 @@ inline std::vector<TraceRow> trace_rows() {
                         .gap = 1.0 / 2048,
                         .may_cap = true,
                         .takes_nan = false});
-    for (const char* id : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "cone-robust-exact",
-                           "oracle-bilinear"})
+    for (const char* id : {"texel-exact", "max-mip", "rmq-leap", "cone-cell", "ddm",
+                           "cone-robust-exact", "oracle-bilinear"})
         rows.push_back({.id = id,
                         .kind = refined,
                         .early = 1e-5,
                         .late = 1e-5,
                         .exact_on_planes = true,
-                        .takes_nan = std::string_view(id).substr(0, 4) != "cone",
+                        .takes_nan = std::string_view(id).substr(0, 4) != "cone" &&
+                                     std::string_view(id) != "ddm",
                         .by_points = false});
     return rows;
 }

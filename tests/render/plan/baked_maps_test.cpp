@@ -42,7 +42,7 @@ testing::AssertionResult hits_as_without_maps(const std::string& trace, Wrap wra
 }
 
 TEST(BakedMaps, FitTheHeightsAndTheirSampler) {
-    for (const char* trace : {"max-mip", "cone-cell", "rmq-leap"}) {
+    for (const char* trace : {"max-mip", "cone-cell", "rmq-leap", "ddm"}) {
         for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge,
                                 Wrap::clamp_to_border, Wrap::mirror_once}) {
             EXPECT_TRUE(hits_as_without_maps(trace, wrap, wrap));

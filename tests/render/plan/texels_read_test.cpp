@@ -56,7 +56,7 @@ void finest_level_of_heights(Scene& scene) {
 TEST(TexelsRead, SearchesOfTexelsHaveTheFinestAlone) {
     RenderOptions options;
     options.channels = {"hit", "N", "shadow.visibility"};
-    for (const char* trace : {"texel-exact", "max-mip", "cone-cell", "rmq-leap", "qdm"}) {
+    for (const char* trace : {"texel-exact", "max-mip", "cone-cell", "rmq-leap", "ddm", "qdm"}) {
         const Scene scene = far_scene(trace, "h2n-patch");
         EXPECT_EQ(levels_of(scene, options)["height"], 1) << trace;
         EXPECT_TRUE(keeps_bits(scene, options, as_it_is)) << trace;

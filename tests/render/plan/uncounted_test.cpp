@@ -8,7 +8,8 @@
 namespace quadrel::render_tests {
 namespace {
 
-constexpr std::array searches{"max-mip", "qdm", "pyramid", "cone-cell", "rmq-leap", "texel-exact"};
+constexpr std::array searches{"max-mip",  "qdm", "pyramid",    "cone-cell",
+                              "rmq-leap", "ddm", "texel-exact"};
 
 /// A relief seen at an angle, its map of some size, wrap modes and range of heights.
 Scene exact_scene(std::mt19937& random) {

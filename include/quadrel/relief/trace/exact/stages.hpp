@@ -3,6 +3,7 @@
 
 #include "quadrel/quad/stage_list.hpp"
 #include "quadrel/relief/trace/exact/cone_cell.hpp"
+#include "quadrel/relief/trace/exact/ddm.hpp"
 #include "quadrel/relief/trace/exact/max_mip.hpp"
 #include "quadrel/relief/trace/exact/pyramid.hpp"
 #include "quadrel/relief/trace/exact/qdm.hpp"
@@ -12,6 +13,7 @@
 
 namespace quadrel {
 
-using ExactStages = StageList<TexelExact, MaxMip, ConeCell, RmqLeap, Qdm, QdmPublished, Pyramid>;
+using ExactStages =
+    StageList<TexelExact, MaxMip, ConeCell, RmqLeap, Ddm, Qdm, QdmPublished, Pyramid>;
 
 }  // namespace quadrel
