@@ -1,8 +1,10 @@
 #include "quadrel/texture/texture_cache.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -35,6 +37,24 @@ Image load_hashed(const TextureRequest& request, const std::string& hash, const 
         throw InputError(request.file.string(), key, "a file that changes while it is read",
                          "one that stays as it is");
     return load_image(*contents.bytes, request.not_finite, key, request.selection);
+}
+
+/// A half makes infinity of a large number, which who refuses infinite texels refuses, too.
+void check_range(const Image& image, const TextureRequest& request) {
+    if (request.options.format != TexelFormat::half || request.not_finite == NotFinite::count)
+        return;
+    constexpr float overflow = 65520;  // halfway from the largest half to what would be the next
+    const auto& values = image.values;
+    const auto first = std::find_if(values.begin(), values.end(),
+                                    [](float x) { return !(std::abs(x) < overflow); });
+    if (first == values.end()) return;
+    const std::int64_t index = first - values.begin(), texel = index / image.channels;
+    throw InputError(
+        image.file.string(), request.options.key,
+        fmt::format("{:g} in channel {} of the texel in column {}, row {}, which the "
+                    "format half makes infinite",
+                    *first, index % image.channels, texel % image.width, texel / image.width),
+        "less than 65520, or the format float");
 }
 
 /// Whether several such files may be decoded at a time: what they come to is small.
@@ -133,8 +153,9 @@ std::vector<std::shared_ptr<const Texture>> TextureCache::load(
         for (std::size_t j = first; j < requests.size(); ++j) {
             if (!is_one_image(first, j)) continue;
             if (!textures[j]) textures[j] = find(keys[j]);
-            if (!textures[j])
-                textures[j] = add(keys[j], make_texture(image, requests[j].options, images[j]));
+            if (textures[j]) continue;
+            check_range(image, requests[j]);
+            textures[j] = add(keys[j], make_texture(image, requests[j].options, images[j]));
         }
     };
     small_ones_together(

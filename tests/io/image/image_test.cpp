@@ -309,6 +309,34 @@ TEST_F(Images, NotFiniteTexelsAreRefusedOrCounted) {
     }
 }
 
+TEST_F(Images, HalvesAreNotMadeOfWhatTheyCannotHold) {
+    const fs::path file = directory_ / "large.exr";
+    Imf::Header header(3, 1);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    const float pixels[3] = {1, 65519, -65520};
+    {
+        Imf::OutputFile out(file.c_str(), header);
+        Imf::FrameBuffer buffer;
+        buffer.insert("Y", Imf::Slice::Make(Imf::FLOAT, pixels, header.dataWindow()));
+        out.setFrameBuffer(buffer);
+        out.writePixels(1);
+    }
+    TextureCache cache;
+    TextureOptions options;
+    EXPECT_EQ(cache.load(file, options)->level_texels(0, 0)[2], -65520);
+    options.format = TexelFormat::half;
+    options.key = "material.height";
+    EXPECT_TRUE(std::isinf(cache.load(file, options, NotFinite::count)->level_texels(0, 0)[2]));
+    try {
+        cache.load(file, options);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_NE(error.found.find("-65520 in channel 0"), std::string::npos) << error.found;
+        EXPECT_NE(error.found.find("column 2, row 0"), std::string::npos) << error.found;
+        EXPECT_EQ(error.key, "material.height");
+    }
+}
+
 // ---- The cache ----------------------------------------------------------------------------------
 
 TEST_F(Images, CacheSharesEqualContent) {
