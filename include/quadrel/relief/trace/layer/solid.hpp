@@ -37,6 +37,11 @@ SolidQuadratics<F> solid_quadratics(const CellHeights<F>& front, const CellHeigh
     return {{-q.A, -q.B, -q.C, q.discriminant}, patch_quadratic(back, part, ray.depth, ray.rate)};
 }
 
+template <Number F>
+F value_at(const PatchQuadratic<F>& q, F tau) {
+    return (q.A * tau + q.B) * tau + q.C;
+}
+
 /// q less e.
 template <Number F>
 PatchQuadratic<F> lowered(const PatchQuadratic<F>& q, F e) {
@@ -84,9 +89,17 @@ SolidEntry<F> enter_solid(const SolidQuadratics<F>& solid, F length) {
     const F back = select(sideways.enters, sideways.tau, never);
     const Mask<F> crosses_front = front <= back;
     const F root = sqrt(max(select(crosses_front, below.discriminant, above.discriminant), F(0)));
+    // At a rim, where front and back meet, both come up at once, and rounding may deny any
+    // thickness there: the ray is inside behind it.
+    const Mask<F> found = inside | down.enters | sideways.enters;
+    const Mask<F> ends_inside =
+        (value_at(below, length) >= F(0)) & (value_at(above, length) > F(0));
+    const F later = max(down.tau, sideways.tau);
+    const F rim = select((later >= F(0)) & (later <= length), later, length);
     SolidEntry<F> entry;
-    entry.hit = inside | down.enters | sideways.enters;
-    entry.tau = select(inside, F(0), select(crosses_front, front, back));
+    entry.hit = found | ends_inside;
+    entry.tau =
+        select(inside, F(0), select(ends_inside & !found, rim, select(crosses_front, front, back)));
     entry.front = (inside & (below.C <= above.C)) | (crosses_front & !inside);
     entry.slope = select(inside, F(0), root);
     return entry;
