@@ -10,7 +10,7 @@
 namespace quadrel::render_tests {
 namespace {
 
-constexpr int map_texels = 16;
+constexpr int noise_texels = 16;
 constexpr double square_depth = 0.3;
 
 struct SplitOfJudge {
@@ -23,9 +23,9 @@ constexpr SplitOfJudge splits[] = {{CellSplit::main, "oracle-tri-main"},
 
 Mesh displaced_square(CellSplit split) {
     std::vector<float> heights;
-    for (int y = 0; y < map_texels; ++y)
-        for (int x = 0; x < map_texels; ++x) heights.push_back(static_cast<float>(noise(x, y, 1)));
-    const SampledTexture map = texture_of_texels(heights, map_texels, map_texels);
+    for (int y = 0; y < noise_texels; ++y)
+        for (int x = 0; x < noise_texels; ++x) heights.push_back(static_cast<float>(noise(x, y, 1)));
+    const SampledTexture map = texture_of_texels(heights, noise_texels, noise_texels);
     Displacement displacement;
     displacement.heights = &map;
     displacement.depth = square_depth;
@@ -63,7 +63,7 @@ double share_that_differs(double degrees, const char* trace, CellSplit split) {
             ++all;
             const double off = std::max(std::abs(value(mesh, "uv.U", x, y) - u),
                                         std::abs(value(mesh, "uv.V", x, y) - v));
-            other += value(mesh, "A", x, y) == 0 || !(off * map_texels < 0.01);
+            other += value(mesh, "A", x, y) == 0 || !(off * noise_texels < 0.01);
         }
     EXPECT_GT(all, 700);
     return static_cast<double>(other) / all;
