@@ -17,6 +17,7 @@
 #include "gl/context/context.hpp"
 #include "gl/scene/draw_scene.hpp"
 #include "quadrel/error.hpp"
+#include "run_tool.hpp"
 #include "text/printable.hpp"
 
 namespace quadrel::conformance {
@@ -209,25 +210,6 @@ void add_options(CLI::App& app, Arguments& a) {
         "may be; 2 bad command line; 3 there is no OpenGL to ask; 5 output could not be written.");
 }
 
-int fail(const std::exception& error, ExitCode code) {
-    std::cerr << "quadrel-conformance: " << error.what() << '\n';
-    return static_cast<int>(code);
-}
-
-int guarded_run(Arguments& arguments) {
-    try {
-        return static_cast<int>(run(arguments) ? ExitCode::ok : ExitCode::difference);
-    } catch (const UsageError& error) {
-        return fail(error, ExitCode::usage);
-    } catch (const OutputError& error) {
-        return fail(error, ExitCode::output);
-    } catch (const std::runtime_error& error) {
-        return fail(error, ExitCode::input);
-    } catch (const std::exception& error) {
-        return fail(error, ExitCode::internal);
-    }
-}
-
 }  // namespace
 }  // namespace quadrel::conformance
 
@@ -237,10 +219,5 @@ int main(int argc, char** argv) {
                  "quadrel-conformance");
     Arguments arguments;
     add_options(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
-    }
-    return guarded_run(arguments);
+    return quadrel::run_tool(app, argc, argv, [&] { return run(arguments); });
 }

@@ -15,6 +15,7 @@
 #include "gl/probe/report/results.hpp"
 #include "gl/scene/draw_scene.hpp"
 #include "quadrel/error.hpp"
+#include "run_tool.hpp"
 #include "text/printable.hpp"
 
 namespace quadrel::gl {
@@ -252,26 +253,6 @@ void add_options(CLI::App& app, Arguments& a) {
         "OpenGL to ask; 5 output could not be written.");
 }
 
-int fail(const std::exception& error, ExitCode code) {
-    std::cerr << "quadrel-gl: " << error.what() << '\n';
-    return static_cast<int>(code);
-}
-
-int guarded_run(const CLI::App& app, const Arguments& arguments) {
-    try {
-        check_options(app);
-        return static_cast<int>(run(arguments) ? ExitCode::ok : ExitCode::difference);
-    } catch (const UsageError& error) {
-        return fail(error, ExitCode::usage);
-    } catch (const OutputError& error) {
-        return fail(error, ExitCode::output);
-    } catch (const std::runtime_error& error) {
-        return fail(error, ExitCode::input);
-    } catch (const std::exception& error) {
-        return fail(error, ExitCode::internal);
-    }
-}
-
 }  // namespace
 }  // namespace quadrel::gl
 
@@ -283,10 +264,8 @@ int main(int argc, char** argv) {
         "quadrel-gl");
     Arguments arguments;
     add_options(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
-    }
-    return guarded_run(app, arguments);
+    return quadrel::run_tool(app, argc, argv, [&] {
+        check_options(app);
+        return run(arguments);
+    });
 }

@@ -12,6 +12,7 @@
 
 #include "file/temporary_folder.hpp"
 #include "quadrel/error.hpp"
+#include "run_tool.hpp"
 #include "stress/log.hpp"
 #include "stress/planted.hpp"
 #include "stress/ranges/ranges.hpp"
@@ -221,24 +222,6 @@ void add_options(CLI::App& app, Arguments& a) {
         "error of the program; 5 output could not be written.");
 }
 
-int guarded_run(const Arguments& arguments) {
-    try {
-        return run(arguments) ? 0 : static_cast<int>(ExitCode::difference);
-    } catch (const UsageError& error) {
-        std::cerr << "quadrel-stress: " << error.what() << '\n';
-        return static_cast<int>(ExitCode::usage);
-    } catch (const InputError& error) {
-        std::cerr << "quadrel-stress: " << error.what() << '\n';
-        return static_cast<int>(ExitCode::input);
-    } catch (const OutputError& error) {
-        std::cerr << "quadrel-stress: " << error.what() << '\n';
-        return static_cast<int>(ExitCode::output);
-    } catch (const std::exception& error) {
-        std::cerr << "quadrel-stress: " << error.what() << '\n';
-        return static_cast<int>(ExitCode::internal);
-    }
-}
-
 }  // namespace
 }  // namespace quadrel::stress
 
@@ -248,10 +231,5 @@ int main(int argc, char** argv) {
                  "quadrel-stress");
     Arguments arguments;
     add_options(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : static_cast<int>(quadrel::ExitCode::usage);
-    }
-    return guarded_run(arguments);
+    return quadrel::run_tool(app, argc, argv, [&] { return run(arguments); });
 }
