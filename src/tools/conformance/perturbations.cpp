@@ -1,7 +1,8 @@
 #include "conformance/perturbations.hpp"
 
 #include <bit>
-#include <cmath>
+
+#include "quadrel/num/exp.hpp"
 
 namespace quadrel::conformance {
 namespace {
@@ -43,7 +44,7 @@ Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
     shift(film, searches ? "uv.U" : "hit.U", perturbation.u * texel.u);
     shift(film, searches ? "uv.V" : "hit.V", perturbation.v * texel.v);
     for (const char* channel : {"dUVdx.U", "dUVdx.V", "dUVdy.U", "dUVdy.V"})
-        scale(film, channel, std::exp2(perturbation.level));
+        scale(film, channel, exp2(perturbation.level));
     for (const char* channel : {"K.U", "K.V"}) scale(film, channel, 1 + perturbation.ray);
     return film;
 }
