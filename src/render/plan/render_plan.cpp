@@ -215,10 +215,8 @@ RenderPlan plan_with_steps(const RenderPlan& plan) {
             for (PlannedStage& stage : material.stages)
                 stage.checks = border_checks(stage, material.values);
         }
-    for (MaterialUniforms& material : counting.uniforms) {
-        material.heights_bounded = 0;
-        material.maxima = nullptr;
-    }
+    // What bounds of parts of a map leave out depends on what a thread has learnt before.
+    for (MaterialUniforms& material : counting.uniforms) material.maxima = nullptr;
     return counting;
 }
 

@@ -52,6 +52,12 @@ Scene long_rays(double cells) {
                 "r");
     material.textures["height"].sampler.mip = MipFilter::none;
     material.textures["normal"] = noise_texture();
+    // Two thin sheets with holes, through which most rays pass.
+    material.textures["layers"] =
+        texture(write_texture("sheets.exr", map_texels, [](int x, int y, int c) {
+            return 0.4 + 0.4 * (c / 2) + (noise(x, y, 6) < 0.1 ? 1e-3 * (c % 2) : 0);
+        }));
+    material.textures["layers"].sampler.mip = MipFilter::none;
     // At 60 degrees a ray moves by 1.7 depths.
     const auto scale = static_cast<float>(cells * quad_side / (1.75 * material.depth * map_texels));
     material.texture_matrix = glm::mat4(1.0f);

@@ -78,6 +78,26 @@ struct SolidEntry {
     F slope;        ///< of the quadratic that comes up there; 0 where the part begins inside
 };
 
+/// Where q goes down through 0 for the last time; infinite where it does not.
+template <Number F>
+F last_descent(const PatchQuadratic<F>& q) {
+    const F root = sqrt(max(q.discriminant, F(0)));
+    const F never(std::numeric_limits<Scalar<F>>::infinity());
+    return select((q.A < F(0)) & (q.discriminant >= F(0)), (q.B + root) / (F(-2) * q.A), never);
+}
+
+/// `at` where it is in the part and the ray is inside half-way from there to where it leaves, at
+/// the end of the part or before; infinite elsewhere.
+template <Number F>
+F inside_behind(const SolidQuadratics<F>& solid, F at, F length) {
+    const F leaves = min(min(last_descent(solid.below), last_descent(solid.above)), length);
+    const F middle = F(0.5f) * (at + leaves);
+    const Mask<F> inside =
+        (value_at(solid.below, middle) >= F(0)) & (value_at(solid.above, middle) > F(0));
+    const Mask<F> ahead = (at >= F(0)) & (at <= leaves);
+    return select(ahead & inside, at, F(std::numeric_limits<Scalar<F>>::infinity()));
+}
+
 template <Number F>
 SolidEntry<F> enter_solid(const SolidQuadratics<F>& solid, F length) {
     const PatchQuadratic<F>&below = solid.below, &above = solid.above;
@@ -94,12 +114,14 @@ SolidEntry<F> enter_solid(const SolidQuadratics<F>& solid, F length) {
     const Mask<F> found = inside | down.enters | sideways.enters;
     const Mask<F> ends_inside =
         (value_at(below, length) >= F(0)) & (value_at(above, length) > F(0));
-    const F later = max(down.tau, sideways.tau);
-    const F rim = select((later >= F(0)) & (later <= length), later, length);
+    const F rim =
+        min(min(inside_behind(solid, down.tau, length), inside_behind(solid, sideways.tau, length)),
+            select(ends_inside, length, never));
+    const Mask<F> behind_rim = rim <= length;
     SolidEntry<F> entry;
-    entry.hit = found | ends_inside;
+    entry.hit = found | behind_rim;
     entry.tau =
-        select(inside, F(0), select(ends_inside & !found, rim, select(crosses_front, front, back)));
+        select(inside, F(0), select(behind_rim & !found, rim, select(crosses_front, front, back)));
     entry.front = (inside & (below.C <= above.C)) | (crosses_front & !inside);
     entry.slope = select(inside, F(0), root);
     return entry;
