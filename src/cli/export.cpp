@@ -122,6 +122,8 @@ ExportOptions plain_options(const ExportArguments& arguments) {
         options.wrap_u = wrap_modes().at(arguments.wrap.front());
         options.wrap_v = wrap_modes().at(arguments.wrap.back());
     }
+    if (!(options.seat >= 0 && options.seat <= 1))  // NaN passes CLI::Range
+        throw UsageError("--seat: found no number, expected 0 to 1");
     if (arguments.light != 0 && arguments.light >= options.lights)
         throw UsageError(fmt::format("--light: found {}, expected one of {} lights",
                                      arguments.light, options.lights));

@@ -265,10 +265,15 @@ TEST_F(GlScene, WhatIsWrongWithAFolderIsNamed) {
     EXPECT_EQ(run_command(QUADREL_GL " " + folder.path.path().string() + " 2>&1").code, 2);
 }
 
-/// No input is written over.
-TEST_F(GlScene, InputsAreKept) {
+/// Nothing of the folder is written over, also what the program itself does not read.
+TEST_F(GlScene, FilesOfTheFolderAreKept) {
+    folder.manifest["files"] = {"manifest.json", "expected.exr"};
     write_text(folder.path / "manifest.json", folder.manifest.dump());
-    const std::string file = (folder.path / "m.frag").string();
+    const std::string file = (folder.path / "expected.exr").string();
+    write_text(file, fragment_text);
+    const Outcome png =
+        run_command(QUADREL_GL " --llvmpipe " + folder.path.path().string() + " -o x.png 2>&1");
+    EXPECT_EQ(png.code, 2) << png.out;
     const Outcome outcome = run_command(QUADREL_GL " --llvmpipe " + folder.path.path().string() +
                                         " -o " + file + " 2>&1");
     if (outcome.out.find("EGL") != std::string::npos) GTEST_SKIP() << outcome.out;

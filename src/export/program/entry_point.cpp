@@ -65,9 +65,9 @@ std::string EntryPoint::vertex_values(const VertexText& text, const Assign& assi
 }
 
 std::string EntryPoint::begin(const std::string& comment, const std::string& all,
-                              const std::vector<Uniform>& uniforms, const std::string& extension,
+                              const std::vector<Uniform>& uniforms, const std::string& first,
                               const std::string& macro) const {
-    std::string text = dialect_.first_lines(all) + extension;
+    std::string text = first;
     if (!text.empty()) text += "\n";
     text += comment;
     const std::string name = macro.substr(0, macro.find(' '));
@@ -89,9 +89,9 @@ std::string EntryPoint::lod_statements(const std::string& map, const std::string
 std::string EntryPoint::fragment(const FragmentText& text) const {
     const std::string version = dialect_.first_lines(text.functions);
     const bool asks_330 = !text.lod_map.empty() && version.find("330") != std::string::npos;
-    std::string all =
-        begin(text.comment, text.functions, text.uniforms,
-              asks_330 ? "#extension GL_ARB_texture_query_lod : enable\n" : "", "PASS 0");
+    std::string all = begin(
+        text.comment, text.functions, text.uniforms,
+        version + (asks_330 ? "#extension GL_ARB_texture_query_lod : enable\n" : ""), "PASS 0");
     for (const Varying& varying : text.varyings)
         all += std::string(varying.is_flat ? "flat "
                            : text.centroid ? "centroid "
@@ -113,7 +113,8 @@ std::string EntryPoint::fragment(const FragmentText& text) const {
 }
 
 std::string EntryPoint::vertex(const VertexText& text) const {
-    std::string all = begin(text.comment, text.functions, text.uniforms, "", shaded_macro);
+    std::string all = begin(text.comment, text.functions, text.uniforms,
+                            dialect_.first_lines(text.fragment_functions), shaded_macro);
     for (const Named& attribute : text.attributes)
         all += "layout(location = " + std::to_string(location_of(attribute.name)) + ") in " +
                dialect_.type(attribute.type) + " " + attribute.name + ";\n";

@@ -32,6 +32,7 @@ struct VertexText {
     bool centroid = false;
     std::vector<Uniform> uniforms;
     std::string functions;
+    std::string fragment_functions;  ///< of the shader that it is linked with: of one version
     /// An expression for each varying out of the mesh's own vertices, and the attribute that holds
     /// what Quadrel makes of them; the same where nothing is to be made.
     struct Value {
@@ -55,9 +56,10 @@ class EntryPoint {
     virtual bool has_lod() const { return true; }
 
   protected:
-    /// Version, comment, a macro of that name and value unless there is one, constants, uniforms.
+    /// First lines, comment, a macro of that name and value unless there is one, constants,
+    /// uniforms.
     std::string begin(const std::string& comment, const std::string& all,
-                      const std::vector<Uniform>& uniforms, const std::string& extension,
+                      const std::vector<Uniform>& uniforms, const std::string& first,
                       const std::string& macro) const;
     /// `level_of_detail`, a vector of two: the level that is read, and before clamps.
     virtual std::string lod_statements(const std::string& map, const std::string& version) const;

@@ -313,7 +313,8 @@ ProgramText compose_program(const ProgramRequest& request) {
     if (asks_lod(request) && !entry->has_lod())
         throw RecordingError(std::string("lod: a shader cannot ask for it in ") + request.language);
     FragmentText fragment = fragment_text(request, *dialect);
-    const VertexText vertex = vertex_text(request, fragment, *dialect);
+    VertexText vertex = vertex_text(request, fragment, *dialect);
+    vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one
     ProgramText text{entry->vertex(vertex), entry->fragment(fragment), vertex.attributes, {}, {}};
     std::vector<Uniform> all = vertex.uniforms;

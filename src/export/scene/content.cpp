@@ -150,18 +150,23 @@ class Collector {
                 fmt::format("export: {}: asks for the sizes of the {}x{} map {}, whose levels are "
                             "rounded up as no GPU's are",
                             material_name, view.width[0], view.height[0], sampler.name));
-        out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name);
+        const auto layout = static_cast<TextureSlot>(slot) == TextureSlot::layers
+                                ? depth_layers_layout
+                                : texel_layout;
+        out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name,
+                              layout(*textures.owned[slot], content_.language));
         return out;
     }
 
     std::size_t texture(const std::shared_ptr<const Texture>& texture, TextureShape shape,
-                        std::string name) {
+                        std::string name, const TexelLayout& layout) {
         auto& all = content_.textures;
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (all[i].texture == texture && all[i].shape == shape) return i;
+            if (all[i].texture == texture && all[i].shape == shape &&
+                all[i].layout.channels == layout.channels)
+                return i;
         if (const std::size_t at = name.rfind("_nearest"); at != std::string::npos) name.resize(at);
-        all.push_back({unique_word(name, texture_names_), texture, shape,
-                       texel_layout(*texture, content_.language)});
+        all.push_back({unique_word(name, texture_names_), texture, shape, layout});
         return all.size() - 1;
     }
 

@@ -17,11 +17,12 @@ std::string files_table(const ExportContent& content) {
                             material.fragment_file(content.language), name);
     }
     text +=
-        "| `vertices.bin` `indices.bin` | float32 and uint32, little-endian; layout in the "
-        "manifest |\n"
+        "| `vertices.bin` `indices.bin` | float32 and uint32, little-endian, lists of triangles; "
+        "layout in the manifest |\n"
         "| `textures/NAME.LEVEL.bin` | the bytes to upload: rows without gaps, row 0 first (v = "
         "0); "
-        "faces and layers one after the other |\n"
+        "faces and layers one after the other; cube maps are filtered across their edges "
+        "(`GL_TEXTURE_CUBE_MAP_SEAMLESS`) |\n"
         "| `textures/NAME.LEVEL.exr` | the same, decoded |\n"
         "| `expected.exr` | what Quadrel draws: every channel that the shaders write |\n";
     return text;

@@ -59,8 +59,11 @@ void append_texel(std::string& bytes, float value, TexelFormat format, bool is_a
 
 }  // namespace
 
-TexelLayout texel_layout(const Texture& texture, const std::string& language) {
-    TexelLayout layout{texture.format(), texture.view().channels, "", "", "", ""};
+namespace {
+
+TexelLayout layout_of_channels(const Texture& texture, const std::string& language, int channels,
+                               float lacking) {
+    TexelLayout layout{texture.format(), channels, lacking, "", "", "", ""};
     if (layout.format == TexelFormat::unorm16 && language == "glsl-es")
         layout.format = TexelFormat::float32;
     const bool is_srgb = layout.format == TexelFormat::srgb8;
@@ -76,6 +79,16 @@ TexelLayout texel_layout(const Texture& texture, const std::string& language) {
     for (int c = 0; c < layout.channels; ++c) layout.dxgi += letters[c] + std::string(names.bits);
     layout.dxgi += std::string("_") + names.dxgi_suffix + (is_srgb ? "_SRGB" : "");
     return layout;
+}
+
+}  // namespace
+
+TexelLayout texel_layout(const Texture& texture, const std::string& language) {
+    return layout_of_channels(texture, language, texture.view().channels, 0);
+}
+
+TexelLayout depth_layers_layout(const Texture& texture, const std::string& language) {
+    return layout_of_channels(texture, language, 4, 1);
 }
 
 bool has_mip_sizes(const TextureView& view) {
@@ -99,7 +112,7 @@ std::string level_bytes(const Texture& texture, int level, const TexelLayout& la
     const int width = view.width[level], height = view.height[level];
     const auto value_at = [&](const float* texel, int channel) {
         if (channel < view.channels) return texel[channel];
-        return channel == 3 ? 1.0f : 0.0f;
+        return channel == 3 ? 1.0f : layout.lacking;
     };
     std::string bytes;
     for (int face = 0; face < view.faces; ++face) {

@@ -10,7 +10,8 @@ namespace quadrel {
 /// What texels look like in a file of bytes.
 struct TexelLayout {
     TexelFormat format;
-    int channels;  ///< 1, 2 or 4
+    int channels;       ///< 1, 2 or 4
+    float lacking = 0;  ///< what stands in the first three channels of those that a texture lacks
     /// As OpenGL (without GL_) and DXGI call it.
     std::string internal_format, components, component_type, dxgi;
 };
@@ -18,6 +19,10 @@ struct TexelLayout {
 /// How a texture is handed over: in its own format, but for what a language's interface cannot
 /// filter (16-bit codes in OpenGL ES: as floats) or has in four channels alone (sRGB).
 TexelLayout texel_layout(const Texture& texture, const std::string& language);
+
+/// The same of depth layers: four channels, since those that a map lacks are 1, the bottom, where a
+/// GPU would give 0.
+TexelLayout depth_layers_layout(const Texture& texture, const std::string& language);
 
 /// Whether each level has half the size of the one before, rounded down, as GPUs want them.
 bool has_mip_sizes(const TextureView& view);

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "file/atomic_file.hpp"
+#include "file/file_identity.hpp"
 #include "file/input_record.hpp"
+#include "file/read_file.hpp"
 #include "gl/context/context.hpp"
 #include "gl/probe/planted.hpp"
 #include "gl/probe/report/results.hpp"
@@ -190,16 +192,31 @@ void check_ids(const std::vector<std::string>& only) {
     }
 }
 
+/// What is drawn must not take the place of what was read, nor of other files that the manifest
+/// has: among them is what it is to be compared with.
+void refuse_files_of(const std::filesystem::path& folder, const InputRecord& inputs,
+                     const std::string& output) {
+    const auto identity = identity_of(output);
+    if (!identity) return;
+    std::vector<std::filesystem::path> kept;
+    for (const InputFile& input : inputs.files()) kept.push_back(input.name);
+    const auto manifest = nlohmann::json::parse(read_whole_file(folder / "manifest.json"));
+    for (const auto& name : manifest.value("files", nlohmann::json::array()))
+        if (name.is_string()) kept.push_back(folder / name.get<std::string>());
+    for (const std::filesystem::path& file : kept)
+        if (identity_of(file) == identity)
+            throw UsageError("-o " + printable(output) + " is " + printable(file.string()) +
+                             " of the exported folder, expected another file");
+}
+
 /// Draws an exported scene into an EXR.
 void draw_folder(const Arguments& arguments) {
     if (arguments.output.empty()) throw UsageError("expected -o OUT.exr for what is drawn");
+    if (!std::string_view(arguments.output).ends_with(".exr"))
+        throw UsageError("-o: found " + printable(arguments.output) + ", expected a name in .exr");
     const InputRecord inputs;
     const ExportedScene scene = read_exported_scene(arguments.folder);
-    const auto output = identity_of(arguments.output);
-    for (const InputFile& input : inputs.files())
-        if (output && input.identity == *output)
-            throw UsageError("-o " + printable(arguments.output) + " is the input " +
-                             printable(input.name.string()) + ", expected another file");
+    refuse_files_of(arguments.folder, inputs, arguments.output);
     write_exr(arguments.output, draw_scene(scene, arguments.passes), drawing_attributes(scene));
 }
 

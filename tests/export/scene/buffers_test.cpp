@@ -228,6 +228,23 @@ TEST(SceneBuffers, BytesOfTexelsDecodeToTheVeryValues) {
             }
 }
 
+/// Where a GPU would read 0 of a channel that there is not.
+TEST(SceneBuffers, DepthLayersThatAMapLacksAreAtTheBottom) {
+    for (const char* swizzle : {"r", "rg", "rgba"}) {
+        TextureOptions options;
+        options.swizzle = swizzle;
+        options.format = TexelFormat::unorm16;
+        const auto texture = make_texture(small_image(), options);
+        const TexelLayout layout = depth_layers_layout(*texture, "glsl");
+        EXPECT_EQ(layout.internal_format, "RGBA16");
+        const std::string bytes = level_bytes(*texture, 0, layout);
+        const auto has = static_cast<std::size_t>(texture->view().channels);
+        for (std::size_t c = 0; c < 4; ++c)
+            EXPECT_EQ(decoded(bytes, c, layout.format, c == 3),
+                      c < has ? texture->level_texels(0, 0)[c] : 1);
+    }
+}
+
 /// A pyramid of 17x17 cells: 17, 9, 5, 3, 2, 1.
 TEST(SceneBuffers, PyramidsAreMipChainsOfAPowerOfTwo) {
     TextureOptions options;

@@ -122,6 +122,26 @@ TEST(ScenePrograms, AllCompileThatCanLeave) {
     }
 }
 
+/// Shaders that are linked have one version, also where the fragment shader alone asks for more.
+bool versions_agree(const Program& program) {
+    const auto version = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+    return version(program.vertex) == version(program.fragment);
+}
+
+TEST(ScenePrograms, LinkedShadersHaveOneVersion) {
+    const SmallScenes scenes;
+    for (const char* language : {"glsl", "glsl-es"})
+        for (const char* scene : {"lattice", "thesis-quad"}) {
+            Exported of = exported(scenes, scene, language);
+            ASSERT_EQ(of.error, "");
+            for (Program& program : of.programs) {
+                EXPECT_TRUE(versions_agree(program)) << scene << ", " << language;
+                program.vertex.replace(0, 9, "#version 9");
+                EXPECT_FALSE(versions_agree(program));
+            }
+        }
+}
+
 TEST(ScenePrograms, EveryPassCompiles) {
     if (!has_validator()) GTEST_SKIP() << "glslangValidator is not installed (glslang-tools)";
     const SmallScenes scenes;
