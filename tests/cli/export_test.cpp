@@ -119,7 +119,13 @@ TEST(ExportCommand, AStageIsOfALightWrapAndSeat) {
     const std::string outset = run(with(with(search, "--seat"), "0.5")).out;
     EXPECT_TRUE(says(outset, "whose seat is 0.5")) << outset;
     EXPECT_NE(outset.substr(outset.find("void ")), repeating.substr(repeating.find("void ")));
-    EXPECT_EQ(run(with(with(search, "--seat"), "1.5")).code, 2);
+    for (const char* seat : {"1.5", "nan"})
+        EXPECT_EQ(run(with(with(search, "--seat"), seat)).code, 2) << seat;
+    for (const char* stage : {"occlusion/ao-horizon", "shadow/horizon", "trace/sphere-3d"}) {
+        const std::string text = run({"export", "--stage", stage}).out;
+        EXPECT_TRUE(says(text, "of one layer")) << stage << text;
+    }
+    EXPECT_FALSE(says(run(search).out, "of one layer"));
 }
 
 TEST(ExportCommand, WritesASceneAsAFolder) {

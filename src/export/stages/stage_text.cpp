@@ -8,6 +8,7 @@
 #include "export/print/wrapped_line.hpp"
 #include "export/print/writer.hpp"
 #include "export/stages/named_parameters.hpp"
+#include "export/stages/plain_maps.hpp"
 
 namespace quadrel::recorded {
 namespace {
@@ -93,6 +94,13 @@ std::string assumptions(const RecordedStage& stage, const FunctionText& function
     if (room == "trace" || room == "shadow" || room == "occlusion" || room == "surface")
         lines += comment("Where it goes by texels: maps of " + std::to_string(plain.side) + "^2, " +
                          wrap_text(plain) + " (--side, --wrap).");
+    for (const TextureSlot slot : {TextureSlot::horizon, TextureSlot::horizon_sampled,
+                                   TextureSlot::distance, TextureSlot::distance_exact})
+        for (const Uniform& uniform : function.uniforms)
+            if (uniform.name == map_name(slot))
+                lines += comment("Written for a " + uniform.name +
+                                 " of one layer, and bakes have more: a scene that is exported as "
+                                 "a whole has the function for its own.");
     for (const Uniform& uniform : function.uniforms)
         if (uniform.name == "light0_position")
             lines += comment(
