@@ -73,8 +73,8 @@ std::vector<bool> used_materials(const Scene& scene, const Geometry& geometry,
 void load_plan_textures(const Scene& scene, const std::vector<bool>& used, RenderPlan& plan,
                         const BakingListener& baking, std::int64_t pixels);
 
-/// The same plan, storing the step counts of the searches that it runs, too, which leave out no step
-/// by bounds of parts of their map.
+/// The same plan, storing the step counts of the searches that it runs, too, which leave out no
+/// step by bounds of parts of their map.
 RenderPlan plan_with_steps(const RenderPlan& plan);
 
 /// What a stage of that material is called with, but for values and parameters.

@@ -24,7 +24,8 @@ constexpr SplitOfJudge splits[] = {{CellSplit::main, "oracle-tri-main"},
 Mesh displaced_square(CellSplit split) {
     std::vector<float> heights;
     for (int y = 0; y < noise_texels; ++y)
-        for (int x = 0; x < noise_texels; ++x) heights.push_back(static_cast<float>(noise(x, y, 1)));
+        for (int x = 0; x < noise_texels; ++x)
+            heights.push_back(static_cast<float>(noise(x, y, 1)));
     const SampledTexture map = texture_of_texels(heights, noise_texels, noise_texels);
     Displacement displacement;
     displacement.heights = &map;
