@@ -1,43 +1,16 @@
 #include "export/stages/plain_maps.hpp"
 
 #include <algorithm>
-#include <iterator>
 
+#include "quadrel/quad/slot_names.hpp"
 #include "quadrel/quad/value.hpp"
 
 namespace quadrel::recorded {
 
 std::string map_name(TextureSlot slot) {
-    static const char* const names[] = {"height",
-                                        "color",
-                                        "gloss",
-                                        "emissive",
-                                        "normal",
-                                        "environment",
-                                        "layers",
-                                        "max_mip",
-                                        "min_max",
-                                        "texel_max",
-                                        "cone",
-                                        "cone_robust",
-                                        "cone_quick",
-                                        "cone_rabbid",
-                                        "cone_cell",
-                                        "relaxed_cone",
-                                        "relaxed_cone_exact",
-                                        "quad_cone",
-                                        "aniso_cone",
-                                        "distance",
-                                        "distance_exact",
-                                        "horizon",
-                                        "horizon_sampled",
-                                        "rmq",
-                                        "layer_bounds",
-                                        "ddm",
-                                        "gdm",
-                                        "vdm"};
-    static_assert(std::size(names) == static_cast<std::size_t>(texture_slot_count));
-    return std::string(names[static_cast<int>(slot)]) + "_map";
+    std::string name(texture_slot_names[static_cast<std::size_t>(slot)]);
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name + "_map";
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "quadrel/error.hpp"
+#include "quadrel/quad/slot_names.hpp"
 #include "quadrel/relief/stages.hpp"
 #include "quadrel/shade/stages.hpp"
 #include "render/registry/added_stages.hpp"
@@ -80,35 +81,7 @@ const StageInfo* find_stage(std::string_view id) {
 }
 
 std::string_view slot_name(TextureSlot slot) {
-    constexpr std::array<std::string_view, texture_slot_count> names{"height",
-                                                                     "color",
-                                                                     "gloss",
-                                                                     "emissive",
-                                                                     "normal",
-                                                                     "environment",
-                                                                     "layers",
-                                                                     "max-mip",
-                                                                     "min-max",
-                                                                     "texel-max",
-                                                                     "cone",
-                                                                     "cone-robust",
-                                                                     "cone-quick",
-                                                                     "cone-rabbid",
-                                                                     "cone-cell",
-                                                                     "relaxed-cone",
-                                                                     "relaxed-cone-exact",
-                                                                     "quad-cone",
-                                                                     "aniso-cone",
-                                                                     "distance",
-                                                                     "distance-exact",
-                                                                     "horizon",
-                                                                     "horizon-sampled",
-                                                                     "rmq",
-                                                                     "layer-bounds",
-                                                                     "ddm",
-                                                                     "gdm",
-                                                                     "vdm"};
-    return names[static_cast<std::size_t>(slot)];
+    return texture_slot_names[static_cast<std::size_t>(slot)];
 }
 
 }  // namespace quadrel
