@@ -17,19 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the export of this manifest wrote; empty if it is none.
-std::set<std::string> files_of(const fs::path& manifest_file) {
-    std::ifstream in(manifest_file);
-    const Json manifest = Json::parse(in, nullptr, false);
-    std::set<std::string> files;
-    if (!manifest.is_object() || !manifest.contains(manifest_key) || !manifest.contains("files") ||
-        !manifest["files"].is_array())
-        return files;
-    for (const Json& file : manifest["files"])
-        if (file.is_string()) files.insert(file.get<std::string>());
-    return files;
-}
-
 /// A file of the folder that is none of `known`; empty if there is none.
 std::string foreign_file(const fs::path& folder, const std::set<std::string>& known) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -99,12 +86,24 @@ void write_content(const ExportContent& content, const fs::path& folder) {
 
 }  // namespace
 
+std::set<std::string> exported_files(const fs::path& folder) {
+    std::ifstream in(folder / manifest_name);
+    const Json manifest = Json::parse(in, nullptr, false);
+    std::set<std::string> files;
+    if (!manifest.is_object() || !manifest.contains(manifest_key) || !manifest.contains("files") ||
+        !manifest["files"].is_array())
+        return files;
+    for (const Json& file : manifest["files"])
+        if (file.is_string()) files.insert(file.get<std::string>());
+    return files;
+}
+
 void check_export_folder(const fs::path& folder) {
     const fs::path at = folder_at(folder);
     if (!fs::exists(at)) return;
     if (!fs::is_directory(at))
         throw UsageError(fmt::format("-o: found the file {}, expected a folder", folder.string()));
-    const std::set<std::string> known = files_of(at / manifest_name);
+    const std::set<std::string> known = exported_files(at);
     const std::string foreign = foreign_file(at, known);
     if (foreign.empty()) return;
     throw UsageError(fmt::format("-o: found {} in {}, expected {}", foreign, folder.string(),

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct SceneExport {
     std::function<void(const std::string& map, double share)> baking;
     std::function<void(const std::string& reason)> not_kept;
 };
+
+/// The names of the files of the export in a folder; none if there is no export.
+std::set<std::string> exported_files(const std::filesystem::path& folder);
 
 /// Throws UsageError unless an export may be written there: a free name, an empty folder, or one
 /// that holds an export and nothing else.

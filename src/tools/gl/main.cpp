@@ -8,10 +8,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "export/scene/export_scene.hpp"
 #include "file/atomic_file.hpp"
 #include "file/file_identity.hpp"
 #include "file/input_record.hpp"
-#include "file/read_file.hpp"
 #include "gl/context/context.hpp"
 #include "gl/probe/planted.hpp"
 #include "gl/probe/report/results.hpp"
@@ -200,9 +200,7 @@ void refuse_files_of(const std::filesystem::path& folder, const InputRecord& inp
     if (!identity) return;
     std::vector<std::filesystem::path> kept;
     for (const InputFile& input : inputs.files()) kept.push_back(input.name);
-    const auto manifest = nlohmann::json::parse(read_whole_file(folder / "manifest.json"));
-    for (const auto& name : manifest.value("files", nlohmann::json::array()))
-        if (name.is_string()) kept.push_back(folder / name.get<std::string>());
+    for (const std::string& name : exported_files(folder)) kept.push_back(folder / name);
     for (const std::filesystem::path& file : kept)
         if (identity_of(file) == identity)
             throw UsageError("-o " + printable(output) + " is " + printable(file.string()) +
