@@ -89,8 +89,7 @@ F last_descent(const PatchQuadratic<F>& q) {
 /// `at` where it is in the part and the ray is inside half-way from there to where it leaves, at
 /// the end of the part or before; infinite elsewhere.
 template <Number F>
-F inside_behind(const SolidQuadratics<F>& solid, F at, F length) {
-    const F leaves = min(min(last_descent(solid.below), last_descent(solid.above)), length);
+F inside_behind(const SolidQuadratics<F>& solid, F at, F leaves) {
     const F middle = F(0.5f) * (at + leaves);
     const Mask<F> inside =
         (value_at(solid.below, middle) >= F(0)) & (value_at(solid.above, middle) > F(0));
@@ -114,8 +113,9 @@ SolidEntry<F> enter_solid(const SolidQuadratics<F>& solid, F length) {
     const Mask<F> found = inside | down.enters | sideways.enters;
     const Mask<F> ends_inside =
         (value_at(below, length) >= F(0)) & (value_at(above, length) > F(0));
+    const F leaves = min(min(last_descent(below), last_descent(above)), length);
     const F rim =
-        min(min(inside_behind(solid, down.tau, length), inside_behind(solid, sideways.tau, length)),
+        min(min(inside_behind(solid, down.tau, leaves), inside_behind(solid, sideways.tau, leaves)),
             select(ends_inside, length, never));
     const Mask<F> behind_rim = rim <= length;
     SolidEntry<F> entry;
