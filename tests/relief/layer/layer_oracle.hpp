@@ -182,16 +182,16 @@ LayerHit meet_layers(const LayerField& field, const Ray& along, Real grow = 0) {
     return {};
 }
 
-/// First of n + 1 samples inside of a solid.
-inline LayerHit march_layers(const LayerField& field, const Ray& ray, int n) {
+/// First of n + 1 samples inside of a solid by more than `margin`.
+inline LayerHit march_layers(const LayerField& field, const Ray& ray, int n, Real margin) {
     const LayerRay<Real> along(field.layer(0), ray);
     for (int k = 0; k <= n; ++k) {
         const Real s = static_cast<Real>(k) / n;
-        int passed = 0;
-        for (int layer = 0; layer < field.layers(); ++layer)
-            passed +=
-                field.layer(layer).bilinear(along.x + along.dx * s, along.y + along.dy * s) <= s;
-        if (passed % 2 == 1) return {s};
+        const Real x = along.x + along.dx * s, y = along.y + along.dy * s;
+        for (int pair = 0; pair < field.layers(); pair += 2)
+            if (field.layer(pair).bilinear(x, y) < s - margin &&
+                field.layer(pair + 1).bilinear(x, y) > s + margin)
+                return {s};
     }
     return {};
 }
