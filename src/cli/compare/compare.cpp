@@ -283,15 +283,6 @@ void add_preparation(CLI::App& verb, CompareArguments& a) {
 
 }  // namespace
 
-std::string storage_text(const ComparableImage& image) {
-    std::set<std::string> names;
-    for (const Plane& plane : image.film.planes)
-        names.insert(storage_name(image.stored.at(plane.name)));
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-    return text;
-}
-
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");
     const auto a = std::make_shared<CompareArguments>();

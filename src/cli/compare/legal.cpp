@@ -1,13 +1,11 @@
 #include "cli/compare/legal.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
-#include <set>
 
 #include "cli/common/arguments.hpp"
+#include "film/legal/ranged_channels.hpp"
 #include "quadrel/error.hpp"
-#include "text/suggest.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -20,38 +18,6 @@ double parse_share(const std::string& option, const std::string& text, double ot
     if (error != std::errc() || stop != end || !(value >= 0 && value <= 1))
         throw UsageError(option + ": found \"" + text + "\", expected a share, 0 to 1");
     return value;
-}
-
-/// The channel that a plane of the reference says something of.
-std::string judged_name(const std::string& plane) {
-    for (const std::string prefix : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
-        if (plane.starts_with(prefix)) return plane.substr(prefix.size());
-    return plane;
-}
-
-bool is_meant(const std::string& channel, const std::string& request) {
-    return channel == request || channel.starts_with(request + ".");
-}
-
-/// Drops the channels that the comma-separated `list` does not name, their ranges with them.
-void select_judged(const std::string& list, Film& reference, Film& test) {
-    const std::vector<std::string> requests = parse_list("--channels", list);
-    std::set<std::string> ranged;
-    for (const Plane& plane : reference.planes)
-        if (judged_name(plane.name) != plane.name) ranged.insert(judged_name(plane.name));
-    if (ranged.empty()) return;  // which is said of the reference as a whole
-    for (const std::string& request : requests)
-        if (std::none_of(ranged.begin(), ranged.end(),
-                         [&](const std::string& name) { return is_meant(name, request); }))
-            throw UsageError("--channels: the reference holds no range of \"" + request +
-                             "\", expected " + one_of(request, ranged));
-    const auto unwanted = [&](const Plane& plane) {
-        return std::none_of(requests.begin(), requests.end(), [&](const std::string& request) {
-            return is_meant(judged_name(plane.name), request);
-        });
-    };
-    std::erase_if(reference.planes, unwanted);
-    std::erase_if(test.planes, unwanted);
 }
 
 /// Rounds `film`, of the reference, and the test image's floats to what an encoding holds.
@@ -110,7 +76,9 @@ LegalRules legal_rules(const LegalArguments& legal) {
 }
 
 LegalJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels) {
-    if (!channels.empty()) select_judged(channels, images.reference.film, images.test.film);
+    if (!channels.empty())
+        keep_ranged_channels("--channels", parse_list("--channels", channels),
+                             images.reference.film, images.test.film);
     LegalJudgement judgement{
         take_apart(images.reference.film, images.reference.file.string()), images.test.film, {}};
     LegalReference& reference = judgement.reference;
