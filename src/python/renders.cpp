@@ -125,8 +125,7 @@ py::tuple errors_of(const HeldScene& held, const HeldFilm& image, const std::opt
 /// The runs as `results.json` has them.
 std::string sweep_plan(const std::string& file, const std::string& output, int task, int of,
                        const py::object& progress) {
-    if (task < 1 || task > of)
-        throw UsageError("task: expected (I, N) with 1 <= I <= N, as (3, 8)");
+    if (task > of) throw UsageError("task: expected (I, N) with 1 <= I <= N, as (3, 8)");
     std::string results;
     run_interruptibly(progress, [&](Work& work) {
         const sweep::Plan plan = sweep::read_plan(file);

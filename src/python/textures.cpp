@@ -72,7 +72,7 @@ HeldTexture texture_of_levels(const std::vector<FloatArray>& levels) {
     const int channels = levels.empty() ? 0 : static_cast<int>(levels[0].shape(2));
     if (channels != 1 && channels != 2 && channels != 4) throw UsageError(expected);
     const auto layout = make_layout(channels, 1, sizes);
-    if (!layout) throw UsageError("levels: expected at most 2^29 floats");
+    if (!layout) throw UsageError("levels: expected at most 17 levels and 2^29 floats");
     const auto texture = std::make_shared<Texture>(*layout, TexelFormat::float32, "levels");
     for (std::size_t l = 0; l < levels.size(); ++l)
         std::memcpy(texture->level_texels(static_cast<int>(l), 0), levels[l].data(),

@@ -139,8 +139,9 @@ def test_probes_have_the_bits_of_the_render(bricks):
                for name, v in stage["outputs"].items() if name == "hit.s"]
     assert int(outputs[-1]["bits"][lane], 16) == film["hit.s"].view(np.uint32)[30, 20]
     assert "hit.s" in str(report)
-    with pytest.raises(quadrel.UsageError):
-        quadrel.probe(bricks, 48, 0)
+    for x in (-1, 48, 2**40):
+        with pytest.raises(quadrel.UsageError, match="outside"):
+            quadrel.probe(bricks, x, 0)
 
 
 def test_heat_maps_show_where(bricks):

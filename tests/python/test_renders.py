@@ -60,6 +60,7 @@ def test_films_of_arrays_come_back(tmp_path):
     ({}, "at least one"),
     ({"N": np.zeros((2, 2, 2))}, "3 channels"),
     ({"R": np.zeros(4)}, "axes"),
+    ({"R": np.zeros((2, 2)), "RGB": np.zeros((2, 2, 3))}, "twice"),
     ({"R": np.zeros((2, 2)), "G": np.zeros((2, 3))}, "size of the window"),
     ({"hit.status": np.full((2, 2), -1)}, "below 0"),
     ({"hit.status": np.full((2, 2), 2**33)}, "above 32 bits"),
@@ -182,6 +183,9 @@ def test_stats_are_counted(bricks):
 @pytest.mark.parametrize("options, message", [
     ({"channels": ["N.Q"]}, "N.Q"),
     ({"window": (0, 0, 49, 4)}, "48x48"),
+    ({"window": (0, 0, 4)}, "x0, y0, x1, y1"),
+    ({"window": (-1, 0, 4, 4)}, "found -1"),
+    ({"threads": 2000}, "0 to 1024"),
     ({"number": "half"}, "half"),
     ({"isa": "mmx"}, "mmx"),
     ({"limits": "glide"}, "glide"),

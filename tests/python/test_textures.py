@@ -169,6 +169,8 @@ def test_levels_of_others_are_taken_as_they_are():
     (lambda: sample.level_of_detail([[0.0]]), "expected uv, lod"),
     (lambda: sample.texture_lod([[0.0]], (0, 0), 0, sampler=quadrel.Sampler(wrap="repaet")),
      '"repeat"'),
+    (lambda: sample.texture_lod([[0.0]], (0, 0), 0, sampler=quadrel.Sampler(border=(1, 2))),
+     "r, g, b and a"),
     (lambda: quad.dFdx(np.zeros(4)), "even number"),
     (lambda: quad.dFdx(np.zeros((2, 2)), mode="rough"), "fine"),
 ])
@@ -190,6 +192,7 @@ def test_differences_are_each_quads_own():
     last = np.moveaxis(stacked, 0, -1)
     assert np.array_equal(quad.dFdy(last, axes=(0, 1))[..., 1], 2 * quad.dFdy(values))
     assert quad.dFdx(values.astype(np.float64)).dtype == np.float64
+    assert quad.dFdx(np.zeros((0, 4))).shape == (0, 4)
 
 
 def test_differences_are_those_of_the_renderer(bricks):

@@ -24,15 +24,23 @@ def _components(name: str, count: int) -> List[str]:
 
 def _planes(arrays: Mapping[str, ArrayLike]) -> Dict[str, NDArray[Any]]:
     planes: Dict[str, NDArray[Any]] = {}
+
+    def add(channel: str, plane: NDArray[Any]) -> None:
+        if channel in planes:
+            raise _quadrel.UsageError(f'film: found "{channel}" twice')
+        planes[channel] = plane
+
     for name, values in arrays.items():
+        if not isinstance(name, str):
+            raise TypeError(f"film: found {name!r}, expected the name of a channel")
         array = np.asarray(values)
         if array.dtype.kind not in "fuib":
             raise TypeError(f'film: "{name}" is of {array.dtype}, expected floats or integers')
         if array.ndim == 3:
             for i, channel in enumerate(_components(name, array.shape[2])):
-                planes[channel] = array[:, :, i]
+                add(channel, array[:, :, i])
         elif array.ndim == 2:
-            planes[name] = array
+            add(name, array)
         else:
             raise _quadrel.UsageError(f'film: "{name}" has {array.ndim} axes, expected (height, '
                                       "width), or (height, width, components)")
@@ -87,6 +95,8 @@ class Film(Mapping[str, "NDArray[Any]"]):
         """Channels or groups ("N", "uv"; "RGB", "RGBA") as one array (height, width, components), a
         copy."""
         names: List[str] = []
+        if not channels:
+            raise _quadrel.UsageError("stack: expected at least one channel")
         for channel in channels:
             if channel in self:
                 names.append(channel)

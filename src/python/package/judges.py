@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import operator
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
@@ -51,10 +52,10 @@ def _source(image: Image) -> Union[_quadrel.Film, bytes]:
 
 
 def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChannel = None,
-            ulp: ByChannel = None, fraction: ByChannel = None, channels: Sequence[str] = (),
+            ulp: ByChannel = None, fraction: ByChannel = None, channels: Union[str, Sequence[str]] = (),
             window: Optional[arguments.Window] = None, overlap: bool = False,
             map: Optional[Mapping[str, str]] = None, flip_y: bool = False, encode: str = "",
-            ignore_flags: Sequence[str] = (), blame: Union[Scene, arguments.Path, None] = None,
+            ignore_flags: Union[str, Sequence[str]] = (), blame: Union[Scene, arguments.Path, None] = None,
             legal: bool = False, widest: float = 0.1, most_ambiguous: float = 0.05,
             most_unconstrained: float = 0.01) -> Report:
     """Compares two images value by value: films, arrays by channel, or files of any format.
@@ -78,8 +79,8 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
     """
     how = _quadrel.Comparison()
     how.tolerances = _tolerances(abs=abs, rel=rel, ulp=ulp, fraction=fraction)
-    how.channels = [channels] if isinstance(channels, str) else list(channels)
-    how.ignored_flags = [ignore_flags] if isinstance(ignore_flags, str) else list(ignore_flags)
+    how.channels = arguments.names("channels", channels)
+    how.ignored_flags = arguments.names("ignore_flags", ignore_flags)
     how.mappings = list((map or {}).items())
     how.window = arguments.window(window)
     how.overlap = overlap
@@ -100,7 +101,12 @@ def probe(scene: Union[Scene, arguments.Path], x: int, y: int, *, number: str = 
     """Runs the quad of a pixel (x, y from the top-left) once more and tells all that it goes through:
     values, steps, look-ups, texels and weights, derivatives fine, coarse and exact, of four lanes,
     with the bits of the render. Steps and look-ups are told by "float" on "scalar" alone."""
-    return Report(*_quadrel.probe(scene_of(scene)._scene, x, y, number, isa, injections(inject)))
+    probed = scene_of(scene)
+    x, y = operator.index(x), operator.index(y)
+    width, height = probed.size
+    if not (0 <= x < width and 0 <= y < height):
+        raise _quadrel.UsageError(f"pixel {x},{y} is outside of the {width}x{height} image")
+    return Report(*_quadrel.probe(probed._scene, x, y, number, isa, injections(inject)))
 
 
 def errors(scene: Union[Scene, arguments.Path],
@@ -117,6 +123,7 @@ def errors(scene: Union[Scene, arguments.Path],
     """
     judged = None if image is None else film_of(image)._film
     found, text, film = _quadrel.errors(scene_of(scene)._scene, judged, arguments.window(window),
-                                        _quadrel.Running(number, isa, threads), worst,
+                                        arguments.running(number, isa, threads),
+                                        arguments.whole("worst", worst, 0, 1000),
                                         arguments.progress(progress))
     return Report(found, text, film=Film._of(film))

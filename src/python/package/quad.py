@@ -41,7 +41,8 @@ def from_quads(lanes: NDArray[Any], shape: Tuple[int, ...], y_up: bool) -> NDArr
     """The inverse, of lanes with any axes behind: (..., height, width) and those."""
     height, width = shape[-2:]
     behind = lanes.shape[1:]
-    split = lanes.reshape(-1, height // 2, width // 2, 2, 2, *behind)
+    count = int(np.prod(shape[:-2], dtype=np.int64))
+    split = lanes.reshape(count, height // 2, width // 2, 2, 2, *behind)
     image = split.swapaxes(2, 3).reshape(*shape, *behind)
     return np.flip(image, axis=len(shape) - 2) if y_up else image
 

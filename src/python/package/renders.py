@@ -29,7 +29,7 @@ def injections(injected: Optional[Injected]) -> List[Tuple[str, _quadrel.Film, s
     return all_of_them
 
 
-def render(scene: Union[Scene, arguments.Path], channels: Sequence[str] = (), *,
+def render(scene: Union[Scene, arguments.Path], channels: Union[str, Sequence[str]] = (), *,
            window: Optional[arguments.Window] = None, number: str = "float", isa: str = "auto",
            threads: int = 0, limits: str = "", integrate: Optional[int] = None,
            integrate_error: Optional[float] = None, inject: Optional[Injected] = None,
@@ -53,12 +53,10 @@ def render(scene: Union[Scene, arguments.Path], channels: Sequence[str] = (), *,
     Other threads of Python run meanwhile. Ctrl-C, and what `progress` raises, end it at the next
     tile. Raises InputError for a scene that cannot be drawn, UsageError.
     """
-    if isinstance(channels, str):
-        channels = [channels]
     extras = _quadrel.Extras(limits, integrate, integrate_error, stats is not None, touched)
-    film, counted = _quadrel.render(scene_of(scene)._scene, list(channels),
+    film, counted = _quadrel.render(scene_of(scene)._scene, arguments.names("channels", channels),
                                     arguments.window(window),
-                                    _quadrel.Running(number, isa, threads), extras,
+                                    arguments.running(number, isa, threads), extras,
                                     injections(inject), arguments.progress(progress))
     if stats is not None and counted is not None:
         stats.clear()
@@ -74,7 +72,8 @@ def sweep(plan: arguments.Path, output: arguments.Path, *, task: Tuple[int, int]
     Returns the runs, a dict each, as results.json has them; of task=(I, N) every N-th, from the I-th
     on. Ctrl-C ends it after the run that is being measured, and finished runs stay.
     """
-    results = _quadrel.sweep(arguments.path(plan), arguments.path(output), int(task[0]),
-                             int(task[1]), arguments.progress(progress))
+    number, of = (arguments.whole("task", part, 1, 2**31 - 1) for part in task)
+    results = _quadrel.sweep(arguments.path(plan), arguments.path(output), number, of,
+                             arguments.progress(progress))
     runs: List[Dict[str, Any]] = json.loads(results)["runs"]
     return runs

@@ -112,6 +112,8 @@ class Sampler:
 
     def state(self) -> _quadrel.SamplerState:
         """What the extension module takes. Raises UsageError."""
+        if len(self.border) != 4:
+            raise _quadrel.UsageError("border: expected r, g, b and a")
         return _quadrel.SamplerState(self.wrap_u or self.wrap, self.wrap_v or self.wrap, self.mag,
                                      self.min, self.mip, list(self.border), self.lod_bias,
                                      self.lod_min, self.lod_max, self.hardware)
@@ -137,4 +139,4 @@ def bake(heights: Union[Texture, ArrayLike, arguments.Path], kind: str, *, chann
     file = b"" if output is None else arguments.path(output)
     return Texture._of(_quadrel.bake(heights._texture, kind, sampler,
                                      {name: float(value) for name, value in parameters.items()},
-                                     cache, threads, file, arguments.progress(progress)))
+                                     cache, arguments.whole("threads", threads, 0, 1024), file, arguments.progress(progress)))
