@@ -5,10 +5,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
 #include "quadrel/error.hpp"
+#include "quadrel/film/comparable.hpp"
 #include "quadrel/film/exr.hpp"
 #include "quadrel/texture/texture.hpp"
 #include "text/suggest.hpp"
@@ -22,6 +24,7 @@ namespace py = pybind11;
 struct NamedFilm {
     Film film;
     Attributes attributes;
+    std::map<std::string, Storage> stored;  ///< of channels that were codes
 };
 
 /// A texture that Python holds.

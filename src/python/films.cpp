@@ -34,9 +34,11 @@ py::array plane_array(const py::object& self, const std::string& name) {
     return py::array(type, {height, width}, {width * size, size}, plane->bits.data(), self);
 }
 
-/// Of arrays by channel, which are copied. Integers stay integers.
+/// Of arrays by channel, which are copied. Integers stay integers; `codes` are channels whose
+/// floats were codes of so many bits.
 std::shared_ptr<NamedFilm> film_of_arrays(const py::dict& arrays, const Box& frame,
-                                          const Box& window) {
+                                          const Box& window,
+                                          const std::map<std::string, int>& codes) {
     auto named = std::make_shared<NamedFilm>();
     named->film.frame = window_of(frame);
     named->film.window = window_of(window);
@@ -62,6 +64,8 @@ std::shared_ptr<NamedFilm> film_of_arrays(const py::dict& arrays, const Box& fra
         else
             copy(float());
     }
+    for (const auto& [name, bits] : codes)
+        named->stored[name] = bits == 8 ? Storage::unorm8 : Storage::unorm16;
     canonicalize(named->film);
     return named;
 }
@@ -76,7 +80,8 @@ std::shared_ptr<NamedFilm> read_film(const std::string& file, const std::string&
                                      const std::string& part) {
     const py::gil_scoped_release release;
     ExrFile read = read_exr(file, {layer, part});
-    return std::make_shared<NamedFilm>(std::move(read.film), std::move(read.attributes));
+    return std::make_shared<NamedFilm>(
+        NamedFilm{std::move(read.film), std::move(read.attributes), {}});
 }
 
 void write_film(const NamedFilm& named, const std::string& file, const std::string& compression) {
@@ -98,7 +103,7 @@ void bind_films(py::module_& module) {
         .def("preview", [](const NamedFilm& n) { return picture_array(preview(n.film)); })
         .def("write", write_film, py::arg("file"), py::arg("compression"));
     module.def("film_of_arrays", film_of_arrays, py::arg("arrays"), py::arg("frame"),
-               py::arg("window"));
+               py::arg("window"), py::arg("codes"));
     module.def("read_film", read_film, py::arg("file"), py::arg("layer"), py::arg("part"));
     module.def(
         "heatmap",

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "film/compare/tolerances.hpp"
+#include "film/legal/judge_images.hpp"
 #include "film/legal/ranged_channels.hpp"
 #include "python/bindings.hpp"
-#include "quadrel/film/legal.hpp"
 #include "render/probe/command.hpp"
 #include "render/registry/added_stages.hpp"
 
@@ -26,7 +26,7 @@ struct Comparison {
     std::vector<std::pair<std::string, std::string>> mappings;  ///< reference's name, test's name
     std::optional<Box> window;
     bool overlap = false, flip_y = false;
-    std::string encode;
+    std::string encode = "none";
 };
 
 struct Images {
@@ -40,9 +40,10 @@ ComparableImage image_of(const ImageSource& source) {
     const NamedFilm& named = *std::get<std::shared_ptr<NamedFilm>>(source);
     ComparableImage image{"arrays", named.film, {}, named.attributes};
     canonicalize(image.film);  // its arrays may have been written to
+    image.stored = named.stored;
     for (const Plane& plane : image.film.planes)
-        image.stored[plane.name] =
-            plane.type == ChannelType::float32 ? Storage::float32 : Storage::uint32;
+        image.stored.try_emplace(
+            plane.name, plane.type == ChannelType::float32 ? Storage::float32 : Storage::uint32);
     return image;
 }
 
@@ -81,6 +82,11 @@ Images read_images(const ImageSource& reference, const ImageSource& test,
     preparation.reference_storage = storage_text(images.reference);
     preparation.test_storage = storage_text(images.test);
     preparation.flip_y = comparison.flip_y;
+    const auto encoding = parse_encoding(comparison.encode);
+    if (!encoding)
+        throw UsageError("encode: found \"" + comparison.encode +
+                         "\", expected srgb8, unorm8, half or none");
+    preparation.encoding = *encoding;
     preparation.mappings = mappings;
     return images;
 }
@@ -119,13 +125,8 @@ void prepare(const Comparison& comparison, Images& images) {
     // They stay integers in what is allowed: no tolerance for all channels is for them.
     for (const std::string& name : images.preparation.by_value)
         images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
-    if (comparison.encode.empty()) return;
-    const auto encoding = parse_encoding(comparison.encode);
-    if (!encoding)
-        throw UsageError("encode: found \"" + comparison.encode +
-                         "\", expected srgb8, unorm8 or half");
-    images.preparation.encoding = *encoding;
-    images.rules.encodings = encode_both(images.reference, images.test, *encoding);
+    images.rules.encodings =
+        encode_both(images.reference, images.test, images.preparation.encoding);
 }
 
 void blame_stage(const Scene& scene, const Images& images, CompareReport& report) {
@@ -172,8 +173,8 @@ py::tuple judge_images(const ImageSource& reference, const ImageSource& test,
                                  images.test.film);
         LegalRules rules{widest, most_ambiguous, most_unconstrained, {}};
         rules.left_out = std::move(images.rules.left_out);
-        report = judge(take_apart(images.reference.film, images.reference.file.string()),
-                       images.test.film, rules);
+        report =
+            judge_images(images.reference, images.test, rules, images.preparation.encoding).report;
         report.preparation = images.preparation;
     }
     return told(report, report.passes());

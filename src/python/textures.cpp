@@ -1,6 +1,7 @@
 // Textures of arrays and files, and maps derived from them.
 #include <pybind11/stl.h>
 
+#include "bake/layers/closed_mesh.hpp"
 #include "bake/layout.hpp"
 #include "bake/wrap_names.hpp"
 #include "io/scene/setting_words.hpp"
@@ -8,6 +9,7 @@
 #include "python/interruptible.hpp"
 #include "quadrel/bake/baked_file.hpp"
 #include "quadrel/bake/baked_texture.hpp"
+#include "quadrel/bake/depth_layers.hpp"
 #include "quadrel/scene/hardware_sampler.hpp"
 #include "texture/texel_format.hpp"
 
@@ -142,6 +144,21 @@ HeldTexture bake_map(const HeldTexture& heights, const std::string& kind_name,
     return map;
 }
 
+/// A film of the layers, the length of a tile and the thickness of the relief in the mesh's own
+/// units, and under how many texels more solids lie than are kept.
+py::tuple peel_layers(const std::string& mesh, int width, int height,
+                      const std::array<double, 3>& towards, double margin) {
+    const auto named = std::make_shared<NamedFilm>();
+    DepthLayers layers;
+    run_interruptibly(py::none(), [&](Work&) {
+        layers = peel_depth_layers(closed_mesh(mesh),
+                                   {width, height, {towards[0], towards[1], towards[2]}, margin});
+    });
+    named->attributes = attributes_of(layers);
+    named->film = std::move(layers.film);
+    return py::make_tuple(named, layers.tile, layers.thickness, layers.deeper);
+}
+
 }  // namespace
 
 void bind_textures(py::module_& module) {
@@ -173,6 +190,8 @@ void bind_textures(py::module_& module) {
         "bakes_layers",
         [](const std::string& kind) { return bakes_layers(bake_kind_from_name(kind)); },
         py::arg("kind"));
+    module.def("peel_layers", peel_layers, py::arg("mesh"), py::arg("width"), py::arg("height"),
+               py::arg("towards"), py::arg("margin"));
     module.def("bake", bake_map, py::arg("heights"), py::arg("kind"), py::arg("sampler"),
                py::arg("parameters"), py::arg("cache"), py::arg("threads"), py::arg("output"),
                py::arg("progress"));

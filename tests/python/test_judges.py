@@ -66,6 +66,37 @@ def test_images_are_made_comparable(bricks):
         quadrel.compare(film, part, channels="R", window=(0, 0, 5, 5))
 
 
+def srgb_codes(linear):
+    """IEC 61966-2-1, to the nearest code."""
+    clipped = np.clip(linear.astype(np.float64), 0, 1)
+    encoded = np.where(clipped <= 0.0031308, 12.92 * clipped, 1.055 * clipped ** (1 / 2.4) - 0.055)
+    return np.floor(encoded * 255 + 0.5).astype(np.uint8)
+
+
+def test_screenshots_are_judged_by_codes(bricks):
+    film = quadrel.render(bricks, ["R", "G", "B"])
+    shot = srgb_codes(film.stack("RGB"))
+    assert quadrel.compare(film, {"RGB": shot}, encode="srgb8").passes
+    assert not quadrel.compare(film, {"RGB": shot}).passes
+    assert not quadrel.compare(film, {"RGB": shot}, encode="unorm8").passes
+    shot[4, 5, 1] += 2
+    report = quadrel.compare(film, {"RGB": shot}, encode="srgb8")
+    assert channels_of(report)["G"]["differing"] == 1
+    assert quadrel.compare(film, {"RGB": shot}, encode="srgb8", ulp=2).passes
+    assert report["preparation"]["test_storage"] == "unorm8"
+
+
+def test_small_integers_of_integer_channels_are_no_codes(bricks):
+    film = quadrel.render(bricks, ["hit.status", "hit.steps"])
+    assert film["hit.steps"].max() < 256
+    port = {name: values.astype(np.uint8) for name, values in film.items()}
+    assert quadrel.compare(film, port).passes
+    port["hit.status"] = film["hit.status"].astype(np.float32)
+    assert quadrel.compare(film, port).passes
+    port["hit.status"][3, 4] += 1
+    assert not quadrel.compare(film, port).passes
+
+
 def test_files_are_images(bricks, tmp_path):
     film = quadrel.render(bricks, ["R"])
     film.write(tmp_path / "a.exr")
@@ -106,6 +137,19 @@ def test_ranges_judge_what_is_legal(bricks):
         quadrel.compare(reference, port, legal=True, abs=1)
     with pytest.raises(quadrel.UsageError, match="no range"):
         quadrel.compare(reference, port, legal=True, channels=["R"])
+
+
+def test_ranges_are_rounded_with_the_codes_that_they_judge(bricks):
+    reference = quadrel.render(bricks, ["bary"], window=(8, 8, 16, 16), limits="gl")
+    codes = (reference["bary.0"].astype(np.float64) * 255 + 0.5).astype(np.uint8)
+    how = {"legal": True, "channels": "bary.0", "widest": 1}
+
+    def port(values):
+        return quadrel.Film({"bary.0": values}, frame=reference.frame, window=reference.window)
+
+    assert quadrel.compare(reference, port(codes), encode="unorm8", **how).passes
+    assert not quadrel.compare(reference, port(codes + np.uint8(2)), encode="unorm8", **how).passes
+    assert not quadrel.compare(reference, port(codes), **how).passes
 
 
 def test_errors_are_those_of_the_truth(bricks):

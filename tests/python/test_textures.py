@@ -226,6 +226,24 @@ def test_maps_are_baked(tmp_path):
     assert np.array_equal(quadrel.read(tmp_path / "h.exr")["000.Y"], horizon.levels[0][0, :, :, 0])
 
 
+def test_meshes_are_peeled(tmp_path):
+    layers = quadrel.depth_layers("sphere", size=(32, 32), margin=0.25)
+    front, back = layers.film["R"], layers.film["G"]
+    assert front[16, 16] < 0.01 and back[16, 16] > 0.99  # the whole diameter in the middle
+    assert (front <= back).all() and front.min() >= 0 and back.max() <= 1
+    inside = back > front
+    assert inside.mean() == pytest.approx(np.pi / 4 * 0.25, abs=0.02)
+    assert layers.tile == pytest.approx(2 * layers.thickness, rel=1e-3) and layers.deeper == 0
+    layers.film.write(tmp_path / "layers.exr")
+    assert quadrel.read(tmp_path / "layers.exr").attributes["quadrel:bake.kind"] == "depth-layers"
+    with pytest.raises(quadrel.UsageError, match="towards"):
+        quadrel.depth_layers("sphere", towards=(0, 0, 0))
+    with pytest.raises(quadrel.UsageError, match="margin"):
+        quadrel.depth_layers("sphere", margin=0.5)
+    with pytest.raises(quadrel.InputError):
+        quadrel.depth_layers(tmp_path / "none.obj")
+
+
 @pytest.mark.parametrize("call, message", [
     (lambda h: quadrel.bake(h, "cones"), "cone"),
     (lambda h: quadrel.bake(h, "horizon", azimuth=8), "azimuths"),

@@ -192,7 +192,7 @@ void write_page(const std::string& file, Images images) {
 ExitCode run_legal(const CompareArguments& arguments, const CommandFiles& files) {
     const LegalRules rules = legal_rules(arguments.legal);
     Images images = read_images(arguments);
-    LegalJudgement judgement = judge_legal(rules, images, arguments.channels);
+    ImageJudgement judgement = judge_legal(rules, images, arguments.channels);
     files.check();
     write_page(arguments.page, std::move(images));
     LegalReport& report = judgement.report;

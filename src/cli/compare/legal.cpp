@@ -20,28 +20,6 @@ double parse_share(const std::string& option, const std::string& text, double ot
     return value;
 }
 
-/// Rounds `film`, of the reference, and the test image's floats to what an encoding holds.
-std::map<std::string, Encoding> encode_film(Film& film, const Images& images, Film& encoded) {
-    const auto is_float = [&](const Plane& plane) {
-        const Plane* other = images.test.film.find(plane.name);
-        const Plane* value = images.reference.film.find(plane.name);
-        return value->type == ChannelType::float32 && other != nullptr &&
-               other->type == ChannelType::float32;
-    };
-    ComparableImage reference{
-        images.reference.file, {film.frame, film.window, {}}, images.reference.stored, {}};
-    ComparableImage test{images.test.file, {film.frame, film.window, {}}, images.test.stored, {}};
-    for (const Plane& plane : film.planes)
-        if (is_float(plane)) {
-            reference.film.planes.push_back(plane);
-            test.film.planes.push_back(*images.test.film.find(plane.name));
-        }
-    const auto encodings = encode_both(reference, test, images.preparation.encoding);
-    for (Plane& plane : reference.film.planes) *film.find(plane.name) = std::move(plane);
-    for (Plane& plane : test.film.planes) *encoded.find(plane.name) = std::move(plane);
-    return encodings;
-}
-
 }  // namespace
 
 void add_legal_options(CLI::App& verb, LegalArguments& legal) {
@@ -75,23 +53,14 @@ LegalRules legal_rules(const LegalArguments& legal) {
     return rules;
 }
 
-LegalJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels) {
+ImageJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels) {
     if (!channels.empty())
         keep_ranged_channels("--channels", parse_list("--channels", channels),
                              images.reference.film, images.test.film);
-    LegalJudgement judgement{
-        take_apart(images.reference.film, images.reference.file.string()), images.test.film, {}};
-    LegalReference& reference = judgement.reference;
-    images.reference.film = reference.values;
-    std::map<std::string, Encoding> encodings;
-    for (Film* film : {&reference.values, &reference.lo, &reference.hi})
-        encodings = encode_film(*film, images, judgement.test);
     LegalRules own = rules;
     own.left_out = images.rules.left_out;
-    judgement.report = judge(reference, judgement.test, own);
-    for (LegalChannelReport& channel : judgement.report.channels)
-        if (const auto found = encodings.find(channel.name); found != encodings.end())
-            channel.encoding = found->second;
+    ImageJudgement judgement =
+        judge_images(images.reference, images.test, own, images.preparation.encoding);
     images.preparation.reference_storage = storage_text(images.reference);
     images.preparation.test_storage = storage_text(images.test);
     judgement.report.preparation = images.preparation;

@@ -22,11 +22,11 @@ from .judges import Report, compare, errors, probe
 from .renders import render, sweep
 from .scenes import (Scene, list_algorithms, list_channels, list_presets, list_scenes, load,
                      load_plugin)
-from .textures import Sampler, Texture, bake
+from .textures import DepthLayers, Sampler, Texture, bake, depth_layers
 
 __all__ = [
-    "Error", "Film", "InputError", "OutputError", "Report", "Sampler", "Scene", "Texture",
-    "UsageError", "bake", "compare", "errors", "heatmap", "list_algorithms", "list_channels",
-    "list_presets", "list_scenes", "load", "load_plugin", "probe", "quad", "read", "render",
-    "sample", "sweep",
+    "DepthLayers", "Error", "Film", "InputError", "OutputError", "Report", "Sampler", "Scene",
+    "Texture", "UsageError", "bake", "compare", "depth_layers", "errors", "heatmap",
+    "list_algorithms", "list_channels", "list_presets", "list_scenes", "load", "load_plugin",
+    "probe", "quad", "read", "render", "sample", "sweep",
 ]

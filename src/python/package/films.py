@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
+import functools
+import json
+from typing import Any, Dict, FrozenSet, Iterator, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,12 +24,32 @@ def _components(name: str, count: int) -> List[str]:
     return channels
 
 
-def _planes(arrays: Mapping[str, ArrayLike]) -> Dict[str, NDArray[Any]]:
+_CODES = {np.dtype(np.uint8): 8, np.dtype(np.uint16): 16}
+
+
+def _is_whole(channel: str) -> bool:
+    """Whether a channel of renders has integers."""
+    return channel in _whole_channels()
+
+
+@functools.lru_cache(maxsize=None)
+def _whole_channels() -> FrozenSet[str]:
+    return frozenset(row["name"] for row in json.loads(_quadrel.list_channels([]))
+                     if row["type"] == "uint")
+
+
+def _planes(arrays: Mapping[str, ArrayLike]) -> Tuple[Dict[str, NDArray[Any]], Dict[str, int]]:
+    """Planes by channel, and the bits of those that were codes."""
+    codes: Dict[str, int] = {}
     planes: Dict[str, NDArray[Any]] = {}
 
     def add(channel: str, plane: NDArray[Any]) -> None:
         if channel in planes:
             raise _quadrel.UsageError(f'film: found "{channel}" twice')
+        bits = _CODES.get(plane.dtype)
+        if bits is not None and not _is_whole(channel):
+            codes[channel] = bits
+            plane = plane.astype(np.float32) / np.float32(2**bits - 1)
         planes[channel] = plane
 
     for name, values in arrays.items():
@@ -50,7 +72,7 @@ def _planes(arrays: Mapping[str, ArrayLike]) -> Dict[str, NDArray[Any]]:
             raise _quadrel.UsageError(f'film: "{name}" has integers above 32 bits')
     if not planes:
         raise _quadrel.UsageError("film: expected at least one channel")
-    return planes
+    return planes, codes
 
 
 class Film(Mapping[str, "NDArray[Any]"]):
@@ -59,8 +81,9 @@ class Film(Mapping[str, "NDArray[Any]"]):
     film where it is written to.
 
     Made by `render` and `read`, or of arrays, which are copied: `Film({"hit.U": u, "RGB": image})`.
-    An array of three axes is a group ("N", "uv") or RGB, RGBA. Floats become float32, integers stay
-    integers (divide codes of 8 bits by 255). `frame` and `window` are (x0, y0, x1, y1), half-open,
+    An array of three axes is a group ("N", "uv") or RGB, RGBA. Floats become float32. uint8 and uint16
+    are codes, code / 255 and code / 65535, as in image files (`compare(..., encode="srgb8")`), but in
+    channels of integers, as hit.status; all other integers stay integers. `frame` and `window` are (x0, y0, x1, y1), half-open,
     from the top-left: of the whole image and of the part that the arrays hold; the arrays' size
     unless given.
     """
@@ -69,11 +92,11 @@ class Film(Mapping[str, "NDArray[Any]"]):
                  frame: Optional[arguments.Window] = None,
                  window: Optional[arguments.Window] = None,
                  attributes: Optional[Mapping[str, str]] = None) -> None:
-        planes = _planes(arrays)
+        planes, codes = _planes(arrays)
         height, width = next(iter(planes.values())).shape
         box = arguments.window(window) or (0, 0, width, height)
         whole = arguments.window(frame) or (0, 0, box[2], box[3])
-        self._film = _quadrel.film_of_arrays(planes, whole, box)
+        self._film = _quadrel.film_of_arrays(planes, whole, box, codes)
         self._film.attributes = dict(attributes or {})
 
     @classmethod

@@ -36,6 +36,10 @@ class Report(Dict[str, Any]):
     def __str__(self) -> str:
         return self.text
 
+    def __repr__(self) -> str:
+        says = {None: "", True: " passes", False: " does not pass"}[self.passes]
+        return f"<quadrel.Report{says}: {', '.join(self)}>"
+
 
 def _tolerances(**allowed: ByChannel) -> List[Tuple[str, str, float]]:
     rules = []
@@ -54,7 +58,7 @@ def _source(image: Image) -> Union[_quadrel.Film, bytes]:
 def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChannel = None,
             ulp: ByChannel = None, fraction: ByChannel = None, channels: Union[str, Sequence[str]] = (),
             window: Optional[arguments.Window] = None, overlap: bool = False,
-            map: Optional[Mapping[str, str]] = None, flip_y: bool = False, encode: str = "",
+            map: Optional[Mapping[str, str]] = None, flip_y: bool = False, encode: str = "none",
             ignore_flags: Union[str, Sequence[str]] = (), blame: Union[Scene, arguments.Path, None] = None,
             legal: bool = False, widest: float = 0.1, most_ambiguous: float = 0.05,
             most_unconstrained: float = 0.01) -> Report:
@@ -68,7 +72,8 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
     window          (x0, y0, x1, y1): these pixels alone; overlap: those that both have
     map             {"N": "gbuffer.normal"}: the test image's channel or group for a reference's
     flip_y          the test image's first row is its bottom
-    encode          "srgb8", "unorm8" or "half": both rounded to what that can hold
+    encode          "srgb8", "unorm8" or "half": both rounded to what that can hold; arrays of uint8
+                    and files of 8 bits are taken as encoded so
     ignore_flags    leaves out pixels whose reference has one of these hit.flags ("nan-look-up")
     blame           the scene: report["blame"] is the first wrong value in data flow at the worst pixel,
                     if any (`probe` shows how the reference came to its own)
@@ -87,9 +92,9 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
     how.flip_y = flip_y
     how.encode = encode
     if legal:
-        if how.tolerances or encode or blame is not None:
-            raise _quadrel.UsageError("compare: no tolerances, encode or blame with legal=True, "
-                                      "whose reference says what is permitted")
+        if how.tolerances or blame is not None:
+            raise _quadrel.UsageError("compare: no tolerances and no blame with legal=True, whose "
+                                      "reference says what is permitted")
         return Report(*_quadrel.judge(_source(reference), _source(test), how, widest,
                                       most_ambiguous, most_unconstrained))
     scene = None if blame is None else scene_of(blame)._scene

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _quadrel, arguments
+from .films import Film
 
 _CODES = {np.dtype(np.uint8): ("unorm8", 255), np.dtype(np.uint16): ("unorm16", 65535)}
 
@@ -117,6 +118,35 @@ class Sampler:
         return _quadrel.SamplerState(self.wrap_u or self.wrap, self.wrap_v or self.wrap, self.mag,
                                      self.min, self.mip, list(self.border), self.lod_bias,
                                      self.lod_min, self.lod_max, self.hardware)
+
+
+@dataclasses.dataclass(frozen=True)
+class DepthLayers:
+    """Depth layers of a mesh."""
+
+    film: Film  #: R G B A: front, back, second front, second back, from 0 to 1
+    tile: float  #: length of the square of texture space, in the mesh's units
+    thickness: float  #: of the relief, depths from 0 to 1, in the mesh's units
+    deeper: int  #: texels under which more than two solids lie; the nearest two are kept
+
+
+def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
+                 towards: Sequence[float] = (0.0, 0.0, -1.0),
+                 margin: float = 1 / 16) -> DepthLayers:
+    """Peels a closed mesh (a file, or cube, icosahedron, sphere, torus) into the depth layers that
+    searches behind things read, as `quadrel bake --kind depth-layers`. `towards` is the way of depth
+    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Raises
+    InputError for a mesh that is not closed."""
+    width, height = (arguments.whole("size", side, 1, 16384) for side in size)
+    direction = np.asarray(towards, dtype=np.float64)
+    largest = np.abs(direction).max(initial=0)
+    if direction.shape != (3,) or not 1e-100 < largest <= 1e100:
+        raise _quadrel.UsageError(f"towards: found {towards}, expected 3 numbers, not all 0")
+    if not 0 <= margin < 0.5:
+        raise _quadrel.UsageError(f"margin: found {margin}, expected a number in [0, 0.5)")
+    film, tile, thickness, deeper = _quadrel.peel_layers(
+        arguments.path(mesh), width, height, list(direction / largest), margin)
+    return DepthLayers(Film._of(film), tile, thickness, deeper)
 
 
 def bake(heights: Union[Texture, ArrayLike, arguments.Path], kind: str, *, channel: str = "r",
