@@ -4,8 +4,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <map>
 
+#include "bake/layers/closed_mesh.hpp"
 #include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
@@ -13,7 +13,6 @@
 #include "quadrel/bake/depth_layers.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/mesh_file.hpp"
-#include "quadrel/scene/shapes.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -50,34 +49,17 @@ DepthLayerOptions make_layer_options(const LayerArguments& arguments) {
     return {size.width, size.height, parse_direction(arguments.towards), arguments.margin};
 }
 
-/// The shapes that scenes have by name and that are closed, at their own size.
-const std::map<std::string, Mesh (*)()>& closed_shapes() {
-    static const std::map<std::string, Mesh (*)()> shapes{
-        {"cube", [] { return make_cube(); }},
-        {"icosahedron", [] { return make_icosahedron(); }},
-        {"sphere", [] { return make_sphere(); }},
-        {"torus", [] { return make_torus(); }}};
-    return shapes;
-}
-
-Mesh named_mesh(const std::string& name) {
-    const auto shape = closed_shapes().find(name);
-    Mesh mesh = shape != closed_shapes().end() ? shape->second() : load_mesh(name);
-    mesh.name = name;
-    return mesh;
-}
-
 }  // namespace
 
 ExitCode bake_layers(const LayerArguments& arguments) {
     const DepthLayerOptions options = make_layer_options(arguments);
     check_output_kinds({{"-o", ".exr", arguments.output}});
     CommandFiles files;
-    if (closed_shapes().count(arguments.mesh) == 0)
+    if (!is_closed_shape(arguments.mesh))
         for (const auto& file : files_of_mesh(arguments.mesh)) files.add_input(file);
     files.add_output("-o", arguments.output);
     files.check_writable();
-    const DepthLayers layers = peel_depth_layers(named_mesh(arguments.mesh), options);
+    const DepthLayers layers = peel_depth_layers(closed_mesh(arguments.mesh), options);
     write_exr(arguments.output, layers.film, attributes_of(layers),
               {arguments.compression, arguments.threads});
     if (layers.deeper > 0)

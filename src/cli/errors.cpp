@@ -2,7 +2,6 @@
 #include "quadrel/errors.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "cli/common/arguments.hpp"
@@ -11,9 +10,9 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/plugins.hpp"
 #include "cli/verbs.hpp"
-#include "quadrel/error.hpp"
 #include "quadrel/error_pictures.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/errors/judged.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -24,19 +23,6 @@ struct ErrorsArguments {
     ErrorOptions options;
     bool json = false;
 };
-
-/// Figures of nothing would look like those of a scene without errors.
-void refuse_unjudged(const ErrorSummary& summary, const Scene& scene) {
-    if (summary.judged > 0) return;
-    const bool has_map = std::ranges::any_of(scene.materials, [](const Material& material) {
-        return !material.noise && material.textures.contains("height");
-    });
-    const char* const found = summary.covered == 0 ? "nothing to judge: no pixel is covered"
-                              : !has_map ? "nothing to judge: no material has a height map"
-                                         : "nothing to judge: no covered pixel has a height map, a "
-                                           "frame and a ray that can be followed";
-    throw InputError(scene.file.string(), "", found, "objects in view whose heights are a map");
-}
 
 ExitCode run_errors(const ErrorsArguments& arguments) {
     CommandFiles files;
@@ -57,7 +43,7 @@ ExitCode run_errors(const ErrorsArguments& arguments) {
         options.progress = [&bar](double share) { bar.show(share); };
         summary = measure_errors(scene, options);
     }
-    refuse_unjudged(summary, scene);
+    require_judged(summary, scene);
     arguments.json ? print_json(to_json(summary)) : print(to_text(summary));
     if (!arguments.maps.empty()) {
         write_png(arguments.maps, error_sheet(film));

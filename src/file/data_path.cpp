@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "file/module_path.hpp"
 #include "quadrel/error.hpp"
 
 namespace quadrel {
@@ -12,10 +13,10 @@ std::vector<fs::path> data_directories() {
     std::vector<fs::path> candidates;
     if (const char* chosen = std::getenv("QUADREL_DATA"); chosen && *chosen)
         candidates.emplace_back(chosen);
-    std::error_code error;
-    const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-    if (!error) candidates.push_back(executable.parent_path() / "../share/quadrel");
+    for (const fs::path& installed : installed_near_binary("share/quadrel"))
+        candidates.push_back(installed);
     candidates.emplace_back(QUADREL_SOURCE_DATA_DIR);
+    std::error_code error;
     std::erase_if(candidates, [&](const fs::path& path) { return !fs::is_directory(path, error); });
     return candidates;
 }

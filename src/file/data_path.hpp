@@ -7,7 +7,7 @@
 namespace quadrel {
 
 /// The existing data directories, in the order of search: $QUADREL_DATA, the installed
-/// share/quadrel beside the executable's directory, the source tree that this was built from.
+/// share/quadrel near this binary (module_path.hpp), the source tree that this was built from.
 std::vector<std::filesystem::path> data_directories();
 
 /// The first `relative` below the data directories. Throws InputError if there is none.

@@ -21,11 +21,11 @@ Folders folders() {
     return count;
 }
 
-/// Seeds of fuzzing and input files are data, and projects of tests have files where CMake wants
-/// them.
+/// Seeds of fuzzing and input files are data, projects of tests have files where CMake wants them,
+/// and Python leaves its own.
 bool is_data(const std::string& folder) {
-    return folder.starts_with("tests/fuzz/corpus") || folder.starts_with("tests/data/") ||
-           folder.starts_with("tests/consumer");
+    return folder.ends_with("__pycache__") || folder.starts_with("tests/fuzz/corpus") ||
+           folder.starts_with("tests/data/") || folder.starts_with("tests/consumer");
 }
 
 testing::AssertionResult can_be_read_through(const Folders& folders) {

@@ -27,6 +27,9 @@ struct ComparableImage {
     Attributes attributes;                  ///< of an EXR's header
 };
 
+/// "float32 uint32": how the channels of an image are stored.
+std::string storage_text(const ComparableImage& image);
+
 /// Reads any image: an EXR with all channels of what is selected (see read_exr); everything else by
 /// load_image, with its channels named as channel_names says, as a whole frame. Of an EXR that has
 /// all of `part_of_it` only that. Throws InputError.

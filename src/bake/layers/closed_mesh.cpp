@@ -7,6 +7,8 @@
 #include <unordered_map>
 
 #include "quadrel/error.hpp"
+#include "quadrel/scene/mesh_file.hpp"
+#include "quadrel/scene/shapes.hpp"
 
 namespace quadrel {
 namespace {
@@ -30,6 +32,16 @@ std::map<Edge, int> unmatched_edges(const WeldedMesh& mesh) {
         }
     std::erase_if(edges, [](const auto& edge) { return edge.second == 0; });
     return edges;
+}
+
+/// The shapes that scenes have by name and that are closed, at their own size.
+const std::map<std::string, Mesh (*)()>& closed_shapes() {
+    static const std::map<std::string, Mesh (*)()> shapes{
+        {"cube", [] { return make_cube(); }},
+        {"icosahedron", [] { return make_icosahedron(); }},
+        {"sphere", [] { return make_sphere(); }},
+        {"torus", [] { return make_torus(); }}};
+    return shapes;
 }
 
 }  // namespace
@@ -62,6 +74,15 @@ WeldedMesh weld_closed(const Mesh& mesh) {
     }
     if (welded.triangles.empty()) throw InputError(mesh.name, "", "no triangle", "a closed mesh");
     return welded;
+}
+
+bool is_closed_shape(const std::string& name) { return closed_shapes().count(name) > 0; }
+
+Mesh closed_mesh(const std::string& shape_or_file) {
+    const auto shape = closed_shapes().find(shape_or_file);
+    Mesh mesh = shape != closed_shapes().end() ? shape->second() : load_mesh(shape_or_file);
+    mesh.name = shape_or_file;
+    return mesh;
 }
 
 }  // namespace quadrel

@@ -18,4 +18,12 @@ struct WeldedMesh {
 /// that triangles run along more often one way than the other.
 WeldedMesh weld_closed(const Mesh& mesh);
 
+/// Whether this names one of the shapes that scenes have by name and that are closed: cube,
+/// icosahedron, sphere, torus.
+bool is_closed_shape(const std::string& name);
+
+/// One of these shapes at its own size, or the mesh of a file, which may be open. Throws InputError
+/// as load_mesh does.
+Mesh closed_mesh(const std::string& shape_or_file);
+
 }  // namespace quadrel

@@ -192,7 +192,7 @@ void write_page(const std::string& file, Images images) {
 ExitCode run_legal(const CompareArguments& arguments, const CommandFiles& files) {
     const LegalRules rules = legal_rules(arguments.legal);
     Images images = read_images(arguments);
-    LegalJudgement judgement = judge_legal(rules, images, arguments.channels);
+    ImageJudgement judgement = judge_legal(rules, images, arguments.channels);
     files.check();
     write_page(arguments.page, std::move(images));
     LegalReport& report = judgement.report;
@@ -282,15 +282,6 @@ void add_preparation(CLI::App& verb, CompareArguments& a) {
 }
 
 }  // namespace
-
-std::string storage_text(const ComparableImage& image) {
-    std::set<std::string> names;
-    for (const Plane& plane : image.film.planes)
-        names.insert(storage_name(image.stored.at(plane.name)));
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-    return text;
-}
 
 void add_compare(CLI::App& app, Action& action) {
     CLI::App* verb = app.add_subcommand("compare", "compare two images, value by value");

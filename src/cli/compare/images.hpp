@@ -12,7 +12,4 @@ struct Images {
     CompareRules rules;
 };
 
-/// "float32 uint32": how the channels of an image are stored.
-std::string storage_text(const ComparableImage& image);
-
 }  // namespace quadrel::cli

@@ -1,13 +1,11 @@
 #include "cli/compare/legal.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
-#include <set>
 
 #include "cli/common/arguments.hpp"
+#include "film/legal/ranged_channels.hpp"
 #include "quadrel/error.hpp"
-#include "text/suggest.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -20,60 +18,6 @@ double parse_share(const std::string& option, const std::string& text, double ot
     if (error != std::errc() || stop != end || !(value >= 0 && value <= 1))
         throw UsageError(option + ": found \"" + text + "\", expected a share, 0 to 1");
     return value;
-}
-
-/// The channel that a plane of the reference says something of.
-std::string judged_name(const std::string& plane) {
-    for (const std::string prefix : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
-        if (plane.starts_with(prefix)) return plane.substr(prefix.size());
-    return plane;
-}
-
-bool is_meant(const std::string& channel, const std::string& request) {
-    return channel == request || channel.starts_with(request + ".");
-}
-
-/// Drops the channels that the comma-separated `list` does not name, their ranges with them.
-void select_judged(const std::string& list, Film& reference, Film& test) {
-    const std::vector<std::string> requests = parse_list("--channels", list);
-    std::set<std::string> ranged;
-    for (const Plane& plane : reference.planes)
-        if (judged_name(plane.name) != plane.name) ranged.insert(judged_name(plane.name));
-    if (ranged.empty()) return;  // which is said of the reference as a whole
-    for (const std::string& request : requests)
-        if (std::none_of(ranged.begin(), ranged.end(),
-                         [&](const std::string& name) { return is_meant(name, request); }))
-            throw UsageError("--channels: the reference holds no range of \"" + request +
-                             "\", expected " + one_of(request, ranged));
-    const auto unwanted = [&](const Plane& plane) {
-        return std::none_of(requests.begin(), requests.end(), [&](const std::string& request) {
-            return is_meant(judged_name(plane.name), request);
-        });
-    };
-    std::erase_if(reference.planes, unwanted);
-    std::erase_if(test.planes, unwanted);
-}
-
-/// Rounds `film`, of the reference, and the test image's floats to what an encoding holds.
-std::map<std::string, Encoding> encode_film(Film& film, const Images& images, Film& encoded) {
-    const auto is_float = [&](const Plane& plane) {
-        const Plane* other = images.test.film.find(plane.name);
-        const Plane* value = images.reference.film.find(plane.name);
-        return value->type == ChannelType::float32 && other != nullptr &&
-               other->type == ChannelType::float32;
-    };
-    ComparableImage reference{
-        images.reference.file, {film.frame, film.window, {}}, images.reference.stored, {}};
-    ComparableImage test{images.test.file, {film.frame, film.window, {}}, images.test.stored, {}};
-    for (const Plane& plane : film.planes)
-        if (is_float(plane)) {
-            reference.film.planes.push_back(plane);
-            test.film.planes.push_back(*images.test.film.find(plane.name));
-        }
-    const auto encodings = encode_both(reference, test, images.preparation.encoding);
-    for (Plane& plane : reference.film.planes) *film.find(plane.name) = std::move(plane);
-    for (Plane& plane : test.film.planes) *encoded.find(plane.name) = std::move(plane);
-    return encodings;
 }
 
 }  // namespace
@@ -109,21 +53,14 @@ LegalRules legal_rules(const LegalArguments& legal) {
     return rules;
 }
 
-LegalJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels) {
-    if (!channels.empty()) select_judged(channels, images.reference.film, images.test.film);
-    LegalJudgement judgement{
-        take_apart(images.reference.film, images.reference.file.string()), images.test.film, {}};
-    LegalReference& reference = judgement.reference;
-    images.reference.film = reference.values;
-    std::map<std::string, Encoding> encodings;
-    for (Film* film : {&reference.values, &reference.lo, &reference.hi})
-        encodings = encode_film(*film, images, judgement.test);
+ImageJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels) {
+    if (!channels.empty())
+        keep_ranged_channels("--channels", parse_list("--channels", channels),
+                             images.reference.film, images.test.film);
     LegalRules own = rules;
     own.left_out = images.rules.left_out;
-    judgement.report = judge(reference, judgement.test, own);
-    for (LegalChannelReport& channel : judgement.report.channels)
-        if (const auto found = encodings.find(channel.name); found != encodings.end())
-            channel.encoding = found->second;
+    ImageJudgement judgement =
+        judge_images(images.reference, images.test, own, images.preparation.encoding);
     images.preparation.reference_storage = storage_text(images.reference);
     images.preparation.test_storage = storage_text(images.test);
     judgement.report.preparation = images.preparation;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/compare/images.hpp"
-#include "quadrel/film/legal.hpp"
+#include "film/legal/judge_images.hpp"
 
 namespace quadrel::cli {
 
@@ -19,14 +19,8 @@ void add_legal_options(CLI::App& verb, LegalArguments& legal);
 /// Throws UsageError for what is no share, or is given without --legal.
 LegalRules legal_rules(const LegalArguments& legal);
 
-struct LegalJudgement {
-    LegalReference reference;
-    Film test;
-    LegalReport report;
-};
-
 /// Judges what was read. `channels` as given, empty for all; of `images` the rules say what is left
 /// out. Throws UsageError for channels that have no range, InputError for a reference without any.
-LegalJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels);
+ImageJudgement judge_legal(const LegalRules& rules, Images images, const std::string& channels);
 
 }  // namespace quadrel::cli

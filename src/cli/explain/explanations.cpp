@@ -8,13 +8,13 @@
 #include "cli/explain/exit_codes.hpp"
 #include "cli/explain/explain_key.hpp"
 #include "cli/explain/markdown.hpp"
-#include "cli/explain/parameter_text.hpp"
 #include "io/document/keys.hpp"
 #include "io/document/stage_parameters.hpp"
 #include "quadrel/bake/bake.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/presets.hpp"
+#include "render/lists/parameter_text.hpp"
 
 namespace quadrel::cli {
 namespace {

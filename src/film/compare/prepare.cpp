@@ -171,6 +171,15 @@ const char* storage_name(Storage storage) {
     return "uint32";
 }
 
+std::string storage_text(const ComparableImage& image) {
+    std::set<std::string> names;
+    for (const Plane& plane : image.film.planes)
+        names.insert(storage_name(image.stored.at(plane.name)));
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+    return text;
+}
+
 ComparableImage read_comparable(const std::filesystem::path& file, const ImageSelection& selection,
                                 const std::optional<Window>& part_of_it) {
     if (const char* const reason = reason_not_to_read(file))

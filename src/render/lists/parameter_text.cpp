@@ -1,10 +1,10 @@
-#include "cli/explain/parameter_text.hpp"
+#include "render/lists/parameter_text.hpp"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-namespace quadrel::cli {
+namespace quadrel {
 namespace {
 
 std::string choice_text(const ParameterText& p) {
@@ -25,4 +25,4 @@ std::string parameter_text(const ParameterText& p) {
                        unit.empty() ? "" : " ", unit, p.meaning);
 }
 
-}  // namespace quadrel::cli
+}  // namespace quadrel

@@ -1,0 +1,52 @@
+// Scenes, and what there is to choose from.
+#include <pybind11/stl.h>
+
+#include "python/bindings.hpp"
+#include "quadrel/relief/registry.hpp"
+#include "quadrel/scene/load.hpp"
+#include "render/lists/rows.hpp"
+
+namespace quadrel::python {
+namespace {
+
+std::shared_ptr<Scene> load(const std::string& file_or_name,
+                            const std::vector<std::string>& assignments, const Scene* before) {
+    const py::gil_scoped_release release;
+    auto scene = std::make_shared<Scene>(load_scene(file_or_name, assignments));
+    if (before != nullptr) scene->texture_cache = before->texture_cache;
+    return scene;
+}
+
+std::string list_json(ListRows (*make)(), const std::vector<std::string>& words) {
+    ListRows rows = make();
+    std::erase_if(rows, [&](const ListRow& row) { return !has_all_words(row, words); });
+    return rows_json(rows);
+}
+
+}  // namespace
+
+void bind_scenes(py::module_& module) {
+    py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
+        .def_property_readonly("file",
+                               [](const Scene& scene) { return py::bytes(scene.file.string()); })
+        .def_readonly("width", &Scene::width)
+        .def_readonly("height", &Scene::height)
+        .def_readonly("canonical", &Scene::canonical)
+        .def_readonly("hash", &Scene::hash)
+        .def_readonly("notes", &Scene::notes);
+    module.def("load_scene", load, py::arg("file_or_name"), py::arg("assignments"),
+               py::arg("before") = nullptr);
+    const auto add_list = [&](const char* name, ListRows (*make)()) {
+        module.def(
+            name, [make](const std::vector<std::string>& words) { return list_json(make, words); },
+            py::arg("words"));
+    };
+    add_list("list_algorithms", algorithm_rows);
+    add_list("list_channels", channel_rows);
+    add_list("list_presets", preset_rows);
+    add_list("list_scenes", scene_rows);
+    module.def(
+        "load_plugin", [](const std::string& file) { load_plugin(file); }, py::arg("file"));
+}
+
+}  // namespace quadrel::python
