@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "browser.hpp"
+#include "effort.hpp"
 #include "io/document/json.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/load.hpp"
@@ -22,12 +23,23 @@ constexpr const char* no_gpu =
     "--disable-gpu --disable-software-rasterizer --disable-3d-apis --virtual-time-budget=20000 "
     "--dump-dom";
 
-/// Small, and of one level of detail, so that ranges are soon found.
-Scene small_scene(std::vector<std::string> more = {}) {
-    std::vector<std::string> assignments = {"size=[24,16]", "material.relief.steps=24",
-                                            "material.height.mip=none"};
-    assignments.insert(assignments.end(), more.begin(), more.end());
-    return load_scene("bricks-45", assignments);
+/// A few pixels as those of a large picture, in few steps, so that ranges are soon found; the light
+/// grazes. Of the browser's own software renderer, whose vertices are snapped to sixteenths.
+Scene small_scene() {
+    return load_scene("bricks-45",
+                      {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2",
+                       "hardware=chromium", "material.relief.steps=8",
+                       "material.relief.shadow=shadow-none", "lights[0].position=[10,-1,0]"});
+}
+constexpr const char* limits = "gl,snapping=0.0625";
+
+/// `text` with every `from` replaced; there has to be one.
+std::string with_planted(std::string text, const std::string& from, const std::string& to) {
+    std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    for (; at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
 }
 
 /// The page after its script has run.
@@ -68,31 +80,92 @@ class Judged {
 
 class JudgePageInABrowser : public testing::Test {
   protected:
-    static void SetUpTestSuite() {
-        if (!testing_browser::browser().empty()) page() = judge_page(small_scene(), {});
-    }
     void SetUp() override {
         if (testing_browser::browser().empty()) GTEST_SKIP() << testing_browser::no_browser;
     }
-    static std::string& page() {
-        static std::string made;
-        return made;
-    }
 };
 
-TEST_F(JudgePageInABrowser, FindsWhatItsGpuDrawsLegal) {
-    const Judged judged(page(), "#view=classes&channel=hit.U&pixel=12,8");
+/// Whether verdicts are as they should be where nothing is wrong.
+void expect_legal(const Judged& judged) {
     ASSERT_EQ(judged.error(), "");
     EXPECT_EQ(judged.failing(), 0) << judged.verdict().dump(1);
     int pixels = 0;
     for (const Json& count : judged.verdict()["counts"]) pixels += count.get<int>();
-    EXPECT_EQ(pixels, 24 * 16);
-    EXPECT_GT(judged.verdict()["counts"][0].get<int>(), 0);
-    EXPECT_EQ(judged.verdict()["rows"].size(), 18u) << judged.verdict().dump(1);
+    EXPECT_EQ(judged.verdict()["pixels"], pixels);
+    EXPECT_EQ(judged.verdict()["rows"].size(), 17u) << judged.verdict().dump(1);
+    for (const Json& row : judged.verdict()["rows"])
+        if (row["name"] == "uv.U" || row["name"] == "hit.U") {
+            EXPECT_EQ(row["counts"][0], pixels) << row.dump();
+        }
+}
+
+/// Hashes of what was drawn, by channel.
+std::string drawn_hashes(const std::string& dom) {
+    std::string all;
+    const std::string mark = "data-hash=\"1 ";
+    for (std::size_t at = dom.find(mark); at != std::string::npos; at = dom.find(mark, at + 1))
+        all += dom.substr(at, dom.find('"', at + mark.size()) - at) + "\n";
+    return all;
+}
+
+TEST_F(JudgePageInABrowser, FindsWhatItsGpuDrawsLegal) {
+    const std::string page = judge_page(small_scene(), {{}, limits});
+    const Judged judged(page, "#view=first&channel=hit.U&pixel=5,4");
+    expect_legal(judged);
     // Values of both sides at the pixel.
     EXPECT_NE(judged.dom().find("data-of=\"0 hit.U 0x"), std::string::npos);
     EXPECT_NE(judged.dom().find("data-of=\"1 hit.U 0x"), std::string::npos);
     EXPECT_NE(judged.dom().find("No channel leaves its range here."), std::string::npos);
+    EXPECT_EQ(judged.dom().find("This GPU knows 4 bits"), std::string::npos);
+    // Bits that come back as bytes are the same.
+    const Judged packed(page, "#targets=packed");
+    ASSERT_EQ(packed.error(), "");
+    EXPECT_NE(drawn_hashes(judged.dom()), "");
+    EXPECT_EQ(drawn_hashes(judged.dom()), drawn_hashes(packed.dom()));
+    EXPECT_NE(packed.dom().find("<li>As asked for, bits are drawn as bytes"), std::string::npos);
+    const Judged emulated(page, "#samplers=emulated");
+    expect_legal(emulated);
+    EXPECT_NE(emulated.dom().find("height_map: sampled by texelFetch"), std::string::npos);
+}
+
+TEST_F(JudgePageInABrowser, ShowsPlantedErrors) {
+    struct Planted {
+        const char *from, *to, *first;
+    };
+    const Planted errors[] = {
+        {"dUVdx = dFdx(uv);", "dUVdx = dFdy(uv);", "dUVdx.U"},  // a swapped derivative
+        {"float(i) / float(steps);", "float(i) / float(steps + 1);", "hit.V"},   // a step too many
+        {"[\"repeat\",\"repeat\"]", "[\"clamp-to-edge\",\"repeat\"]", "hit.U"},  // wrong wrap
+        {"max(cosine, 0.0)", "cosine", "R"},                                     // a missing clamp
+        {"(light0_position - hit_P)", "(eye - hit_P)", "R"}};  // light from the wrong point
+    const std::string page = judge_page(small_scene(), {{}, limits});
+    for (const auto& [from, to, first] : errors) {
+        const Judged judged(with_planted(page, from, to), "");
+        EXPECT_GT(judged.failing(), 0) << to << judged.error();
+        EXPECT_EQ(judged.first_to_leave(), first) << to;
+    }
+}
+
+TEST_F(JudgePageInABrowser, IsAViewerWhereNothingCanBeDrawn) {
+    const std::string page = judge_page(small_scene(), {{}, ""});
+    const Judged judged(with_planted(page, "hit_uv = ", "hit_uv = missing + "), "");
+    EXPECT_NE(judged.error().find("bricks.frag does not compile"), std::string::npos)
+        << judged.error();
+    EXPECT_NE(judged.error().find("missing + "), std::string::npos) << judged.error();
+    EXPECT_NE(judged.dom().find("data-ready=\"19\""), std::string::npos);
+    const Judged without(page, "", no_gpu);
+    EXPECT_EQ(without.error(), "this browser has no WebGL 2");
+    EXPECT_NE(without.dom().find("data-ready=\"19\""), std::string::npos);
+}
+
+TEST(JudgePage, OfTheSameSceneIsTheSame) {
+    JudgePage options;
+    options.limits = limits;
+    options.scene.channels = {"uv", "A"};
+    const std::string page = judge_page(small_scene(), options);
+    EXPECT_EQ(judge_page(small_scene(), options), page);
+    options.every = 3;
+    EXPECT_NE(judge_page(small_scene(), options), page);
 }
 
 }  // namespace
