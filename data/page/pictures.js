@@ -16,7 +16,7 @@ const ramps = {
   heat: [[0, 0, 60], [60, 0, 120], [180, 20, 80], [240, 90, 20], [255, 190, 60], [255, 255, 240]],
 };
 /* As the heat map of compare --legal. */
-const classColours = [[0, 114, 178], [240, 228, 66], [160, 160, 160], [213, 94, 0]];
+const classColours = [[0, 114, 178], [240, 228, 66], [160, 160, 160], [213, 94, 0], [0, 0, 0]];
 /* A table of 1024 colours is quicker than a blend each. */
 const tables = Object.fromEntries(Object.entries(ramps).map(([name, stops]) =>
   [name, Array.from({ length: 1024 }, (_, k) => between(stops, k / 1023))]));
@@ -111,11 +111,23 @@ function classesOf(a, b, choice) {
     ({ ranges: rangesOf(a, name), value: b.channels.get(name), extent: a.channels.has(name) ? extentOf(a, name) : 0 }))
     .filter(({ ranges, value }) => ranges && value);
   if (judged.length === 0 || !a.fits(b)) return null;
-  const classes = new Uint8Array(a.width * a.height), counts = [0, 0, 0, 0];
+  const classes = new Uint8Array(a.width * a.height), counts = classNames.map(() => 0);
   for (let i = 0; i < classes.length; i += 1) {
     for (const { ranges, value, extent } of judged)
       classes[i] = Math.max(classes[i], classOf(ranges, extent, value.values[i], i));
     counts[classes[i]] += 1;
   }
   return { classes, counts, picture: paint(a, (i) => classColours[classes[i]]) };
+}
+/* The first channel of each pixel, in the reference's order, that leaves its range; null where there are no ranges. */
+function firstLeftOf(a, b) {
+  const judged = judgedChannels(a, b);
+  if (judged.length === 0 || !a.fits(b)) return null;
+  const first = new Int16Array(a.width * a.height).fill(-1), counts = judged.map(() => 0);
+  judged.forEach((of, k) => {
+    for (let i = 0; i < first.length; i += 1)
+      if (first[i] < 0 && isOutside(of, i)) { first[i] = k; counts[k] += 1; }
+  });
+  return { names: judged.map(({ name }) => name), counts, inside: first.length - counts.reduce((x, y) => x + y, 0),
+           picture: paint(a, (i) => (first[i] < 0 ? [0, 0, 0] : colourOfCode(first[i]))) };
 }

@@ -32,6 +32,20 @@ async function unpackedBits(base64, count, earlier) {
   return bits;
 }
 
+/* What range_codes (src/page/range_codes.hpp) did, undone: the bits of bounds of `values`. */
+function boundBits(values, codes, end) {
+  const bounds = new Uint32Array(codes.length), nanCode = 0x2000, inward = 0x1000, infinity = 0x7f800000;
+  const distanceOf = (code) => (code < 32 ? code : (16 + (code - 32) % 16) * 2 ** (Math.floor((code - 32) / 16) + 1));
+  for (let i = 0; i < codes.length; i += 1) {
+    if (codes[i] === nanCode) { bounds[i] = 0x7fc00000; continue; }
+    const distance = distanceOf(codes[i] & ~inward), down = (end === "low") === !(codes[i] & inward);
+    const base = isNaNBits(values[i]) ? 0 : onLine(values[i]);
+    const at = Math.min(Math.max(base + (down ? -distance : distance), -infinity), infinity);
+    bounds[i] = at < 0 ? (-at | 0x80000000) >>> 0 : at;
+  }
+  return bounds;
+}
+
 /* A channel: `values` are numbers; bits tell what numbers don't. */
 function channelOf(name, type, stored, bits) {
   return { name, type, stored, bits, values: type === "uint32" ? bits : new Float32Array(bits.buffer) };
@@ -57,11 +71,12 @@ class Source {
 }
 async function embeddedSource(described, earlier) {
   const source = new Source(described.name, described.frame, described.window, described.attributes);
-  for (const { name, type, stored, against, bits } of described.channels)
+  for (const { name, type, stored, against, beside, end, bits } of described.channels)
     try {
       const before = against ? earlier.channels.get(name).bits : null;
+      const unpacked = await unpackedBits(bits, source.width * source.height, before);
       source.channels.set(name, channelOf(name, type, stored,
-        await unpackedBits(bits, source.width * source.height, before)));
+        beside ? boundBits(source.channels.get(beside).bits, unpacked, end) : unpacked));
     } catch (error) {
       throw new Error(`${described.name}: the data of channel ${name} are damaged (${error.message})`);
     }

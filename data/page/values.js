@@ -121,7 +121,7 @@ function worstPixels(pairs, count) {
 }
 
 /* Classes: what a value is against the range that the reference holds of it (compare --legal). */
-const classNames = ["pass", "ambiguous", "unconstrained", "fail"];
+const classNames = ["pass", "ambiguous", "unconstrained", "fail", "not judged"], notJudged = 0xffffffff;
 function rangesOf(source, name) {
   const [low, high, paths] = ["lo", "hi", "paths"].map((part) => source.channels.get(`gpu.${part}.${name}`));
   return low && high && paths ? { low, high, paths } : null;
@@ -139,6 +139,7 @@ function extentOf(source, name) {
 /* As legal_verdict has it, with its 10 % of the extent. */
 function classOf(ranges, extent, value, i) {
   const low = ranges.low.values[i], high = ranges.high.values[i], paths = ranges.paths.values[i];
+  if (paths === notJudged) return 4;
   if (paths === 0) return 2;
   const open = [low, high].filter(Number.isNaN).length;
   const holds = Number.isNaN(value) ? open > 0 : open < 2 && !(value < low) && !(value > high);
@@ -146,6 +147,29 @@ function classOf(ranges, extent, value, i) {
   const width = open === 1 ? Infinity : open === 2 || low === high ? 0 : high - low;
   if (!(width <= 0.1 * extent)) return 2;
   return paths > 1 ? 1 : 0;
+}
+
+/* The channels that have ranges, in the reference's order: { name, ranges, value, extent }[]. */
+function judgedChannels(a, b) {
+  return [...a.channels.keys()].map((name) => ({ name, ranges: rangesOf(a, name), value: b.channels.get(name) }))
+    .filter(({ ranges, value }) => ranges && value).map((judged) => ({ ...judged, extent: extentOf(a, judged.name) }));
+}
+const isOutside = ({ ranges, value, extent }, i) => classOf(ranges, extent, value.values[i], i) === 3;
+/* As compare --legal has it: pixels outside of their range, NaN first, then by the distance from it. */
+function worstOutside(judged, count) {
+  const worst = [];
+  for (const of of judged)
+    for (let i = 0; i < of.value.bits.length; i += 1) {
+      if (!isOutside(of, i)) continue;
+      const v = of.value.values[i], low = of.ranges.low.values[i], high = of.ranges.high.values[i];
+      const most = Number.isNaN(v) ? Infinity : Math.max(low - v || 0, v - high || 0);
+      if (worst.length === count && most <= worst[count - 1].most) continue;
+      let at = worst.length;
+      while (at > 0 && worst[at - 1].most < most) at -= 1;
+      worst.splice(at, 0, { i, most, name: of.name });
+      worst.length = Math.min(worst.length, count);
+    }
+  return worst;
 }
 
 /* "N" of N.X; "R G B" of R: what is looked at together. */

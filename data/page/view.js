@@ -1,15 +1,18 @@
 /* The page: what is chosen, and what is said of it. */
 
-const state = { choice: null, view: "a", colours: "", exposure: 0, low: null, high: null, kept: null, hovered: null };
+const state = { choice: null, view: "a", colours: "", exposure: 0, low: null, high: null, kept: null, hovered: null,
+                more: {} };  /* what else a link keeps */
 let sources = [], choices = [];
 const [a, b] = [() => sources[0], () => sources[1]];
 
 /* Choices */
 
+/* Channels that are said otherwise: of pages that know more. */
+let saidOtherwise = () => false;
 const order = (name) => "RGBXYZUVWA".indexOf(name.at(-1));
 /* R G B A first, the rest as the files have them. */
 function channelNames() {
-  const names = [...new Set(sources.flatMap((source) => [...source.channels.keys()]))];
+  const names = [...new Set(sources.flatMap((source) => [...source.channels.keys()]))].filter((name) => !saidOtherwise(name));
   const rank = (name) => (name.length === 1 && "RGBA".includes(name) ? "RGBA".indexOf(name) : 4);
   return names.sort((x, y) => rank(x) - rank(y));
 }
@@ -34,8 +37,9 @@ function firstChoice() {
   return choices.find(({ names }) => names.every((name) => sources.every((source) => source.channels.has(name)))) || choices[0];
 }
 const views = [["both", "Side by side"], ["a", "First"], ["b", "Second"], ["difference", "Difference"], ["heat", "Heat map"],
-               ["classes", "Classes"]];
+               ["classes", "Classes"], ["first", "First to leave"]];
 const classes = () => (b() ? classesOf(a(), b(), state.choice) : null);
+const firstLeft = () => (b() && hasRanges() ? firstLeftOf(a(), b()) : null);
 const isOneChannel = () => state.choice.names.length === 1;
 
 /* Pictures */
@@ -79,6 +83,10 @@ function shownPanels() {
     const found = classes();
     return found && { caption: "Against the legal range", source: a(), picture: found.picture };
   };
+  const left = () => {
+    const found = firstLeft();
+    return found && { caption: "The first channel that leaves its range", source: a(), picture: found.picture };
+  };
   if (!b()) return [single(a())];
   switch (state.view) {
     case "both": return [single(a()), single(b()), ...(a().fits(b()) ? [judged() || heat()] : [])];
@@ -88,6 +96,7 @@ function shownPanels() {
                                  picture: signedDifferenceOf(a(), b(), state.choice, differenceExtent()) } : heat()];
     case "heat": return [heat()];
     case "classes": return [judged() || heat()];
+    case "first": return [left() || heat()];
     default: return [single(a())];
   }
 }
@@ -119,15 +128,19 @@ function legendOfHeat() {
           boxText(notANumber, "NaN or infinite on one side")];
 }
 function legendOfClasses(found) {
-  return classNames.map((name, k) => boxText(classColours[k], `${name}: ${found.counts[k]}`));
+  return classNames.map((name, k) => boxText(classColours[k], `${name}: ${found.counts[k]}`)).filter((_, k) => k < 4 || found.counts[k]);
+}
+function legendOfFirstLeft({ names, counts, inside }) {
+  return [boxText([0, 0, 0], `none: ${inside}`), ...names.map((name, k) => boxText(colourOfCode(k), `${name}: ${counts[k]}`)).filter((_, k) => counts[k])];
 }
 function showLegend() {
   const found = b() && classes(), single = state.view === "difference" && isOneChannel();
   let items = [];
   if (!b() || ["both", "a", "b"].includes(state.view)) items = legendOfValues();
   if (b() && single) items = [rampText("signed", short(-differenceExtent()), short(differenceExtent()))];
-  if (b() && (state.view === "classes" || state.view === "both") && found) items.push(...legendOfClasses(found));
-  else if (b() && a().fits(b()) && (["both", "heat", "classes"].includes(state.view) || (state.view === "difference" && !single))) items.push(...legendOfHeat());
+  if (state.view === "first" && firstLeft()) items = legendOfFirstLeft(firstLeft());
+  else if (b() && (state.view === "classes" || state.view === "both") && found) items.push(...legendOfClasses(found));
+  else if (b() && a().fits(b()) && (["both", "heat", "classes", "first"].includes(state.view) || (state.view === "difference" && !single))) items.push(...legendOfHeat());
   byId("legend").replaceChildren(...items);
 }
 
@@ -160,13 +173,23 @@ function rangeCell(name, place) {
     html("small", {}, `${short(ranges.low.values[i])} to ${short(ranges.high.values[i])}`));
 }
 const hasRanges = () => Boolean(b()) && channelNames().some((name) => rangesOf(a(), name));
+function showFirstLeft(ranged, place) {
+  const i = a().index(place.x, place.y), line = byId("first-left");
+  if (!ranged || i < 0 || !a().fits(b())) return;
+  const name = judgedChannels(a(), b()).find(({ name, ...judged }) => isOutside(judged, i))?.name;
+  line.hidden = false;
+  line.className = name ? "lead unequal" : "lead";
+  line.textContent = name ? `First to leave its range: ${name}` : "No channel leaves its range here.";
+}
 function showValues() {
   const place = state.kept || state.hovered, head = byId("values").tHead, body = byId("values").tBodies[0];
   byId("place").textContent = place ? `${place.x}, ${place.y}` : "";
   byId("hint").hidden = Boolean(place);
   byId("values").parentElement.hidden = !place;
+  byId("first-left").hidden = true;
   if (!place) return;
   const ranged = hasRanges();
+  showFirstLeft(ranged, place);
   head.replaceChildren(html("tr", {}, ...["Channel", ...sources.map((s) => s.name), ...(b() ? ["Apart"] : []), ...(ranged ? ["Range"] : [])]
     .map((text) => html("th", { scope: "col", title: text, className: text === "Range" ? "word" : "" }, text))));
   const chosen = state.choice.names, rest = channelNames().filter((name) => !chosen.includes(name));
@@ -196,11 +219,14 @@ function showWorst() {
   table.parentElement.hidden = true;
   if (!a().fits(b())) { lead.textContent = "The images have different windows; pixels are compared one at a time only."; return; }
   if (pairs.length === 0) { lead.textContent = "One of the images lacks this channel."; return; }
-  const worst = worstPixels(pairs, 12);
-  lead.textContent = worst.length ? `Of ${state.choice.label}, by the absolute difference. Click one to see it.` : `${state.choice.label} is equal, bit for bit.`;
+  const outside = judgedChannels(a(), b()).filter(({ name }) => state.choice.names.includes(name)), left = worstOutside(outside, 12);
+  const worst = left.length ? left : worstPixels(pairs, 12), by = left.length ? "Outside by" : "Apart";
+  lead.textContent = left.length ? `Of ${state.choice.label}, outside of the range: NaN first, then by the distance. Click one to see it.` :
+    worst.length ? `Of ${state.choice.label}, by the absolute difference${outside.length ? "; all are in their range" : ""}. Click one to see it.` :
+    `${state.choice.label} is equal, bit for bit.`;
   if (!worst.length) return;
   table.parentElement.hidden = false;
-  table.tHead.replaceChildren(html("tr", {}, ...["Pixel", "Channel", a().name, b().name, "Apart"].map((text, k) => html("th", { scope: "col", className: k === 1 ? "word" : "" }, text))));
+  table.tHead.replaceChildren(html("tr", {}, ...["Pixel", "Channel", a().name, b().name, by].map((text, k) => html("th", { scope: "col", className: k === 1 ? "word" : "" }, text))));
   table.tBodies[0].replaceChildren(...worst.map(({ i, most, name }) => {
     const place = { x: a().x0 + i % a().width, y: a().y0 + Math.floor(i / a().width) };
     const show = () => { goTo(place); byId("stage").scrollIntoView({ block: "nearest" }); };
@@ -252,7 +278,7 @@ function showAttributes() {
   }));
 }
 function showSummary() {
-  const about = sources.map((s) => `${s.name}: ${s.width} × ${s.height}${s.x0 || s.y0 || s.width !== s.frame[2] - s.frame[0] || s.height !== s.frame[3] - s.frame[1] ? ` at ${s.x0}, ${s.y0} of ${s.frame[2] - s.frame[0]} × ${s.frame[3] - s.frame[1]}` : ""}, ${counted(s.channels.size, "channel")}`);
+  const about = sources.map((s) => `${s.name}: ${s.width} × ${s.height}${s.x0 || s.y0 || s.width !== s.frame[2] - s.frame[0] || s.height !== s.frame[3] - s.frame[1] ? ` at ${s.x0}, ${s.y0} of ${s.frame[2] - s.frame[0]} × ${s.frame[3] - s.frame[1]}` : ""}, ${counted([...s.channels.keys()].filter((name) => !saidOtherwise(name)).length, "channel")}`);
   let text = about.join(". ") + ".";
   if (b() && a().fits(b())) {
     const shared = channelNames().filter((name) => a().channels.has(name) && b().channels.has(name));
@@ -279,8 +305,10 @@ function showControls() {
   byId("low").placeholder = short(low);
   byId("high").placeholder = short(high);
   for (const box of document.querySelectorAll("#views input")) box.checked = box.value === state.view;
-  const judged = byId("views").querySelector("[value=classes]");
-  if (judged) judged.parentElement.hidden = !classes();
+  for (const [view, found] of [["classes", classes()], ["first", b() && hasRanges()]]) {
+    const button = byId("views").querySelector(`[value=${view}]`);
+    if (button) button.parentElement.hidden = !found;
+  }
 }
 function show() {
   showControls();
@@ -321,7 +349,7 @@ function flip() {
 }
 /* So that a link or a reload shows the same; a browser may forbid it. */
 function remember() {
-  const parts = { channel: state.choice.label, view: state.view, ...(state.kept ? { pixel: `${state.kept.x},${state.kept.y}` } : {}) };
+  const parts = { ...state.more, channel: state.choice.label, view: state.view, ...(state.kept ? { pixel: `${state.kept.x},${state.kept.y}` } : {}) };
   try { history.replaceState(null, "", "#" + new URLSearchParams(parts)); } catch { /* then not */ }
 }
 function recall() {
@@ -364,28 +392,30 @@ function listenToControls() {
   addEventListener("keydown", onKey);
 }
 function makeControls() {
-  byId("channel").append(...choices.map(({ label }) => html("option", { value: label }, label)));
+  byId("channel").replaceChildren(...choices.map(({ label }) => html("option", { value: label }, label)));
+  byId("views").hidden = byId("flip").hidden = !b();
+  for (const label of byId("views").querySelectorAll("label")) label.remove();
   if (!b()) return;
-  byId("views").hidden = byId("flip").hidden = false;
   state.view = "both";
   for (const [id, label] of views)
     byId("views").append(html("label", {}, html("input", { type: "radio", name: "view", value: id }), id === "a" ? a().name : id === "b" ? b().name : label));
 }
-async function start() {
-  sources = await embeddedSources();
+/* What pages that know more do between reading and showing, in order. */
+const afterReading = [];
+/* Of everything that depends on the sources. */
+function showSources() {
   choices = makeChoices();
   makeControls();
   recall();
   showSummary();
   showStatistics();
   showAttributes();
-  listenToControls();
   show();
+}
+async function start() {
+  sources = await embeddedSources();
+  for (const step of afterReading) await step();
+  showSources();
+  listenToControls();
   document.body.dataset.ready = String(channelNames().length);
 }
-start().catch((error) => {
-  byId("summary").textContent = "";
-  byId("trouble").hidden = false;
-  byId("trouble").textContent = `Nothing can be shown: ${error.message}.`;
-  document.body.dataset.ready = "no";
-});

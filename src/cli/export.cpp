@@ -13,11 +13,14 @@
 #include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
+#include "cli/common/hints.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/validators.hpp"
 #include "cli/snippets.hpp"
 #include "cli/verbs.hpp"
+#include "cli/view.hpp"
 #include "export/scene/export_scene.hpp"
+#include "export/scene/judge_page.hpp"
 #include "export/scene/output_folder.hpp"
 #include "file/atomic_file.hpp"
 #include "io/document/stage_parameters.hpp"
@@ -30,10 +33,10 @@ namespace {
 
 struct ExportArguments {
     SnippetArguments snippets;
-    std::string scene, language, output, channels, size;
+    std::string scene, language, output, channels, size, page, limits = "gl";
     std::vector<std::string> stages, assignments, wrap;
     ExportOptions plain;
-    int light = 0;
+    int light = 0, every = 1;
     bool list = false;
 };
 
@@ -172,25 +175,52 @@ void check_inputs(const InputRecord& inputs, const std::filesystem::path& folder
     }
 }
 
-ExitCode write_scene(const ExportArguments& arguments) {
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a scene");
-    if (arguments.output.empty()) throw UsageError("export: expected -o DIR for a scene");
-    if (arguments.output == "-")
-        throw UsageError("-o: found -, expected the name of a folder for a scene");
-    const InputRecord inputs;
-    check_export_folder(arguments.output);
-    const Scene scene =
-        load_scene(arguments.scene, with_size(arguments.assignments, arguments.size));
+Scene scene_of(const ExportArguments& arguments) {
+    Scene scene = load_scene(arguments.scene, with_size(arguments.assignments, arguments.size));
     say_notes(scene.notes);
+    return scene;
+}
+
+/// `bar` has to stay as long as they do.
+SceneExport scene_options(const ExportArguments& arguments, ProgressBar& bar) {
     SceneExport options;
     if (!arguments.language.empty()) options.language = arguments.language;
     if (!arguments.channels.empty())
         options.channels = parse_list("--channels", arguments.channels);
-    ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
     options.baking = [&bar](const std::string& map, double share) { bar.show(share, map); };
     options.not_kept = [&bar](const std::string& reason) { say_not_kept(reason, bar); };
+    return options;
+}
+
+ExitCode write_judge_page(const ExportArguments& arguments) {
+    CommandFiles files;
+    check_output_kinds({{"--page", ".html", arguments.page}});
+    files.add_output("--page", arguments.page);
+    files.check_writable();
+    const Scene scene = scene_of(arguments);
+    files.check();
+    ProgressBar bar;
+    const std::string page =
+        judge_page(scene, {scene_options(arguments, bar),
+                           arguments.limits == "none" ? "" : arguments.limits, arguments.every});
+    bar.clear();
+    write_page(arguments.page, page, "--channels and --size choose less");
+    return ExitCode::ok;
+}
+
+ExitCode write_scene(const ExportArguments& arguments) {
+    if (arguments.language == "wgsl")
+        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a scene");
+    if (arguments.output.empty())
+        throw UsageError("export: expected -o DIR or --page OUT.html for a scene");
+    if (arguments.output == "-")
+        throw UsageError("-o: found -, expected the name of a folder for a scene");
+    const InputRecord inputs;
+    check_export_folder(arguments.output);
+    const Scene scene = scene_of(arguments);
+    ProgressBar bar;
+    const SceneExport options = scene_options(arguments, bar);
     check_inputs(inputs, arguments.output);
     export_scene(scene, options, arguments.output);
     bar.clear();
@@ -202,8 +232,10 @@ ExitCode run_export(const ExportArguments& arguments) {
     if (arguments.list) return list_stages();
     if (arguments.snippets.given())
         return run_snippets(arguments.snippets, arguments.language, arguments.output);
-    if (!arguments.scene.empty()) return write_scene(arguments);
+    if (!arguments.scene.empty())
+        return arguments.page.empty() ? write_scene(arguments) : write_judge_page(arguments);
     if (!arguments.stages.empty()) return write_stages(arguments);
+    if (!arguments.page.empty()) throw UsageError("--page: expected a SCENE");
     throw UsageError("export: expected a SCENE, --stage ID, --list, --snippets or --pattern");
 }
 
@@ -258,6 +290,23 @@ void add_export(CLI::App& app, Action& action) {
                      "folder of a scene, replaced where it is an export; else a file (default: "
                      "standard output)")
         ->type_name("DIR|FILE");
+    verb->add_option(
+            "--page", a->page,
+            "one page that draws the scene on the GPU of whoever opens it, and judges what "
+            "that gives")
+        ->type_name("OUT.html");
+    verb->add_option("--limits", a->limits,
+                     "of a page: judge by what this interface permits, as for render; none: show "
+                     "differences alone")
+        ->type_name("INTERFACE")
+        ->needs("--page")
+        ->capture_default_str();
+    verb->add_option("--every", a->every,
+                     "of a page: judge every so-manyth row of quads alone, since ranges of a march "
+                     "with shadows take some 50 ms a pixel")
+        ->needs("--page")
+        ->check(whole_number(1, 1024))
+        ->capture_default_str();
     verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
     const std::vector<const char*> of_stages = {"--uniforms", "--side",   "--wrap",
@@ -265,11 +314,13 @@ void add_export(CLI::App& app, Action& action) {
     const auto exclude = [&](const char* form, std::initializer_list<const char*> others) {
         for (const char* const other : others) verb->get_option(form)->excludes(other);
     };
-    exclude("--list", {"scene", "--stage", "--language", "-D", "-o", "--size", "--channels"});
+    exclude("--list",
+            {"scene", "--stage", "--language", "-D", "-o", "--size", "--channels", "--page"});
     for (const char* const form : {"--snippets", "--pattern"})
-        exclude(form, {"scene", "--list", "--stage", "-D", "--size", "--channels"});
+        exclude(form, {"scene", "--list", "--stage", "-D", "--size", "--channels", "--page"});
     exclude("scene", {"--stage"});
-    exclude("--stage", {"--size", "--channels"});
+    exclude("--stage", {"--size", "--channels", "--page"});
+    exclude("--page", {"-o", "--language"});
     for (const char* const option : of_stages)
         exclude(option, {"scene", "--list", "--snippets", "--pattern"});
     add_quiet_option(*verb);

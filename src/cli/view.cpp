@@ -95,9 +95,11 @@ ExitCode run_view(const ViewArguments& arguments) {
 
 void write_view(const std::filesystem::path& output, const std::vector<page::ViewSource>& sources) {
     check_values(sources);
-    const std::string page = page::view_html(sources);
+    write_page(output, page::view_html(sources), "--channels and --window choose less");
+}
+
+void write_page(const std::filesystem::path& output, const std::string& page, const char* less) {
     const double size = static_cast<double>(page.size()) / mebibyte;
-    constexpr const char* less = "--channels and --window choose less";
     if (page.size() > largest_page)
         throw UsageError(
             fmt::format("a page of {:.0f} MB, more than browsers take (256); {}", size, less));

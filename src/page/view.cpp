@@ -1,6 +1,9 @@
 #include "page/view.hpp"
 
+#include <optional>
+
 #include "page/bits.hpp"
+#include "page/range_codes.hpp"
 #include "page/template.hpp"
 #include "text/printable.hpp"
 
@@ -31,11 +34,48 @@ Json channel_json(const ViewSource& source, const Plane& plane, const Plane* ear
                                  static_cast<std::size_t>(source.image.film.window.width()))}};
 }
 
-Json source_json(const ViewSource& source, const ViewSource* earlier) {
+std::vector<float> floats_of(const Plane& plane) {
+    std::vector<float> values(plane.bits.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = plane.as_float(i);
+    return values;
+}
+
+/// A bound of another channel's values: that channel, and which end.
+struct BoundOf {
+    const Plane* values;
+    RangeEnd end;
+};
+std::optional<BoundOf> bound_of(const Film& film, const Plane& plane) {
+    for (const auto& [group, end] :
+         {std::pair{"gpu.lo.", RangeEnd::low}, {"gpu.hi.", RangeEnd::high}})
+        if (plane.name.starts_with(group))
+            if (const Plane* const values = film.find(plane.name.substr(7));
+                values != nullptr && values->type == ChannelType::float32)
+                return BoundOf{values, end};
+    return std::nullopt;
+}
+
+Json bound_json(const ViewSource& source, const Plane& plane, const BoundOf& of) {
+    const std::vector<std::uint32_t> codes =
+        range_codes(floats_of(*of.values), floats_of(plane), of.end);
+    return {{"name", plane.name},
+            {"type", "float32"},
+            {"stored", storage_name(source.image.stored.at(plane.name))},
+            {"beside", of.values->name},
+            {"end", of.end == RangeEnd::low ? "low" : "high"},
+            {"bits", packed_bits(codes)}};
+}
+
+/// `rounded`: bounds stand behind the channels that they are of, and go as small numbers.
+Json source_json(const ViewSource& source, const ViewSource* earlier, bool rounded = false) {
     const Film& film = source.image.film;
     Json channels = Json::array();
-    for (const Plane& plane : film.planes)
-        channels.push_back(channel_json(source, plane, earlier_plane(earlier, source, plane)));
+    for (const Plane& plane : film.planes) {
+        const auto bound = rounded ? bound_of(film, plane) : std::nullopt;
+        channels.push_back(
+            bound ? bound_json(source, plane, *bound)
+                  : channel_json(source, plane, earlier_plane(earlier, source, plane)));
+    }
     return {{"name", source.name},
             {"frame", window_json(film.frame)},
             {"window", window_json(film.window)},
@@ -50,20 +90,34 @@ std::string title_of(std::span<const ViewSource> sources) {
     return title;
 }
 
+/// `scripts` follow those of the viewer.
+std::string page_of(const Json& data, const std::string& scripts, const std::string& styles,
+                    const std::string& title) {
+    PageTemplate page("page/view.html");
+    page.fill("/*{{SCRIPT}}*/", page_parts({"page/base.js", "page/sources.js", "page/values.js",
+                                            "page/pictures.js", "page/panels.js", "page/view.js"}) +
+                                    scripts + page_part("page/start.js"));
+    page.fill("{{SOURCES}}", embedded_json(data));
+    page.fill("/*{{STYLE}}*/", page_parts({"page/base.css", "page/view.css"}) + styles);
+    page.fill("{{HEADING}}", escaped_text(title));
+    page.fill("{{TITLE}}", escaped_text(title));
+    return page.text();
+}
+
 }  // namespace
 
 std::string view_html(std::span<const ViewSource> sources) {
     Json all = Json::array();
     for (std::size_t i = 0; i < sources.size(); ++i)
         all.push_back(source_json(sources[i], i > 0 ? &sources[i - 1] : nullptr));
-    PageTemplate page("page/view.html");
-    page.fill("/*{{SCRIPT}}*/", page_parts({"page/base.js", "page/sources.js", "page/values.js",
-                                            "page/pictures.js", "page/panels.js", "page/view.js"}));
-    page.fill("{{SOURCES}}", embedded_json({{"sources", all}}));
-    page.fill("/*{{STYLE}}*/", page_parts({"page/base.css", "page/view.css"}));
-    page.fill("{{HEADING}}", escaped_text(title_of(sources)));
-    page.fill("{{TITLE}}", escaped_text(title_of(sources)));
-    return page.text();
+    return page_of({{"sources", all}}, "", "", title_of(sources));
+}
+
+std::string judge_html(const ViewSource& reference, const Json& scene, const std::string& title) {
+    const Json data{{"sources", Json::array({source_json(reference, nullptr, true)})},
+                    {"scene", scene}};
+    return page_of(data, page_parts({"page/webgl_text.js", "page/webgl.js", "page/judge.js"}),
+                   page_part("page/judge.css"), title);
 }
 
 }  // namespace quadrel::page

@@ -1,9 +1,11 @@
-// The viewer: a page that shows every value of one image or of two.
+// The viewer: a page that shows every value of one image or of two; and the judge's page, where the
+// second one is what the visitor's GPU draws.
 #pragma once
 
 #include <span>
 #include <string>
 
+#include "io/document/json.hpp"
 #include "quadrel/film/comparable.hpp"
 
 namespace quadrel::page {
@@ -18,5 +20,10 @@ struct ViewSource {
 /// Values are embedded by their bits, so the page shows what the file holds. The template lies in
 /// the data directory: page/view.html and what it names. Throws InputError if it does not.
 std::string view_html(std::span<const ViewSource> sources);
+
+/// The same page of one source, which draws `scene` for the second: a manifest of an exported scene
+/// with `data` for its files, as src/export/scene/judge_page.hpp makes it. Ends of ranges in the
+/// source (gpu.lo.X, gpu.hi.X behind X) are rounded outwards by 1/16 of their distance from X.
+std::string judge_html(const ViewSource& reference, const Json& scene, const std::string& title);
 
 }  // namespace quadrel::page

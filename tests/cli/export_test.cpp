@@ -167,6 +167,53 @@ TEST(ExportCommand, RefusesScenesInOneLine) {
     EXPECT_EQ(folder.count(), 0u);
 }
 
+TEST(ExportCommand, WritesAPageThatJudges) {
+    const TemporaryFolder folder;
+    const Words words = {"export",     "sampler-wrap-repeat", "--size",  "8x8",
+                         "--channels", "uv,R,G,B,A",          "--every", "2",
+                         "--page",     "judge.html"};
+    const Outcome outcome = run(words, folder.path());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string page = file_bytes(folder / "judge.html");
+    EXPECT_TRUE(says(page, "gpu.lo.R"));
+    EXPECT_TRUE(says(page, "#version 300 es"));
+    EXPECT_EQ(run(words, folder.path()).code, 0);
+    EXPECT_EQ(file_bytes(folder / "judge.html"), page);
+}
+
+TEST(ExportCommand, RefusesPagesInOneLine) {
+    const TemporaryFolder folder;
+    const auto refuse = [&](const Words& more) {
+        Words words = {"export", "--size", "8x8"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run(words, folder.path());
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_EQ(folder.count(), 0u) << outcome.err;
+        return outcome;
+    };
+    const auto of_a_scene = [&](const Words& more) {
+        Words words = {"thesis-quad"};
+        words.insert(words.end(), more.begin(), more.end());
+        return refuse(words);
+    };
+    EXPECT_EQ(of_a_scene({"--page", "judge.exr"}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", ""}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", "none/judge.html"}).code, 5);
+    EXPECT_EQ(of_a_scene({"--page", "judge.html", "-o", "out"}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", "judge.html", "--language", "glsl"}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", "judge.html", "--limits", "metal"}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", "judge.html", "--every", "0"}).code, 2);
+    EXPECT_EQ(of_a_scene({"--page", "judge.html", "--channels", "no-such"}).code, 2);
+    EXPECT_EQ(refuse({"--page", "judge.html"}).code, 2);
+    EXPECT_EQ(refuse({"no-such-scene", "--page", "judge.html"}).code, 3);
+    const Outcome samples = of_a_scene({"--page", "judge.html", "-D", "samples=4"});
+    EXPECT_EQ(samples.code, 2);
+    EXPECT_TRUE(says(samples.err, "found 4 samples a pixel, expected one")) << samples.err;
+    const Outcome vertex = refuse({"rows/steep-published", "--page", "judge.html"});
+    EXPECT_EQ(vertex.code, 2);
+    EXPECT_TRUE(says(vertex.err, "computes in its vertex shader")) << vertex.err;
+}
+
 TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
     const std::string list = run({"export", "--list"}).out;
     EXPECT_TRUE(says(list, "trace/linear "));

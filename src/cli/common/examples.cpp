@@ -57,6 +57,8 @@ constexpr Example all[] = {
     {"export", "thesis-quad --size 8x8 -o thesis-quad-gl",
      "shaders, buffers, textures, and what they should draw"},
     {"export", "scene.json --language hlsl -D conventions=d3d -o scene-hlsl", "for Direct3D"},
+    {"export", "bricks-45 --size 256x256 --page judge.html",
+     "a page that judges the GPU it is opened on"},
     {"export", "--stage trace/linear -D steps=64 -o linear.glsl", "a search as a GLSL function"},
     {"export", "--list", "which stages are written, and why others are not"},
     {"export", "--snippets --language hlsl", "functions that pack a float into RGBA8"},

@@ -1,0 +1,121 @@
+/* The judge's page: the second source is what this GPU draws of the scene. */
+
+const judgedScene = JSON.parse(byId("sources-data").textContent).scene;
+const wishes = { targets: "float", samplers: "own" };
+const wishLabels = { targets: [["float", "Float"], ["packed", "Bytes (RGBA8)"]], samplers: [["own", "The GPU's"], ["emulated", "In the shader"]] };
+
+/* Ranges stand beside the values that they are of. */
+saidOtherwise = (name) => name.startsWith("gpu.");
+
+/* Pixels by their worst class over all channels, and by channel; `farthest` as worstOutside has it. */
+function verdictOf(reference, drawn) {
+  const judged = judgedChannels(reference, drawn), pixels = reference.width * reference.height, worst = new Uint8Array(pixels);
+  const rows = judged.map((of) => {
+    const counts = classNames.map(() => 0), own = reference.channels.get(of.name);
+    let equal = 0;
+    for (let i = 0; i < pixels; i += 1) {
+      const found = classOf(of.ranges, of.extent, of.value.values[i], i);
+      counts[found] += 1;
+      worst[i] = Math.max(worst[i], found);
+      if (!isUnequal(own, of.value, i)) equal += 1;
+    }
+    return { name: of.name, counts, equal, farthest: counts[3] ? worstOutside([of], 1)[0].most : 0 };
+  });
+  const counts = classNames.map(() => 0);
+  for (const found of worst) counts[found] += 1;
+  const unranged = [...drawn.channels.keys()].filter((name) => reference.channels.has(name) && !rangesOf(reference, name)).map((name) => {
+    const { unequal } = comparisonOf(reference.channels.get(name), drawn.channels.get(name));
+    return { name, unequal, equal: pixels - unequal };
+  });
+  return { rows, counts, pixels, unranged, first: rows.find((row) => row.counts[3] > 0)?.name };
+}
+
+function verdictLine({ rows, counts, pixels, unranged, first }) {
+  const apart = unranged.filter(({ unequal }) => unequal).length;
+  if (!rows.length) return apart ? `No ranges are embedded; ${apart} of ${counted(unranged.length, "channel")} ${apart === 1 ? "differs" : "differ"}.` : "Equal, bit for bit.";
+  const judged = pixels - counts[4];
+  return counts[3] ? `${counted(counts[3], "pixel")} of ${judged} ${counts[3] === 1 ? "leaves its" : "leave their"} legal range, first in ${first}.` :
+    `None of ${judged} pixels leaves its legal range.`;
+}
+function channelButton(name) {
+  return html("button", { type: "button", onclick: () => { byId("channel").value = name; takeControls(); byId("stage").scrollIntoView({ block: "nearest" }); } }, name);
+}
+function verdictTable({ rows, counts, pixels, unranged }) {
+  const number = (n, bad) => html("td", { className: bad && n ? "unequal" : n ? "" : "equal" }, String(n));
+  /* What is not judged is so in all channels. */
+  const head = html("tr", {}, ...["Channel", "equal bits", ...classNames.slice(0, 4), "farthest outside"].map((text, k) =>
+    html("th", { scope: "col" }, ...(k > 1 && k < 6 ? [html("i", { className: "box", style: `background:rgb(${classColours[k - 2]})` }), " "] : []), text)));
+  const body = rows.map((row) => html("tr", {}, html("th", { scope: "row" }, channelButton(row.name)), number(row.equal),
+    ...row.counts.slice(0, 4).map((n, k) => number(n, k === 3)), html("td", { className: row.counts[3] ? "unequal" : "equal" }, row.counts[3] ? short(row.farthest) : "–")));
+  for (const { name, equal, unequal } of unranged)
+    body.push(html("tr", {}, html("th", { scope: "row" }, channelButton(name)), number(equal),
+      html("td", { colSpan: 5, className: unequal ? "word unequal" : "word equal" }, unequal ? `no range; ${unequal} of ${pixels} differ` : "no range")));
+  if (rows.length)
+    body.unshift(html("tr", { className: "all" }, html("th", { scope: "row" }, "pixels by their worst"), html("td", {}, ""), ...counts.slice(0, 4).map((n, k) => number(n, k === 3)), html("td", {}, "")));
+  return html("div", { className: "scroll tall" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...body)));
+}
+function notesOf(drawing) {
+  const { limits, refusal, every } = judgedScene, notes = drawing ? [...new Set(drawing.notes)] : [];
+  if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most a sixteenth of their distance from the reference.`);
+  if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared.`);
+  if (refusal) notes.push(`Some channels have no range: ${refusal}.`);
+  return notes;
+}
+function judgeControls() {
+  return Object.entries(wishLabels).map(([key, all]) => html("label", {}, { targets: "Targets ", samplers: "Samplers " }[key],
+    html("select", { id: `wish-${key}`, onchange: (event) => { wishes[key] = event.target.value; drawAgain(); } },
+      ...all.map(([value, text]) => html("option", { value, selected: wishes[key] === value }, text)))));
+}
+/* The section says what `lines` are, a title first. */
+function showJudge(title, kind, ...parts) {
+  let section = byId("judge");
+  if (!section) {
+    section = html("section", { id: "judge" });
+    section.setAttribute("aria-live", "polite");
+    document.querySelector("header").append(section);
+  }
+  section.replaceChildren(html("p", { id: "verdict", className: kind }, title), ...parts);
+}
+const listOf = (lines) => (lines.length ? [html("ul", { className: "lead notes" }, ...lines.map((line) => html("li", {}, line)))] : []);
+
+/* What is drawn becomes the second source; where nothing can be, the reference stays alone. */
+async function drawAndJudge() {
+  const reference = sources[0], passes = judgedScene.passes.length;
+  sources.length = 1;
+  for (const [key, all] of Object.entries(wishLabels)) {
+    const [usual] = all[0];
+    if (wishes[key] === usual) delete state.more[key];
+    else state.more[key] = wishes[key];
+  }
+  showJudge("Drawing…", "");
+  await new Promise((done) => setTimeout(done, 0));  /* so that this is seen */
+  let drawing = null;
+  try {
+    const begun = performance.now();
+    drawing = new Drawing(judgedScene, wishes);
+    const drawn = await drawnSource(drawing, reference), took = performance.now() - begun;
+    sources.push(drawn);
+    const verdict = verdictOf(reference, drawn);
+    document.body.dataset.verdict = JSON.stringify({ ...verdict, renderer: drawing.renderer });
+    showJudge(verdictLine(verdict), verdict.counts[3] ? "bad" : "good",
+      html("p", { className: "lead" }, `${drawing.renderer}; drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}, in ${passes === 1 ? "one pass" : `${passes} passes`}.`),
+      verdictTable(verdict), ...listOf(notesOf(drawing)), html("div", { className: "row wishes" }, ...judgeControls()));
+  } catch (error) {
+    document.body.dataset.verdict = JSON.stringify({ error: error.message });
+    showJudge(`Not judged: ${error.message}.`, "bad", html("p", { className: "lead" }, "The reference alone is shown."),
+      ...listOf(notesOf(drawing)), html("div", { className: "row wishes" }, ...judgeControls()));
+  } finally {
+    drawing?.gl?.getExtension("WEBGL_lose_context")?.loseContext();  /* browsers hold few */
+  }
+}
+async function drawAgain() {
+  remember();
+  await drawAndJudge();
+  showSources();
+}
+
+afterReading.push(async () => {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  for (const [key, all] of Object.entries(wishLabels)) if (all.some(([value]) => value === asked.get(key))) wishes[key] = asked.get(key);
+  await drawAndJudge();
+});

@@ -1,0 +1,172 @@
+// The judge's page in a browser: a scene drawn by the browser's own GPU is found legal, and one
+// whose shader was changed is not.
+#include "export/scene/judge_page.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "browser.hpp"
+#include "effort.hpp"
+#include "io/document/json.hpp"
+#include "quadrel/error.hpp"
+#include "quadrel/scene/load.hpp"
+
+namespace quadrel::export_tests {
+namespace {
+
+using testing_films::file_bytes;
+using testing_films::TemporaryFolder;
+
+constexpr const char* software_gpu =
+    "--use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=60000 --dump-dom";
+constexpr const char* no_gpu =
+    "--disable-gpu --disable-software-rasterizer --disable-3d-apis --virtual-time-budget=20000 "
+    "--dump-dom";
+
+/// A few pixels as those of a large picture, in few steps, so that ranges are soon found; the light
+/// grazes. Of the browser's own software renderer, whose vertices are snapped to sixteenths.
+Scene small_scene() {
+    return load_scene("bricks-45",
+                      {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2",
+                       "hardware=chromium", "material.relief.steps=8",
+                       "material.relief.shadow=shadow-none", "lights[0].position=[10,-1,0]"});
+}
+constexpr const char* limits = "gl,snapping=0.0625";
+
+/// `text` with every `from` replaced; there has to be one.
+std::string with_planted(std::string text, const std::string& from, const std::string& to) {
+    std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    for (; at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// The page after its script has run.
+class Judged {
+  public:
+    Judged(const std::string& page, const std::string& anchor, const char* options = software_gpu) {
+        testing_films::write_bytes(folder_ / "judge.html", page);
+        ran_ = testing_browser::browse(folder_, "judge.html" + anchor, options, "dom");
+        dom_ = file_bytes(folder_ / "dom");
+        const std::string mark = "data-verdict=\"";
+        const std::size_t from = dom_.find(mark);
+        if (from == std::string::npos) return;
+        const std::size_t start = from + mark.size();
+        std::string text = dom_.substr(start, dom_.find('"', start) - start);
+        for (const auto& [word, character] :
+             {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
+            for (std::size_t at; (at = text.find(word)) != std::string::npos;)
+                text.replace(at, std::string(word).size(), character);
+        verdict_ = Json::parse(text, nullptr, false);
+    }
+
+    const std::string& dom() const { return dom_; }
+    /// Null where the page has come to none.
+    const Json& verdict() const { return verdict_; }
+    std::string error() const {
+        if (!ran_) return "no answer: " + file_bytes(folder_ / "err");
+        return verdict_.is_object() ? verdict_.value("error", "") : "no verdict";
+    }
+    int failing() const { return error().empty() ? verdict_["counts"][3].get<int>() : -1; }
+    std::string first_to_leave() const { return verdict_.value("first", ""); }
+
+  private:
+    TemporaryFolder folder_;
+    bool ran_ = false;
+    std::string dom_;
+    Json verdict_;
+};
+
+class JudgePageInABrowser : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (testing_browser::browser().empty()) GTEST_SKIP() << testing_browser::no_browser;
+    }
+};
+
+/// Whether verdicts are as they should be where nothing is wrong.
+void expect_legal(const Judged& judged) {
+    ASSERT_EQ(judged.error(), "");
+    EXPECT_EQ(judged.failing(), 0) << judged.verdict().dump(1);
+    int pixels = 0;
+    for (const Json& count : judged.verdict()["counts"]) pixels += count.get<int>();
+    EXPECT_EQ(judged.verdict()["pixels"], pixels);
+    EXPECT_EQ(judged.verdict()["rows"].size(), 17u) << judged.verdict().dump(1);
+    for (const Json& row : judged.verdict()["rows"])
+        if (row["name"] == "uv.U" || row["name"] == "hit.U") {
+            EXPECT_EQ(row["counts"][0], pixels) << row.dump();
+        }
+}
+
+/// Hashes of what was drawn, by channel.
+std::string drawn_hashes(const std::string& dom) {
+    std::string all;
+    const std::string mark = "data-hash=\"1 ";
+    for (std::size_t at = dom.find(mark); at != std::string::npos; at = dom.find(mark, at + 1))
+        all += dom.substr(at, dom.find('"', at + mark.size()) - at) + "\n";
+    return all;
+}
+
+TEST_F(JudgePageInABrowser, FindsWhatItsGpuDrawsLegal) {
+    const std::string page = judge_page(small_scene(), {{}, limits});
+    const Judged judged(page, "#view=first&channel=hit.U&pixel=5,4");
+    expect_legal(judged);
+    // Values of both sides at the pixel.
+    EXPECT_NE(judged.dom().find("data-of=\"0 hit.U 0x"), std::string::npos);
+    EXPECT_NE(judged.dom().find("data-of=\"1 hit.U 0x"), std::string::npos);
+    EXPECT_NE(judged.dom().find("No channel leaves its range here."), std::string::npos);
+    EXPECT_EQ(judged.dom().find("This GPU knows 4 bits"), std::string::npos);
+    // Bits that come back as bytes are the same.
+    const Judged packed(page, "#targets=packed");
+    ASSERT_EQ(packed.error(), "");
+    EXPECT_NE(drawn_hashes(judged.dom()), "");
+    EXPECT_EQ(drawn_hashes(judged.dom()), drawn_hashes(packed.dom()));
+    EXPECT_NE(packed.dom().find("<li>As asked for, bits are drawn as bytes"), std::string::npos);
+    const Judged emulated(page, "#samplers=emulated");
+    expect_legal(emulated);
+    EXPECT_NE(emulated.dom().find("height_map: sampled by texelFetch"), std::string::npos);
+}
+
+TEST_F(JudgePageInABrowser, ShowsPlantedErrors) {
+    struct Planted {
+        const char *from, *to, *first;
+    };
+    const Planted errors[] = {
+        {"dUVdx = dFdx(uv);", "dUVdx = dFdy(uv);", "dUVdx.U"},  // a swapped derivative
+        {"float(i) / float(steps);", "float(i) / float(steps + 1);", "hit.V"},   // a step too many
+        {"[\"repeat\",\"repeat\"]", "[\"clamp-to-edge\",\"repeat\"]", "hit.U"},  // wrong wrap
+        {"max(cosine, 0.0)", "cosine", "R"},                                     // a missing clamp
+        {"(light0_position - hit_P)", "(eye - hit_P)", "R"}};  // light from the wrong point
+    const std::string page = judge_page(small_scene(), {{}, limits});
+    for (const auto& [from, to, first] : errors) {
+        const Judged judged(with_planted(page, from, to), "");
+        EXPECT_GT(judged.failing(), 0) << to << judged.error();
+        EXPECT_EQ(judged.first_to_leave(), first) << to;
+    }
+}
+
+TEST_F(JudgePageInABrowser, IsAViewerWhereNothingCanBeDrawn) {
+    const std::string page = judge_page(small_scene(), {{}, ""});
+    const Judged judged(with_planted(page, "hit_uv = ", "hit_uv = missing + "), "");
+    EXPECT_NE(judged.error().find("bricks.frag does not compile"), std::string::npos)
+        << judged.error();
+    EXPECT_NE(judged.error().find("missing + "), std::string::npos) << judged.error();
+    EXPECT_NE(judged.dom().find("data-ready=\"19\""), std::string::npos);
+    const Judged without(page, "", no_gpu);
+    EXPECT_EQ(without.error(), "this browser has no WebGL 2");
+    EXPECT_NE(without.dom().find("data-ready=\"19\""), std::string::npos);
+}
+
+TEST(JudgePage, OfTheSameSceneIsTheSame) {
+    JudgePage options;
+    options.limits = limits;
+    options.scene.channels = {"uv", "A"};
+    const std::string page = judge_page(small_scene(), options);
+    EXPECT_EQ(judge_page(small_scene(), options), page);
+    options.every = 3;
+    EXPECT_NE(judge_page(small_scene(), options), page);
+}
+
+}  // namespace
+}  // namespace quadrel::export_tests
