@@ -173,8 +173,6 @@ void check_inputs(const InputRecord& inputs, const std::filesystem::path& folder
 }
 
 ExitCode write_scene(const ExportArguments& arguments) {
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a scene");
     if (arguments.output.empty()) throw UsageError("export: expected -o DIR for a scene");
     if (arguments.output == "-")
         throw UsageError("-o: found -, expected the name of a folder for a scene");

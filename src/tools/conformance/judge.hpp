@@ -2,6 +2,7 @@
 // data flow: whatever differs is explained, or it is not.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "conformance/perturbations.hpp"
@@ -17,6 +18,10 @@ struct JudgeOptions {
     std::size_t most_ranged =
         200;                   ///< quads of a group whose ranges are computed; others are `left`
     std::size_t examples = 3;  ///< unexplained pixels that are named
+    int threads = 0;           ///< of renders, as RenderOptions has them
+    /// What the implementation draws of the scene where its shaders have min and max written out as
+    /// GLSL defines them for numbers that are ordered; asked where something is left unexplained.
+    std::function<Film()> written_out;
 };
 
 /// Judges `found`, a film of the scene's frame. A group's stages are given the implementation's own

@@ -30,8 +30,9 @@ class SmallScenes {
     }
 
     /// The scene at 16x16, all of its images the small one.
-    Scene load(const std::string& name) const {
-        Scene scene = load_scene(name, {"size=[16,16]"});
+    Scene load(const std::string& name, std::vector<std::string> overrides = {}) const {
+        overrides.emplace_back("size=[16,16]");
+        Scene scene = load_scene(name, overrides);
         for (Material& material : scene.materials)
             for (auto& [slot, texture] : material.textures) {
                 texture.file = map_;

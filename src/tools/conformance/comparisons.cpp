@@ -1,0 +1,62 @@
+#include "conformance/comparisons.hpp"
+
+#include <string>
+
+namespace quadrel::conformance {
+namespace {
+
+/// Compilers turn a comparison and a choice into min again, unless it is to be precise.
+constexpr const char* first_lines = R"(#extension GL_ARB_gpu_shader5 : enable
+#ifdef GL_ARB_gpu_shader5
+#define EXACTLY precise
+#else
+#define EXACTLY
+#endif
+)";
+
+constexpr const char* of_numbers = R"(
+float lesser(float x, float y) { EXACTLY float z = y < x ? y : x; return z; }
+float greater(float x, float y) { EXACTLY float z = x < y ? y : x; return z; }
+int lesser(int x, int y) { return y < x ? y : x; }
+int greater(int x, int y) { return x < y ? y : x; }
+)";
+
+constexpr const char* macros = R"(
+#define min(x, y) lesser(x, y)
+#define max(x, y) greater(x, y)
+#define clamp(x, low, high) lesser(greater(x, low), high)
+)";
+
+/// vec3 lesser(vec3 x, vec3 y) { return vec3(lesser(x.x, y.x), ...); }, and of a vec3 and a float.
+std::string of_vectors(const std::string& function, int components) {
+    const std::string type = "vec" + std::to_string(components);
+    std::string all;
+    for (int c = 0; c < components; ++c) {
+        const std::string part = std::string(".") + "xyzw"[c];
+        all += (c == 0 ? "" : ", ") + function + "(x" + part + ", y" + part + ")";
+    }
+    return type + " " + function + "(" + type + " x, " + type + " y) { return " + type + "(" + all +
+           "); }\n" + type + " " + function + "(" + type + " x, float y) { return " + function +
+           "(x, " + type + "(y)); }\n";
+}
+
+std::string definitions() {
+    std::string all = first_lines + std::string(of_numbers);
+    for (const char* const function : {"lesser", "greater"})
+        for (int components = 2; components <= 4; ++components)
+            all += of_vectors(function, components);
+    return all + macros;
+}
+
+}  // namespace
+
+gl::ExportedScene with_comparisons(gl::ExportedScene scene) {
+    for (gl::ExportedMaterial& material : scene.materials) {
+        // Behind the version and what else has to come first.
+        const std::size_t at = material.fragment.find("#ifndef PASS");
+        if (at != std::string::npos) material.fragment.insert(at, definitions());
+    }
+    return scene;
+}
+
+}  // namespace quadrel::conformance
