@@ -173,8 +173,8 @@ TEST(Conformance, WhatMinMakesOfNanIsOpen) {
     const auto judged_with = [&](const Film& written_out) {
         conformance::JudgeOptions options;
         options.texel = {1.0 / 256, 1.0 / 256};
-        options.written_out = [&] { return written_out; };
-        return judge(scene(), wrong, options);
+        options.redraws = {{Verdict::unordered, [&] { return written_out; }}};
+        return conformance::judge(scene(), wrong, options);
     };
     const auto open = judged_with(own);
     EXPECT_GT(count(open, "hit", Verdict::unordered), 10u);
@@ -203,7 +203,7 @@ TEST(Conformance, OfTwoObjectsAtOneDepthEitherIsSeen) {
         second.objects.front().visible = false;
         RenderOptions options;
         options.channels = channels();
-        const auto reports = judge(two, render(second, options), {});
+        const auto reports = conformance::judge(two, render(second, options), {});
         EXPECT_EQ(count(reports, "uv", Verdict::coverage) > 100u, behind == 0) << behind;
         EXPECT_EQ(count(reports, "uv", Verdict::unexplained) > 100u, behind != 0) << behind;
         EXPECT_EQ(count(reports, "hit", Verdict::unexplained) > 0u, behind != 0) << behind;

@@ -171,7 +171,8 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
 }
 
 /// Solids between depth layers are told by their order: depths in [0, 1], none in front of the one
-/// before. Looked at once for each content of the cache.
+/// before. Looked at once for each content of the cache; not where the scene arranges channels
+/// itself, as published listings want them.
 void check_layer_order(const Scene& scene, const Need& need, const Texture& layers,
                        TextureCache& cache) {
     const TextureView& view = layers.view();
@@ -218,7 +219,8 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
         const auto i = static_cast<std::size_t>(need.slot);
-        if (need.slot == TextureSlot::layers) check_layer_order(scene, need, *loaded[n], cache);
+        if (need.slot == TextureSlot::layers && need.reference.swizzle.empty())
+            check_layer_order(scene, need, *loaded[n], cache);
         out.owned[i] = need.slot >= first_baked_slot
                            ? bake_need(scene, need, *loaded[n], cache, baking)
                            : loaded[n];

@@ -107,14 +107,19 @@ class Judge {
         if (!pixels.empty())
             own_ = earlier_.empty() ? reference_
                                     : reruns_.made_of(group.channels, earlier_, given(pixels));
+        std::set<std::size_t> departed(pixels.begin(), pixels.end());
         if (!pixels.empty()) take_inherited(group, pixels, report);
+        for (const std::size_t i : pixels) departed.erase(i);
         if (!pixels.empty()) take_rounded(group, pixels, report);
+        departed.insert(pixels.begin(), pixels.end());
+        if (!pixels.empty() && group.kind > GroupKind::hit) take_undefined(pixels, report);
         if (!pixels.empty()) take_perturbed(group, pixels, report);
         if (!pixels.empty()) take_legal(group, pixels, report);
         if (!pixels.empty() && group.kind == GroupKind::geometry)
             take_other_object(group, pixels, report);
-        if (!pixels.empty() && options_.written_out) take_unordered(group, pixels, report);
+        if (!pixels.empty()) take_redrawn(group, pixels, report);
         give_up(group, pixels, report);
+        if (group.kind != GroupKind::level) departed_.insert(departed.begin(), departed.end());
         return report;
     }
 
@@ -219,6 +224,14 @@ class Judge {
         return is_component ? name.substr(0, dot) : name;
     }
 
+    /// Behind hits at NaN: no specification says what look-ups there give.
+    void take_undefined(std::vector<std::size_t>& pixels, GroupReport& report) const {
+        if (found_.find("hit.flags") == nullptr) return;
+        take(pixels, report, Verdict::open, [&](std::size_t i) {
+            return (found_bits("hit.flags", i) & HitFlag::nan_look_up) != 0;
+        });
+    }
+
     void take_perturbed(const Group& group, std::vector<std::size_t>& pixels,
                         GroupReport& report) const {
         const auto perturbations = perturbations_of(group.kind, options_.errors);
@@ -235,6 +248,13 @@ class Judge {
             }
         };
         include(own_, {});
+        // Where all values before are the reference's but for roundings, these are as good.
+        for (std::size_t c = 0; c < group.channels.size(); ++c) {
+            const Plane& plane = *reference_.find(group.channels[c]);
+            for (std::size_t p = 0; p < pixels.size(); ++p)
+                if (!departed_.contains(pixels[p]))
+                    brackets[c][p].include(number(plane, plane.bits[pixels[p]]));
+        }
         const Film image = given(pixels);
         for (const Perturbation& perturbation : perturbations)
             include(reruns_.made_of(group.channels, earlier_,
@@ -329,19 +349,33 @@ class Judge {
         take(pixels, report, Verdict::coverage, [&](std::size_t i) { return others.contains(i); });
     }
 
-    /// Where only what min and max make of NaN tells the two apart.
-    void take_unordered(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
-        if (!written_out_) {
-            film_written_out_ = options_.written_out();
-            JudgeOptions options = options_;
-            options.written_out = {};
-            written_out_ = std::make_unique<Judge>(scene_, film_written_out_, options);
-            written_out_->run();
+    /// Where it is only the words of the shader that make the difference.
+    void take_redrawn(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
+        for (std::size_t n = 0; n < options_.redraws.size() && !pixels.empty(); ++n) {
+            const Redrawn& other = redrawn(n);
+            const std::set<std::size_t> left = other.judge->not_explained(group.name);
+            take(pixels, report, options_.redraws[n].verdict,
+                 [&](std::size_t i) { return !left.contains(i) && !equals(other.film, group, i); });
         }
-        const std::set<std::size_t> left = written_out_->not_explained(group.name);
-        take(pixels, report, Verdict::unordered, [&](std::size_t i) {
-            return !left.contains(i) && !equals(film_written_out_, group, i);
-        });
+    }
+
+    struct Redrawn {
+        Film film;
+        std::unique_ptr<Judge> judge;
+    };
+
+    const Redrawn& redrawn(std::size_t number) {
+        if (redrawn_.size() <= number) {
+            JudgeOptions options = options_;
+            options.redraws.clear();
+            // Films keep their place: judges refer to them.
+            auto other = std::make_unique<Redrawn>();
+            other->film = options_.redraws[number].draw();
+            other->judge = std::make_unique<Judge>(scene_, other->film, options);
+            other->judge->run();
+            redrawn_.push_back(std::move(other));
+        }
+        return *redrawn_[number];
     }
 
     int x_of(std::size_t i) const { return static_cast<int>(i) % found_.window.width(); }
@@ -404,8 +438,8 @@ class Judge {
     std::vector<std::string> earlier_;  ///< channels of the groups before
     std::vector<bool> skipped_;         ///< pixels that one side alone covers
     std::map<std::string, std::set<std::size_t>> not_explained_;  ///< by group
-    Film film_written_out_;               ///< what `written_out` gave, once it was asked
-    std::unique_ptr<Judge> written_out_;  ///< its judge
+    std::set<std::size_t> departed_;  ///< pixels with a value that is more than roundings away
+    std::vector<std::unique_ptr<Redrawn>> redrawn_;  ///< those that were asked for
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "conformance/perturbations.hpp"
 #include "conformance/verdicts.hpp"
@@ -11,17 +12,21 @@
 
 namespace quadrel::conformance {
 
+/// The scene drawn once more by shaders that say the same in other words.
+struct Redraw {
+    Verdict verdict;  ///< of pixels that are explained then, and only then
+    std::function<Film()> draw;
+};
+
 struct JudgeOptions {
     std::string limits = "gl";  ///< as RenderOptions::limits
     PermittedErrors errors;
     TexelSize texel;  ///< of the height map
     std::size_t most_ranged =
-        200;                   ///< quads of a group whose ranges are computed; others are `left`
-    std::size_t examples = 3;  ///< unexplained pixels that are named
-    int threads = 0;           ///< of renders, as RenderOptions has them
-    /// What the implementation draws of the scene where its shaders have min and max written out as
-    /// GLSL defines them for numbers that are ordered; asked where something is left unexplained.
-    std::function<Film()> written_out;
+        200;                      ///< quads of a group whose ranges are computed; others are `left`
+    std::size_t examples = 3;     ///< unexplained pixels that are named
+    int threads = 0;              ///< of renders, as RenderOptions has them
+    std::vector<Redraw> redraws;  ///< asked in turn, where something is left unexplained
 };
 
 /// Judges `found`, a film of the scene's frame. A group's stages are given the implementation's own

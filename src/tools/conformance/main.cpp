@@ -12,10 +12,10 @@
 #include <thread>
 
 #include "conformance/cases.hpp"
-#include "conformance/comparisons.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/planted.hpp"
 #include "conformance/report.hpp"
+#include "conformance/rewrites.hpp"
 #include "export/scene/export_scene.hpp"
 #include "file/atomic_file.hpp"
 #include "file/temporary_folder.hpp"
@@ -81,9 +81,11 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
     }
     JudgeOptions options = judging;
     options.texel = texel_size(drawn->scene);
-    options.written_out = [&] {
-        return gl::draw_scene(with_comparisons(drawn->scene), {}, programs);
-    };
+    options.redraws = {
+        {Verdict::unordered,
+         [&] { return gl::draw_scene(with_comparisons(drawn->scene), {}, programs); }},
+        {Verdict::defect,
+         [&] { return gl::draw_scene(with_sizes_of_level_0(drawn->scene), {}, programs); }}};
     try {
         report.groups = judge(drawn->source, gl::draw_scene(drawn->scene, {}, programs), options);
     } catch (const std::runtime_error& error) {

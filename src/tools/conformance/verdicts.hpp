@@ -16,19 +16,21 @@ enum class Verdict : std::int32_t {
     rounded,      ///< off these by no more than a few roundings (PermittedErrors::rounding)
     perturbed,    ///< between what it makes of these, moved by permitted errors (perturbations.hpp)
     legal,        ///< in the range of what the specification permits
-    open,         ///< that range is infinite: nothing is known
+    open,         ///< that range is infinite, or a look-up was at NaN: nothing is known
     unordered,    ///< the reference's where min and max are written out as comparisons: what they
                   ///< make of NaN, and of zeros of two signs, is left to implementations
+    defect,       ///< the reference's where a defect of the implementation that is known, with the
+                  ///< paragraph of the specification, is kept out of the way (rewrites.hpp)
     coverage,     ///< covered on one side only, beside an edge that snapping may move past it; or
                   ///< by another object, where depths are the same but for roundings
     left,         ///< not looked at: of more pixels than were to be
     unexplained,  ///< anything else
 };
-inline constexpr std::size_t verdict_count = 10;
+inline constexpr std::size_t verdict_count = 11;
 
 inline constexpr std::array<const char*, verdict_count> verdict_names{
-    "same", "inherited", "rounded",  "perturbed", "legal",
-    "open", "unordered", "coverage", "left",      "unexplained"};
+    "same",      "inherited", "rounded",  "perturbed", "legal",      "open",
+    "unordered", "defect",    "coverage", "left",      "unexplained"};
 
 using Counts = std::array<std::uint64_t, verdict_count>;
 

@@ -1,6 +1,7 @@
-#include "conformance/comparisons.hpp"
+#include "conformance/rewrites.hpp"
 
 #include <string>
+#include <utility>
 
 namespace quadrel::conformance {
 namespace {
@@ -40,7 +41,7 @@ std::string of_vectors(const std::string& function, int components) {
            "(x, " + type + "(y)); }\n";
 }
 
-std::string definitions() {
+std::string comparisons() {
     std::string all = first_lines + std::string(of_numbers);
     for (const char* const function : {"lesser", "greater"})
         for (int components = 2; components <= 4; ++components)
@@ -48,15 +49,29 @@ std::string definitions() {
     return all + macros;
 }
 
-}  // namespace
+constexpr const char* sizes_of_levels = R"(
+ivec2 size_of_level(ivec2 size, int level) { return max(size >> level, ivec2(1)); }
+ivec3 size_of_level(ivec3 size, int level) { return ivec3(size_of_level(size.xy, level), size.z); }
+#define textureSize(map, level) size_of_level(textureSize(map, 0), level)
+)";
 
-gl::ExportedScene with_comparisons(gl::ExportedScene scene) {
+gl::ExportedScene with(gl::ExportedScene scene, const std::string& definitions) {
     for (gl::ExportedMaterial& material : scene.materials) {
         // Behind the version and what else has to come first.
         const std::size_t at = material.fragment.find("#ifndef PASS");
-        if (at != std::string::npos) material.fragment.insert(at, definitions());
+        if (at != std::string::npos) material.fragment.insert(at, definitions);
     }
     return scene;
+}
+
+}  // namespace
+
+gl::ExportedScene with_comparisons(gl::ExportedScene scene) {
+    return with(std::move(scene), comparisons());
+}
+
+gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene) {
+    return with(std::move(scene), sizes_of_levels);
 }
 
 }  // namespace quadrel::conformance

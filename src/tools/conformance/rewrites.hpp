@@ -1,4 +1,4 @@
-// min and max as GLSL defines them for ordered numbers, written out.
+// Shaders that say the same in other words, to find out what an implementation's values are due to.
 #pragma once
 
 #include "gl/scene/manifest.hpp"
@@ -9,5 +9,10 @@ namespace quadrel::conformance {
 /// y < x, otherwise x" (GLSL 4.60, 8.3). What the functions themselves make of NaN, and of zeros of
 /// two signs, is left open (4.7.1); comparisons of these are not.
 gl::ExportedScene with_comparisons(gl::ExportedScene scene);
+
+/// The scene with fragment shaders that make the sizes of levels of level 0's: "textureSize returns
+/// the dimensions of level lod" (GLSL 4.60, 8.9.1), also where fragments of a quad ask for
+/// different ones.
+gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene);
 
 }  // namespace quadrel::conformance
