@@ -206,7 +206,6 @@ TEST(Conformance, OfTwoObjectsAtOneDepthEitherIsSeen) {
         const auto reports = conformance::judge(two, render(second, options), {});
         EXPECT_EQ(count(reports, "uv", Verdict::coverage) > 100u, behind == 0) << behind;
         EXPECT_EQ(count(reports, "uv", Verdict::unexplained) > 100u, behind != 0) << behind;
-        EXPECT_EQ(count(reports, "hit", Verdict::unexplained) > 0u, behind != 0) << behind;
     }
 }
 
