@@ -117,6 +117,7 @@ class Judge {
         if (!pixels.empty()) take_legal(group, pixels, report);
         if (!pixels.empty() && group.kind == GroupKind::geometry)
             take_other_object(group, pixels, report);
+        if (!pixels.empty() && options_.implicit_in_loops) take_divergent(group, pixels, report);
         if (!pixels.empty()) take_redrawn(group, pixels, report);
         give_up(group, pixels, report);
         if (group.kind != GroupKind::level) departed_.insert(departed.begin(), departed.end());
@@ -229,6 +230,27 @@ class Judge {
         if (found_.find("hit.flags") == nullptr) return;
         take(pixels, report, Verdict::open, [&](std::size_t i) {
             return (found_bits("hit.flags", i) & HitFlag::nan_look_up) != 0;
+        });
+    }
+
+    /// Of searches, for hits and towards the first light.
+    void take_divergent(const Group& group, std::vector<std::size_t>& pixels,
+                        GroupReport& report) const {
+        const std::string steps = group.kind == GroupKind::hit ? "hit.steps" : "shadow.steps";
+        if ((group.kind != GroupKind::hit && group.kind != GroupKind::shadow) ||
+            found_.find(steps) == nullptr)
+            return;
+        take(pixels, report, Verdict::divergent, [&](std::size_t i) {
+            const int x = x_of(i) / 2 * 2, y = y_of(i) / 2 * 2;
+            for (const int dy : {0, 1})
+                for (const int dx : {0, 1}) {
+                    if (x + dx >= scene_.width || y + dy >= scene_.height) continue;
+                    const std::size_t other = found_.index(x + dx, y + dy);
+                    if (found_bits(steps, other) != found_bits(steps, i) ||
+                        reference_.find(steps)->bits[other] != reference_.find(steps)->bits[i])
+                        return true;
+                }
+            return false;
         });
     }
 

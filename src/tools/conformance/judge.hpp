@@ -23,10 +23,11 @@ struct JudgeOptions {
     PermittedErrors errors;
     TexelSize texel;  ///< of the height map
     std::size_t most_ranged =
-        200;                      ///< quads of a group whose ranges are computed; others are `left`
-    std::size_t examples = 3;     ///< unexplained pixels that are named
-    int threads = 0;              ///< of renders, as RenderOptions has them
-    std::vector<Redraw> redraws;  ///< asked in turn, where something is left unexplained
+        200;                   ///< quads of a group whose ranges are computed; others are `left`
+    std::size_t examples = 3;  ///< unexplained pixels that are named
+    int threads = 0;           ///< of renders, as RenderOptions has them
+    bool implicit_in_loops = false;  ///< whether loops of the shaders have implicit derivatives
+    std::vector<Redraw> redraws;     ///< asked in turn, where something is left unexplained
 };
 
 /// Judges `found`, a film of the scene's frame. A group's stages are given the implementation's own

@@ -81,6 +81,7 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
     }
     JudgeOptions options = judging;
     options.texel = texel_size(drawn->scene);
+    options.implicit_in_loops = has_implicit_look_ups_in_loops(drawn->scene);
     options.redraws = {
         {Verdict::unordered,
          [&] { return gl::draw_scene(with_comparisons(drawn->scene), {}, programs); }},

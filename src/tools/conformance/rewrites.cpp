@@ -1,5 +1,7 @@
 #include "conformance/rewrites.hpp"
 
+#include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -65,6 +67,23 @@ gl::ExportedScene with(gl::ExportedScene scene, const std::string& definitions) 
 }
 
 }  // namespace
+
+bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene) {
+    for (const gl::ExportedMaterial& material : scene.materials) {
+        std::istringstream lines(material.fragment);
+        int depth = 0, loop = -1;  // of braces; where the outermost loop began
+        for (std::string line; std::getline(lines, line);) {
+            if (loop < 0 && line.find("for (") != std::string::npos) loop = depth;
+            if (loop >= 0 && (line.find(" texture(") != std::string::npos ||
+                              line.find("(texture(") != std::string::npos))
+                return true;
+            depth += static_cast<int>(std::ranges::count(line, '{')) -
+                     static_cast<int>(std::ranges::count(line, '}'));
+            if (loop >= 0 && depth <= loop) loop = -1;
+        }
+    }
+    return false;
+}
 
 gl::ExportedScene with_comparisons(gl::ExportedScene scene) {
     return with(std::move(scene), comparisons());

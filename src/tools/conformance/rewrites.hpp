@@ -1,4 +1,5 @@
-// Shaders that say the same in other words, to find out what an implementation's values are due to.
+// What an implementation's values are due to: shaders that say the same in other words, and what a
+// shader has that is undefined.
 #pragma once
 
 #include "gl/scene/manifest.hpp"
@@ -14,5 +15,9 @@ gl::ExportedScene with_comparisons(gl::ExportedScene scene);
 /// the dimensions of level lod" (GLSL 4.60, 8.9.1), also where fragments of a quad ask for
 /// different ones.
 gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene);
+
+/// Whether a fragment shader looks textures up in a loop by implicit derivatives, which are
+/// undefined once fragments of a quad leave it at different steps (GLSL 4.60, 8.9).
+bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene);
 
 }  // namespace quadrel::conformance
