@@ -210,8 +210,6 @@ ExitCode write_judge_page(const ExportArguments& arguments) {
 }
 
 ExitCode write_scene(const ExportArguments& arguments) {
-    if (arguments.language == "wgsl")
-        throw UsageError("--language: found \"wgsl\", expected glsl, glsl-es or hlsl for a scene");
     if (arguments.output.empty())
         throw UsageError("export: expected -o DIR or --page OUT.html for a scene");
     if (arguments.output == "-")

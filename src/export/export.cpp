@@ -49,6 +49,15 @@ std::vector<std::string> export_languages() {
     return {table.languages, table.languages + table.language_count};
 }
 
+namespace {
+
+/// What cannot be written stands in the list, with the reason.
+[[noreturn]] void refuse(const std::string& reason) {
+    throw UsageError("export: " + reason + " (see `quadrel export --list`)");
+}
+
+}  // namespace
+
 std::string export_stages(std::span<const StageUse> stages, const ExportOptions& options) {
     std::string text;
     const ExportRequest request{
@@ -63,7 +72,7 @@ std::string export_stages(std::span<const StageUse> stages, const ExportOptions&
         options.uniforms ? 1 : 0,
         [](void* to, const char* part) { *static_cast<std::string*>(to) += part; },
         &text};
-    if (!export_table().write(&request)) throw UsageError("export: " + text);
+    if (!export_table().write(&request)) refuse(text);
     return text;
 }
 
@@ -98,7 +107,7 @@ Program export_program(ProgramRequest request) {
         static_cast<ProgramParts*>(to)->put(part, text);
     };
     request.to = &parts;
-    if (!export_table().write_program(&request)) throw UsageError("export: " + parts.refusal);
+    if (!export_table().write_program(&request)) refuse(parts.refusal);
     return parts.program;
 }
 

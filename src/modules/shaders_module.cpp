@@ -1,4 +1,5 @@
 // Stages as shaders: compiled once, for no instruction set in particular.
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,31 +13,45 @@ namespace {
 
 using namespace recorded;
 
+/// The functions of a request, in their order. `apart`: uniforms that each has to itself.
+std::vector<FunctionText> functions_of(const ExportRequest& request, const Dialect& dialect,
+                                       ShaderScene& scene, const std::set<std::string>& apart) {
+    std::vector<FunctionText> functions;
+    for (int i = 0; i < request.stage_count; ++i) {
+        const StageUse& use = request.stages[i];
+        scene.light = use.light;
+        try {
+            functions.push_back(write_stage(
+                known_recorded_stage(use.id), scene, use.params, {}, dialect, "",
+                request.uniforms != 0 ? ParametersAs::uniforms : ParametersAs::constants, apart));
+        } catch (const RecordingError& error) {
+            throw RecordingError(std::string(use.id) + ": " + error.what());
+        }
+    }
+    return functions;
+}
+
 std::string written(const ExportRequest& request) {
     const auto dialect = find_dialect(request.language);
     if (dialect == nullptr) throw RecordingError("no such language");
     const PlainScene plain{request.side, request.lights, request.wrap_u, request.wrap_v,
                            request.seat};
     ShaderScene scene = plain_scene(plain);
-    std::string functions;
+    std::vector<FunctionText> functions = functions_of(request, *dialect, scene, {});
+    if (const auto apart = differing_uniforms(functions); !apart.empty())
+        functions = functions_of(request, *dialect, scene, apart);
+    std::string text;
     std::vector<Uniform> uniforms;
-    for (int i = 0; i < request.stage_count; ++i) {
+    std::vector<std::string> comments;
+    for (std::size_t i = 0; i < functions.size(); ++i) {
         const StageUse& use = request.stages[i];
-        const RecordedStage& stage = known_recorded_stage(use.id);
-        scene.light = use.light;
-        FunctionText function;
-        try {
-            function = write_stage(
-                stage, scene, use.params, {}, *dialect, "",
-                request.uniforms != 0 ? ParametersAs::uniforms : ParametersAs::constants);
-        } catch (const RecordingError& error) {
-            throw RecordingError(std::string(use.id) + ": " + error.what());
-        }
-        functions += (functions.empty() ? "" : "\n") +
-                     assumptions(stage, function, plain, use.light) + function.text;
-        add_uniforms(uniforms, function.uniforms);
+        text += (text.empty() ? "" : "\n") + functions[i].text;
+        add_uniforms(uniforms, functions[i].uniforms);
+        for (const std::string& comment :
+             assumptions(known_recorded_stage(use.id), functions[i], plain, use.light))
+            comments.push_back(comment);
     }
-    return whole_file(functions, uniforms, *dialect);
+    return whole_file(text, uniforms, *dialect, comments);
 }
 
 bool write(const ExportRequest* request) {

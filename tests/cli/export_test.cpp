@@ -55,9 +55,37 @@ TEST(ExportCommand, UniformsStandForParameters) {
         EXPECT_TRUE(says(text, "uniform int ")) << text;
         EXPECT_FALSE(says(text, "const int steps")) << text;
     }
-    // Their values are no part of the text.
-    const Words with = {"export", "--stage", "linear", "--uniforms", "-D", "steps=77"};
-    EXPECT_EQ(run(with).out, run({"export", "--stage", "linear", "--uniforms"}).out);
+    // Their values are no part of the text, but said beside it.
+    const std::string plain = run({"export", "--stage", "linear", "--uniforms"}).out;
+    std::string with = run({"export", "--stage", "linear", "--uniforms", "-D", "steps=77"}).out;
+    const std::size_t at = with.find(", here 77\n");
+    ASSERT_NE(at, std::string::npos) << with;
+    EXPECT_EQ(with.erase(at, 9), plain);
+}
+
+/// Uniforms of two functions are one where they mean the same alone.
+TEST(ExportCommand, UniformsOfTwoStagesStayTwo) {
+    for (const char* const language : {"glsl", "wgsl"}) {
+        const std::string text = run({"export", "--stage", "linear", "--stage", "steep",
+                                      "--uniforms", "--language", language})
+                                     .out;
+        EXPECT_EQ(count_of(text, " trace_linear_steps"), 1u + (language[0] == 'w')) << text;
+        EXPECT_TRUE(says(text, "<= " + std::string(language[0] == 'w' ? "uniforms." : "") +
+                                   "trace_linear_steps"))
+            << text;
+        EXPECT_FALSE(says(text, "int steps;")) << text;
+        EXPECT_EQ(count_of(text, "height_map: texture_2d<f32>;") +
+                      count_of(text, "uniform sampler2D height_map;"),
+                  1u);
+    }
+}
+
+/// Before anything else but the version.
+TEST(ExportCommand, BeginsWithWhatItTakesForGranted) {
+    const std::string glsl = run({"export", "--stage", "max-mip"}).out;
+    EXPECT_TRUE(glsl.starts_with("#version 330 core\n// For a relief whose seat is 1")) << glsl;
+    const std::string wgsl = run({"export", "--stage", "max-mip", "--language", "wgsl"}).out;
+    EXPECT_TRUE(wgsl.starts_with("// For a relief whose seat is 1")) << wgsl;
 }
 
 TEST(ExportCommand, SaysWhatParametersAreAndWhichAreWrittenIn) {
@@ -160,7 +188,9 @@ TEST(ExportCommand, RefusesScenesInOneLine) {
     EXPECT_EQ(vertex.code, 2);
     EXPECT_TRUE(says(vertex.err, "steep@published: computes in its vertex shader")) << vertex.err;
     EXPECT_EQ(std::count(vertex.err.begin(), vertex.err.end(), '\n'), 1) << vertex.err;
-    EXPECT_EQ(export_to({"thesis-quad", "--language", "wgsl"}).code, 2);
+    const Outcome webgpu = export_to({"thesis-quad", "--language", "wgsl"});
+    EXPECT_EQ(webgpu.code, 2);
+    EXPECT_TRUE(says(webgpu.err, "-D conventions=d3d")) << webgpu.err;
     EXPECT_EQ(export_to({"thesis-quad", "--stage", "linear"}).code, 2);
     EXPECT_EQ(export_to({"thesis-quad", "--side", "64"}).code, 2);
     EXPECT_EQ(run({"export", "thesis-quad"}).code, 2);
@@ -221,6 +251,7 @@ TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
     const Outcome refused = run({"export", "--stage", "normal-mcguire@published"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(says(refused.err, "asks which fragment of its quad it is")) << refused.err;
+    EXPECT_TRUE(says(refused.err, "(see `quadrel export --list`)")) << refused.err;
 }
 
 TEST(ExportCommand, RefusesWhatItDoesNotKnow) {

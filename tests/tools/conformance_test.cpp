@@ -5,6 +5,8 @@
 
 #include <bit>
 #include <functional>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include "conformance/judge.hpp"
 #include "quadrel/render.hpp"
@@ -161,6 +163,50 @@ TEST(Conformance, WrongValuesAreUnexplained) {
     EXPECT_GT(wrong("N.Z", "normal", [](float) { return std::nanf(""); }), 10u);
     EXPECT_GT(wrong("shadow.visibility", "shadow", [](float v) { return v + 2; }), 10u);
     EXPECT_GT(wrong("G", "color", [](float g) { return g + 1; }), 10u);
+}
+
+/// Values that are the reference's once min and max are written out as comparisons differ by what
+/// these make of NaN, which is left open; where that changes nothing, something else is wrong.
+TEST(Conformance, WhatMinMakesOfNanIsOpen) {
+    const Film own = drawn();
+    const Film wrong = with(own, "hit.s", 29, [](float s) { return s + 0.5f; });
+    const auto judged_with = [&](const Film& written_out) {
+        conformance::JudgeOptions options;
+        options.texel = {1.0 / 256, 1.0 / 256};
+        options.redraws = {{Verdict::unordered, [&] { return written_out; }}};
+        return conformance::judge(scene(), wrong, options);
+    };
+    const auto open = judged_with(own);
+    EXPECT_GT(count(open, "hit", Verdict::unordered), 10u);
+    EXPECT_EQ(count(open, Verdict::unexplained), 0u) << examples(open);
+    const auto still_wrong = judged_with(wrong);
+    EXPECT_EQ(count(still_wrong, Verdict::unordered), 0u);
+    EXPECT_GT(count(still_wrong, "hit", Verdict::unexplained), 10u);
+}
+
+/// A second quad of other texture coordinates, so far behind the first one.
+Scene with_second_quad(float behind) {
+    Scene two = scene();
+    two.objects.push_back(two.objects.front());
+    Object& second = two.objects.back();
+    second.name = "second";
+    second.transform = glm::translate(second.transform, glm::vec3(0, 0, -behind));
+    second.transform = glm::rotate(second.transform, glm::half_pi<float>(), glm::vec3(0, 0, 1));
+    return two;
+}
+
+/// What is seen of two objects at one depth is decided by roundings, of two at others it is not.
+TEST(Conformance, OfTwoObjectsAtOneDepthEitherIsSeen) {
+    for (const float behind : {0.0f, 0.01f}) {
+        const Scene two = with_second_quad(behind);
+        Scene second = two;
+        second.objects.front().visible = false;
+        RenderOptions options;
+        options.channels = channels();
+        const auto reports = conformance::judge(two, render(second, options), {});
+        EXPECT_EQ(count(reports, "uv", Verdict::coverage) > 100u, behind == 0) << behind;
+        EXPECT_EQ(count(reports, "uv", Verdict::unexplained) > 100u, behind != 0) << behind;
+    }
 }
 
 /// A pixel that one side alone covers is permitted beside an edge, and nowhere else.

@@ -183,6 +183,32 @@ TEST_F(GlScene, IsDrawnAsItsFolderSays) {
         }
 }
 
+/// A triangle over a part of some pixels' samples: colour, coverage and Z are of all samples, other
+/// values of the lowest covered one.
+TEST_F(GlScene, SamplesAreResolved) {
+    folder.manifest["samples"] = 4;
+    folder.manifest["passes"][1]["targets"][0]["clear"][2] = "inf";
+    // Below the diagonal, which passes through pixels; all other triangles are points.
+    std::vector<float> vertices{-1, -1, 0.25f, 1, 1, -1, 0.25f, 1, 1, 1, 0.25f, 1};
+    vertices.resize(32, 0);
+    write_values(folder.path / "vertices.bin", vertices);
+    const Film film = draw();
+    if (!skipped.empty()) GTEST_SKIP() << skipped;
+    int partial = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            SCOPED_TRACE(testing::Message() << x << "," << y);
+            const float share = at(film, "A", x, y);
+            EXPECT_EQ(share * 4, std::floor(share * 4));
+            EXPECT_NEAR(at(film, "R", x, y), share * 2 + (1 - share) * 0.5f, 1e-6);
+            EXPECT_EQ(film.find("id.object")->bits[film.index(x, y)], share > 0 ? 1u : 0xffffffffu);
+            EXPECT_EQ(at(film, "K.V", x, y), share > 0 ? INFINITY : 0);
+            EXPECT_EQ(at(film, "Z", x, y), share > 0 ? std::nextafter(10.0f, 11.0f) : INFINITY);
+            partial += share > 0 && share < 1;
+        }
+    EXPECT_GT(partial, 5);
+}
+
 TEST_F(GlScene, TheHeaderNamesTheImplementation) {
     draw();
     if (!skipped.empty()) GTEST_SKIP() << skipped;
@@ -250,7 +276,7 @@ TEST_F(GlScene, WhatIsWrongWithAFolderIsNamed) {
     };
     EXPECT_TRUE(refuses("/quadrel-export", 2, "quadrel-export"));
     EXPECT_TRUE(refuses("/language", "hlsl", "language"));
-    EXPECT_TRUE(refuses("/samples", 4, "samples"));
+    EXPECT_TRUE(refuses("/samples", 3, "samples"));
     EXPECT_TRUE(refuses("/vertex_buffer/count", 7, "vertices.bin"));
     EXPECT_TRUE(refuses("/textures/0/levels/1/bytes", "map.0.bin", "map.0.bin: found 16 bytes"));
     EXPECT_TRUE(refuses("/textures/0/levels/1/bytes", "none.bin", "none.bin"));
@@ -259,7 +285,32 @@ TEST_F(GlScene, WhatIsWrongWithAFolderIsNamed) {
         refuses("/materials/0/uniforms/0/hex/1", "0x1p", "materials[0].uniforms[0].hex[1]"));
     EXPECT_TRUE(refuses("/materials/0/samplers/0/texture", 1, "materials[0].samplers[0].texture"));
     EXPECT_TRUE(refuses("/draws/1/index_count", 7, "draws[1].index_count"));
+    EXPECT_TRUE(refuses("/draws/1/index_count", 5, "draws[1].index_count"));
+    EXPECT_TRUE(refuses("/index_buffer/count", 13, "indices.bin"));
+    EXPECT_TRUE(refuses("/vertex_buffer/stride", 2, "vertex_buffer.stride"));
+    EXPECT_TRUE(refuses("/vertex_buffer/stride", 18, "vertex_buffer.stride"));
+    EXPECT_TRUE(refuses("/vertex_buffer/attributes/0/components", 5,
+                        "vertex_buffer.attributes[0].components"));
     EXPECT_TRUE(refuses("/passes/0/targets/0/channels", Json::array(), "passes[0].targets[0]"));
+    EXPECT_TRUE(refuses("/passes", Json::array(), "passes"));
+    EXPECT_TRUE(refuses("/passes/1/targets", Json::array(), "passes[1].targets"));
+    EXPECT_TRUE(refuses("/passes/1/targets", Json(40, good["passes"][1]["targets"][0]),
+                        "found 40 targets, expected 8 at most"));
+    EXPECT_TRUE(refuses("/materials", Json::array(), "draws[0].material"));
+    EXPECT_TRUE(refuses("/textures", Json::array(), "materials[0].samplers[0].texture"));
+    Json levels = good["textures"][0]["levels"];
+    levels.push_back(levels[1]);
+    levels[2]["width"] = 2;
+    EXPECT_TRUE(refuses("/textures/0/levels", levels, "map.1.bin"));
+    folder.manifest = good;
+    folder.manifest["vertex_buffer"]["count"] = 4;
+    std::filesystem::resize_file(folder.path / "vertices.bin", 64);
+    const Outcome beyond = folder.draw();
+    if (beyond.out.find("EGL") == std::string::npos) {
+        EXPECT_EQ(beyond.code, 3);
+        EXPECT_NE(beyond.out.find("indices.bin: found index 6 of vertex 4"), std::string::npos)
+            << beyond.out;
+    }
     folder.manifest = good;
     EXPECT_EQ(run_command(QUADREL_GL " /nowhere -o /tmp/none.exr 2>&1").code, 3);
     EXPECT_EQ(run_command(QUADREL_GL " " + folder.path.path().string() + " 2>&1").code, 2);

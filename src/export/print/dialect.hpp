@@ -47,6 +47,8 @@ class Dialect {
     /// One statement behind `if (...)` or `else`.
     virtual std::string guarded(const std::string& head, const std::string& statement) const;
 
+    /// Whether a function has its outputs among its parameters; else it returns a struct of them.
+    virtual bool has_outputs() const { return true; }
     /// `void name(...)`: what stands in front of it, and at the beginning and the end of its body;
     /// empty for nothing.
     virtual std::string declarations(const std::string& name,

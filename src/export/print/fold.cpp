@@ -78,6 +78,23 @@ float computed_real(const std::string& text, double a, double b) {
     return text == "*" ? x * y : x / y;
 }
 
+/// Whether a sum, square or the like can be no -0, so that 0 + x is x.
+bool is_never_minus_zero(const Node& node, int depth = 0) {
+    if (node.kind == Kind::literal) return !is_literal(node, -0.0);
+    if (depth == 8) return false;
+    const auto is_never = [&](std::size_t i) {
+        return is_never_minus_zero(*node.arguments[i], depth + 1);
+    };
+    if (node.kind == Kind::select) return is_never(1) && is_never(2);
+    if (node.kind == Kind::call)
+        return node.text == "abs" || node.text == "float" || node.text == "exp2" ||
+               node.text == "length";
+    if (node.kind != Kind::binary) return false;
+    if (node.text == "+") return is_never(0) || is_never(1);
+    if (node.text == "-") return is_never(0);
+    return node.text == "*" && node.arguments[0] == node.arguments[1];
+}
+
 /// What GLSL has for vectors, too, component by component.
 bool is_componentwise(const std::string& function) {
     static const char* const functions[] = {
@@ -178,6 +195,7 @@ Node* Folder::simplified(Node node) {
     if (Node* const result = simple_sum(node)) return result;
     if (Node* const result = computed(node)) return result;
     if (Node* const result = counted(node)) return result;
+    if (Node* const result = whole_again(node)) return result;
     const auto& arguments = node.arguments;
     if (node.kind == Kind::select) {
         if (arguments[0]->kind == Kind::literal)
@@ -242,7 +260,17 @@ Node* Folder::counted(const Node& node) {
     return is_last || is_below ? literal(Type::boolean, 1) : nullptr;
 }
 
-/// x - 0, x + -0, x * 1 and x / 1 are x, whatever x is; 0 + x is not where x is -0.
+/// float(int(float(i))) of a loop's counter is float(i).
+Node* Folder::whole_again(const Node& node) {
+    if (!is_operation(node, Kind::call, "float")) return nullptr;
+    const Node& whole = *node.arguments[0];
+    if (!is_operation(whole, Kind::call, "int")) return nullptr;
+    Node* const number = whole.arguments[0];
+    if (!is_operation(*number, Kind::call, "float")) return nullptr;
+    return number->arguments[0]->loop != nullptr ? number : nullptr;
+}
+
+/// x - 0, x + -0, x * 1 and x / 1 are x, whatever x is; 0 + x is not where x may be -0.
 Node* Folder::simple_sum(const Node& node) {
     if (node.kind != Kind::binary || node.type == Type::boolean) return nullptr;
     Node *const a = node.arguments[0], *const b = node.arguments[1];
@@ -251,6 +279,10 @@ Node* Folder::simple_sum(const Node& node) {
     if (node.text == "+" || (node.text == "|" && node.type == Type::integer)) {
         if (is_literal(*a, nothing)) return b;
         if (is_literal(*b, nothing)) return a;
+    }
+    if (node.text == "+" && node.type != Type::integer) {
+        if (is_literal(*a, 0) && is_never_minus_zero(*b)) return b;
+        if (is_literal(*b, 0) && is_never_minus_zero(*a)) return a;
     }
     if (node.text == "*") {
         if (is_literal(*a, 1)) return b;

@@ -35,6 +35,7 @@ class Folder {
     Node* simple_sum(const Node& node);
     Node* computed(const Node& node);
     Node* counted(const Node& node);
+    Node* whole_again(const Node& node);
     Node* named_vector(const Node& node, Node* vector);
     Node* literal(Type type, double value);
     /// The node that is equal to `node` and known where that stands; else a new one.

@@ -26,6 +26,7 @@ class WgslDialect : public Dialect {
                              const std::string& condition) const override;
     std::string endless_loop() const override;
     std::string guarded(const std::string& head, const std::string& statement) const override;
+    bool has_outputs() const override { return false; }
     std::string declarations(const std::string& name,
                              const std::vector<Named>& outputs) const override;
     std::string head(const std::string& name, const std::vector<Named>& inputs,

@@ -43,6 +43,7 @@ std::string Writer::function(const std::string& name, const std::vector<std::str
     choose_inputs(inputs);
     std::vector<Named> outputs = graph_.outputs;
     for (Named& output : outputs) {
+        if (!dialect_.has_outputs()) break;  // members of a struct
         if (names_.count(output.name) != 0) {
             changed_outputs_.insert(output.name);
             output.name += "_out";

@@ -3,16 +3,10 @@
 #include <algorithm>
 
 #include "export/print/wrapped_line.hpp"
+#include "export/program/wgsl_entry_point.hpp"
 
 namespace quadrel::recorded {
 namespace {
-
-std::string vector_of_components(const std::string& type, const std::array<std::string, 4>& parts) {
-    std::string text = type + "(";
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        text += (i == 0 ? "" : ", ") + (parts[i].empty() ? std::string("0.0") : parts[i]);
-    return text + ")";
-}
 
 std::size_t most_targets_of(const FragmentText& text) {
     std::size_t most = 0;
@@ -34,6 +28,13 @@ std::string joined(const std::vector<std::string>& lines) {
 
 std::string statement(const std::string& text) { return wrapped_line("    " + text) + "\n"; }
 
+std::string target_value(const std::string& type, const std::array<std::string, 4>& parts) {
+    std::string text = type + "(";
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? "" : ", ") + (parts[i].empty() ? std::string("0.0") : parts[i]);
+    return text + ")";
+}
+
 template <class Assign>
 std::string EntryPoint::assignments(const FragmentText& text, const Assign& assign) const {
     std::string all;
@@ -42,7 +43,7 @@ std::string EntryPoint::assignments(const FragmentText& text, const Assign& assi
         for (std::size_t target = 0; target < text.passes[pass].size(); ++target)
             all += statement(
                 assign("target" + std::to_string(target),
-                       vector_of_components(dialect_.type(Type::vec4), text.passes[pass][target])));
+                       target_value(dialect_.type(Type::vec4), text.passes[pass][target])));
     }
     return all.empty() ? all : all + "#endif\n";
 }
@@ -220,6 +221,7 @@ std::unique_ptr<EntryPoint> find_entry_point(std::string_view language, const Di
     if (language == "glsl") return std::make_unique<EntryPoint>(dialect);
     if (language == "glsl-es") return std::make_unique<EsEntryPoint>(dialect);
     if (language == "hlsl") return std::make_unique<HlslEntryPoint>(dialect);
+    if (language == "wgsl") return std::make_unique<WgslEntryPoint>(dialect);
     return nullptr;
 }
 

@@ -19,6 +19,7 @@ struct FragmentText {
     std::vector<Uniform> uniforms;
     std::string functions;
     std::vector<std::string> statements;  ///< of the entry point, before it hands values on
+    std::vector<Named> values;            ///< that these give names to
     /// Of each pass the targets, of each target its components; "" where there is none.
     std::vector<std::vector<std::array<std::string, 4>>> passes;
     std::string depth, discard;  ///< depth to write, and when not to; empty: none
@@ -54,6 +55,8 @@ class EntryPoint {
     virtual std::string vertex(const VertexText& text) const;
     /// Whether a shader can ask for levels of detail.
     virtual bool has_lod() const { return true; }
+    /// Whether both shaders declare all numbers of both, since they read one buffer.
+    virtual bool has_one_struct() const { return false; }
 
   protected:
     /// First lines, comment, a macro of that name and value unless there is one, constants,
@@ -80,5 +83,8 @@ std::unique_ptr<EntryPoint> find_entry_point(std::string_view language, const Di
 
 /// A statement of a body, in lines to read.
 std::string statement(const std::string& text);
+
+/// `float4(x, 0.0, ...)`: a target's components, 0 where there is none.
+std::string target_value(const std::string& type, const std::array<std::string, 4>& parts);
 
 }  // namespace quadrel::recorded

@@ -1,5 +1,6 @@
 #include "export/program/program.hpp"
 
+#include <initializer_list>
 #include <map>
 #include <set>
 
@@ -32,7 +33,7 @@ Component component_of(const ProgramChannel& channel) {
             channel.component};
 }
 
-std::string expression_of(const ProgramChannel& channel) {
+std::string expression_of(const ProgramChannel& channel, const Dialect& dialect) {
     switch (channel.kind) {
         case Kind::none:
             return "";
@@ -48,7 +49,8 @@ std::string expression_of(const ProgramChannel& channel) {
             break;
     }
     const Component component = component_of(channel);
-    if (component.type == Type::integer) return "float(" + component.name + ")";
+    if (component.type == Type::integer)
+        return dialect.type(Type::real) + "(" + component.name + ")";
     if (component.type == Type::real) return component.name;
     return component.name + "." + "xyzw"[component.index];
 }
@@ -84,14 +86,15 @@ ValueTypes wanted_values(const ProgramRequest& request) {
     return wanted;
 }
 
-std::vector<std::vector<std::array<std::string, 4>>> targets_of(const ProgramRequest& request) {
+std::vector<std::vector<std::array<std::string, 4>>> targets_of(const ProgramRequest& request,
+                                                                const Dialect& dialect) {
     std::vector<std::vector<std::array<std::string, 4>>> passes;
     for (int p = 0; p < request.pass_count; ++p) {
         auto& pass = passes.emplace_back();
         for (int t = 0; t < request.passes[p].target_count; ++t) {
             auto& target = pass.emplace_back();
             for (std::size_t c = 0; c < 4; ++c)
-                target[c] = expression_of(request.passes[p].channels[t][c]);
+                target[c] = expression_of(request.passes[p].channels[t][c], dialect);
         }
     }
     return passes;
@@ -105,45 +108,75 @@ std::string discard_condition(const ProgramRequest& request, const Dialect& dial
     return condition;
 }
 
-/// Calls of the functions, one after the other, with a variable for each value.
+/// Calls of the functions, one after the other, with a variable for each value: a local where
+/// functions have outputs, else one of the whole shader.
 class Statements {
   public:
     explicit Statements(const Dialect& dialect) : dialect_(dialect) {}
 
     void declare(const std::string& name, Type type, const std::string& value) {
-        all_.push_back(dialect_.type(type) + " " + name + " = " + value + ";");
         declared_[name] = type;
+        all_.push_back(dialect_.has_outputs() ? dialect_.variable(type, name, value)
+                                              : name + " = " + value + ";");
     }
 
     void call(const FunctionText& function) {
+        if (dialect_.has_outputs())
+            call_with_outputs(function);
+        else
+            call_for_result(function);
+    }
+
+    const std::vector<std::string>& all() const { return all_; }
+    const ValueTypes& declared() const { return declared_; }
+
+  private:
+    static std::string arguments(std::initializer_list<const std::vector<Named>*> lists) {
+        std::string text;
+        for (const auto* list : lists)
+            for (const Named& of : *list) text += (text.empty() ? "" : ", ") + of.name;
+        return "(" + text + ")";
+    }
+
+    void call_with_outputs(const FunctionText& function) {
         std::map<Type, std::string> names;
         for (const Named& output : function.outputs)
             if (declared_.emplace(output.name, output.type).second)
                 names[output.type] += (names[output.type].empty() ? "" : ", ") + output.name;
         for (const auto& [type, list] : names)
             all_.push_back(dialect_.type(type) + " " + list + ";");
-        std::string arguments;
-        for (const auto* list : {&function.inputs, &function.outputs})
-            for (const Named& of : *list) arguments += (arguments.empty() ? "" : ", ") + of.name;
-        all_.push_back(function.name + "(" + arguments + ");");
+        all_.push_back(function.name + arguments({&function.inputs, &function.outputs}) + ";");
     }
 
-    const std::vector<std::string>& all() const { return all_; }
+    void call_for_result(const FunctionText& function) {
+        const std::string result = function.name + "_values";
+        all_.push_back("let " + result + " = " + function.name + arguments({&function.inputs}) +
+                       ";");
+        for (const Named& output : function.outputs) {
+            declared_.emplace(output.name, output.type);
+            all_.push_back(output.name + " = " + result + "." + output.name + ";");
+        }
+    }
 
-  private:
     const Dialect& dialect_;
     ValueTypes declared_;
     std::vector<std::string> all_;
 };
 
+/// An element of a uniform array.
+std::string element(const Uniform& uniform, int index, const Dialect& dialect) {
+    return dialect.use_of(uniform, uniform.name + "[" + std::to_string(index) + "]");
+}
+
+const Uniform model_view{"model_view", "float", 16}, projection{"projection", "float", 16};
+const Uniform texture_matrix{"texture_matrix", "float", 16}, flat_faces{"flat_faces", "float", 0};
 const Uniform normal_matrix{"normal_matrix", "float", 9};
 
 /// An object's axis in eye space: a column of the normal matrix.
-std::string object_axis(int axis, const std::string& vector) {
-    std::string text = vector + "(";
+std::string object_axis(int axis, const Dialect& dialect) {
+    std::string text = dialect.type(Type::vec3) + "(";
     for (int row = 0; row < 3; ++row)
-        text += (row == 0 ? "" : ", ") + std::string("normal_matrix[") +
-                std::to_string(3 * row + axis) + "]";
+        text += (row == 0 ? "" : ", ") + element(normal_matrix, 3 * row + axis, dialect);
     return text + ")";
 }
 
@@ -155,8 +188,7 @@ void declare_open(const ValueTypes& open, FragmentText& text, Statements& statem
         if (name == "bary") throw RecordingError("bary: barycentrics are not handed to fragments");
         if (name.rfind("object_", 0) == 0) {
             add_uniforms(text.uniforms, {normal_matrix});
-            statements.declare(name, type,
-                               object_axis(name.back() - 'x', dialect.type(Type::vec3)));
+            statements.declare(name, type, object_axis(name.back() - 'x', dialect));
         } else if (type == Type::integer) {
             statements.declare(name, type, "0");
         } else if (type == Type::real) {
@@ -205,9 +237,10 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
         statements.call(function);
     }
     text.statements = statements.all();
+    for (const auto& [name, type] : statements.declared()) text.values.push_back({name, type});
     for (const auto& [name, type] : calls.open())
         if (const Varying* const varying = find_varying(name)) text.varyings.push_back(*varying);
-    text.passes = targets_of(request);
+    text.passes = targets_of(request, dialect);
     if (request.writes_depth != 0) text.depth = "frag_depth";
     text.discard = discard_condition(request, dialect);
     if (asks_lod(request)) {
@@ -218,24 +251,24 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
 }
 
 /// Rows of a matrix times a point, summed in the order of the reference.
-std::string rows_times(const char* matrix, int rows, const std::string& point,
-                       const std::string& vector) {
-    std::string text = vector + "(";
-    for (int row = 0; row < rows; ++row) {
+std::string rows_times(const Uniform& matrix, Type type, const std::string& point,
+                       const Dialect& dialect) {
+    std::string text = dialect.type(type) + "(";
+    for (int row = 0; row < components_of(type); ++row) {
         text += row == 0 ? "affine(" : ", affine(";
         for (int column = 0; column < 4; ++column)
-            text += std::string(matrix) + "[" + std::to_string(4 * row + column) + "], ";
+            text += element(matrix, 4 * row + column, dialect) + ", ";
         text += point + ")";
     }
     return text + ")";
 }
 
-std::string normal_times(const std::string& vector) {
-    std::string text = vector + "(";
+std::string normal_times(const Dialect& dialect) {
+    std::string text = dialect.type(Type::vec3) + "(";
     for (int row = 0; row < 3; ++row) {
         text += row == 0 ? "linear_row(" : ", linear_row(";
         for (int column = 0; column < 3; ++column)
-            text += "normal_matrix[" + std::to_string(3 * row + column) + "], ";
+            text += element(normal_matrix, 3 * row + column, dialect) + ", ";
         text += "normal)";
     }
     return text + ")";
@@ -243,18 +276,22 @@ std::string normal_times(const std::string& vector) {
 
 /// The functions of vertex shaders.
 std::string row_functions(const Dialect& dialect) {
-    const std::string vector = dialect.type(Type::vec3);
-    return "// A row of a matrix times a point, and times a vector.\n"
-           "float affine(float a, float b, float c, float d, " +
-           vector +
-           " p) {\n    return (a * p.x + b * p.y) + (c * p.z + d);\n}\n"
-           "float linear_row(float a, float b, float c, " +
-           vector + " v) {\n    return a * v.x + b * v.y + c * v.z;\n}\n\n";
+    const std::vector<Named> of_point = {{"a", Type::real},
+                                         {"b", Type::real},
+                                         {"c", Type::real},
+                                         {"d", Type::real},
+                                         {"p", Type::vec3}};
+    const std::vector<Named> of_vector = {
+        {"a", Type::real}, {"b", Type::real}, {"c", Type::real}, {"v", Type::vec3}};
+    return "// A row of a matrix times a point, and times a vector.\n" +
+           dialect.helper_head(Type::real, "affine", of_point) +
+           "\n    return (a * p.x + b * p.y) + (c * p.z + d);\n}\n" +
+           dialect.helper_head(Type::real, "linear_row", of_vector) +
+           "\n    return a * v.x + b * v.y + c * v.z;\n}\n\n";
 }
 
 VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragment,
                        const Dialect& dialect) {
-    const std::string vector2 = dialect.type(Type::vec2), vector3 = dialect.type(Type::vec3);
     VertexText text;
     text.comment = comment_of(
         request,
@@ -266,24 +303,26 @@ VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragme
     text.varyings = fragment.varyings;
     std::erase_if(text.varyings, [](const Varying& of) { return of.name == std::string("P"); });
     text.varyings.insert(text.varyings.begin(), *find_varying("P"));
-    text.uniforms = {{"model_view", "float", 16}, {"projection", "float", 16}};
+    text.uniforms = {model_view, projection};
     std::set<std::string> read;
     for (const Varying& varying : text.varyings) {
         const std::string name = varying.name;
         read.insert({varying.attribute, varying.shaded});
         std::string value = varying.attribute;
         if (name == "P") {
-            value = rows_times("model_view", 3, value, vector3);
+            value = rows_times(model_view, Type::vec3, value, dialect);
         } else if (name == "uv") {
-            text.uniforms.push_back({"texture_matrix", "float", 16});
-            value = rows_times("texture_matrix", 2, vector3 + "(" + value + ", 0.0)", vector2);
+            text.uniforms.push_back(texture_matrix);
+            value = rows_times(texture_matrix, Type::vec2,
+                               dialect.type(Type::vec3) + "(" + value + ", 0.0)", dialect);
         } else if (name == "vertex_normal") {
             text.uniforms.push_back(normal_matrix);
-            value = normal_times(vector3);
+            value = normal_times(dialect);
             if (request.has_flat_meshes != 0) {
-                text.uniforms.push_back({"flat_faces", "float", 0});
+                text.uniforms.push_back(flat_faces);
                 read.insert("face_normal");
-                value = "flat_faces != 0.0 ? face_normal : " + value;
+                value = dialect.choice(dialect.use_of(flat_faces, flat_faces.name) + " != 0.0",
+                                       "face_normal", value);
             }
         }
         text.values.push_back({value, varying.shaded});
@@ -291,7 +330,7 @@ VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragme
     read.insert("clip_position");
     for (const Named& attribute : vertex_attributes())
         if (read.count(attribute.name) != 0) text.attributes.push_back(attribute);
-    text.position = {rows_times("projection", 4, "P", dialect.type(Type::vec4)), "clip_position"};
+    text.position = {rows_times(projection, Type::vec4, "P", dialect), "clip_position"};
     return text;
 }
 
@@ -316,11 +355,17 @@ ProgramText compose_program(const ProgramRequest& request) {
     VertexText vertex = vertex_text(request, fragment, *dialect);
     vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one
-    ProgramText text{entry->vertex(vertex), entry->fragment(fragment), vertex.attributes, {}, {}};
     std::vector<Uniform> all = vertex.uniforms;
     add_uniforms(all, fragment.uniforms);
+    ProgramText text{"", "", vertex.attributes, {}, {}};
     for (const Uniform& uniform : all)
         (is_sampler(uniform) ? text.samplers : text.numbers).push_back(uniform);
+    if (entry->has_one_struct()) {
+        vertex.uniforms = text.numbers;
+        fragment.uniforms = all;
+    }
+    text.vertex = entry->vertex(vertex);
+    text.fragment = entry->fragment(fragment);
     return text;
 }
 

@@ -79,7 +79,7 @@ std::vector<std::string> exportable_channels(const Scene& scene, const std::stri
     for (const std::string& name : names_of_values(static_cast<int>(scene.lights.size()))) {
         const ChannelSource source = channel_source(name);
         if (stored[static_cast<std::size_t>(source.value)]) names.push_back(name);
-        const bool asks_lod = name == "dUVdy.V" && language != "glsl-es";
+        const bool asks_lod = name == "dUVdy.V" && language != "glsl-es" && language != "wgsl";
         if (asks_lod && has_map_with_lod(scene)) {
             names.emplace_back("lod.lambda");
             names.emplace_back("lod.level");
@@ -162,7 +162,11 @@ const ExportedChannel& channel_of(const std::vector<ExportedChannel>& channels,
                          [&](const ExportedChannel& of) { return of.source == source; });
 }
 
-// OpenGL ES 3.0, table 6.31: 4 draw buffers at least; OpenGL 3.3 and Direct3D 11: 8.
-int targets_at_once(const std::string& language) { return language == "glsl-es" ? 4 : 8; }
+// OpenGL ES 3.0, table 6.31: 4 draw buffers at least; OpenGL 3.3 and Direct3D 11: 8. WebGPU: 32
+// bytes a sample (maxColorAttachmentBytesPerSample), of which four floats are 16.
+int targets_at_once(const std::string& language) {
+    if (language == "wgsl") return 2;
+    return language == "glsl-es" ? 4 : 8;
+}
 
 }  // namespace quadrel

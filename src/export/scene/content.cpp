@@ -6,6 +6,7 @@
 #include <cctype>
 #include <set>
 
+#include "export/scene/webgpu.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
@@ -144,7 +145,8 @@ class Collector {
         const TextureView& view = textures.owned[slot]->view();
         const bool asks_sizes =
             fragment.find("textureSize(" + sampler.name + ",") != std::string::npos ||
-            fragment.find("texture_size(" + sampler.name + ",") != std::string::npos;
+            fragment.find("texture_size(" + sampler.name + ",") != std::string::npos ||
+            fragment.find("textureDimensions(" + sampler.name + ",") != std::string::npos;
         if (asks_sizes && !has_mip_sizes(view))
             throw UsageError(
                 fmt::format("export: {}: asks for the sizes of the {}x{} map {}, whose levels are "
@@ -153,6 +155,8 @@ class Collector {
         const auto layout = static_cast<TextureSlot>(slot) == TextureSlot::layers
                                 ? depth_layers_layout
                                 : texel_layout;
+        if (content_.language == "wgsl" && reads_by_sampler(fragment, sampler.name))
+            check_webgpu_sampler(out.state, material_name + ": " + sampler.name);
         out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name,
                               layout(*textures.owned[slot], content_.language));
         return out;
@@ -202,14 +206,17 @@ int ContentTexture::rows(int level) const {
 }
 
 std::string ContentMaterial::vertex_file(const std::string& language) const {
-    return name + (language == "hlsl" ? "_vertex.hlsl" : ".vert");
+    const bool has_stages = language == "hlsl" || language == "wgsl";
+    return name + (has_stages ? "_vertex." + language : ".vert");
 }
 
 std::string ContentMaterial::fragment_file(const std::string& language) const {
-    return name + (language == "hlsl" ? "_fragment.hlsl" : ".frag");
+    const bool has_stages = language == "hlsl" || language == "wgsl";
+    return name + (has_stages ? "_fragment." + language : ".frag");
 }
 
 ExportContent export_content(const Scene& scene, const SceneExport& options) {
+    if (options.language == "wgsl") check_webgpu_scene(scene);
     ExportContent content{&scene, options.language, {}, {}, {}, {}, {}, {}, {}, {}};
     const std::vector<std::string> names = options.channels.empty()
                                                ? exportable_channels(scene, options.language)

@@ -69,6 +69,58 @@ const char* conventions_text(Conventions conventions) {
     return "";
 }
 
+/// How the shaders are called, and where their numbers and textures lie.
+const char* language_text(const std::string& language) {
+    if (language == "wgsl")
+        return "The vertex shader's entry point is `main`, pass N is the fragment shader's "
+               "`passN`. "
+               "All\n"
+               "bindings are in group 0: numbers in one buffer at 0, which both shaders read (the "
+               "manifest's\n"
+               "`webgpu` has the offsets; matrices are floats by rows, without gaps), then "
+               "textures "
+               "and\n"
+               "samplers. Textures of `r32float` and the like with a linear sampler need the "
+               "feature\n"
+               "`float32-filterable`. `SHADED_VERTICES` is a constant of the pipeline: false takes "
+               "the\n"
+               "mesh's own vertices and the matrices.\n";
+    const char* const passes =
+        "The fragment shader has `PASS` defined as the number of the pass (0 if it is not "
+        "defined).\n"
+        "Entry points are called `main`. ";
+    static const std::string glsl = std::string(passes) +
+                                    "Matrices are arrays of floats by rows. Uniforms that a "
+                                    "shader does not\n"
+                                    "have are passed over.\n";
+    static const std::string hlsl =
+        std::string(passes) +
+        "Attributes have the semantic `ATTRIBUTE`, with their location\n"
+        "behind it. Registers are left to the compiler, whose reflection tells them: of what is "
+        "read,\n"
+        "textures are t0, t1, ..., samplers s0, s1, ... in the order of their declaration, "
+        "`height_map_sampler`\n"
+        "beside `height_map`. Numbers lie in `$Globals` (b0) in their order, by HLSL's rules of "
+        "packing: each\n"
+        "element of an array begins at a multiple of 16 bytes. Matrices are such arrays, by rows, "
+        "and\n"
+        "multiply column vectors: element 4 r + c of 16, 3 r + c of 9, stands in row r and column "
+        "c.\n"
+        "There are no matrix types, so neither `row_major` nor a compiler's default has a say.\n";
+    return (language == "hlsl" ? hlsl : glsl).c_str();
+}
+
+std::string samples_text(const Scene& scene) {
+    if (scene.samples == 1) return "";
+    return fmt::format(
+        "\nA pixel has {} samples. R, G, B and A are means over them, Z is the nearest; of all "
+        "other channels a\n"
+        "pixel has the value at the lowest sample that something covers. Where samples lie is an\n"
+        "implementation's choice, and decides over pixels at edges (`quadrel-gl --probe --only "
+        "samples`).\n",
+        scene.samples);
+}
+
 }  // namespace
 
 std::string folder_readme(const ExportContent& content) {
@@ -82,15 +134,10 @@ std::string folder_readme(const ExportContent& content) {
         "`quadrel compare expected.exr yours.exr`.\n\n"
         "## Files\n\n{}\n"
         "## To draw\n\n"
-        "Each pass draws everything into its targets, 32-bit floats, with a cleared depth buffer; "
-        "the\n"
-        "fragment shader has `PASS` defined as the number of the pass (0 if it is not defined). "
-        "Entry\n"
-        "points are called `main`. Matrices are arrays of floats by rows. Draws are in order, with "
-        "the\n"
-        "depth test of the manifest's `state`. Uniforms that a shader does not have are passed "
-        "over.\n"
-        "{}\n"
+        "Each pass draws everything into its targets, 32-bit floats, with a cleared depth buffer. "
+        "Draws\n"
+        "are in order, with the depth test of the manifest's `state`.\n"
+        "{}\n{}\n{}\n"
         "Pixels that nothing covers hold the manifest's `clear` values. Whole numbers (`uint`) "
         "are\n"
         "written as floats.\n\n{}\n"
@@ -98,8 +145,9 @@ std::string folder_readme(const ExportContent& content) {
         "`expected.exr` was drawn with `hardware: {}`. What a GPU may do differently within its\n"
         "specification, `quadrel render --limits` tells.\n",
         scene.file.stem().string(), scene.file.filename().string(), scene.width, scene.height,
-        content.language, files_table(content), conventions_text(scene.conventions),
-        channels_table(content), stages_text(content), name_of(scene.hardware));
+        content.language, files_table(content), language_text(content.language),
+        conventions_text(scene.conventions), samples_text(scene), channels_table(content),
+        stages_text(content), name_of(scene.hardware));
 }
 
 }  // namespace quadrel

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "bake/wrap_names.hpp"
+#include "export/scene/webgpu.hpp"
 #include "quadrel/check.hpp"
 #include "render/draw/geometry.hpp"
 #include "render/plan/names.hpp"
@@ -116,6 +117,7 @@ Json texture_entry(const ContentTexture& texture, bool decoded) {
                    {"format", texture.layout.components},
                    {"type", texture.layout.component_type}};
     entry["dxgi"] = texture.layout.dxgi;
+    entry["webgpu"] = texture.layout.webgpu;
     entry["levels"] = levels;
     return entry;
 }
@@ -142,6 +144,26 @@ int version_of(const std::string& shader) {
     return shader.starts_with(word) ? std::atoi(shader.c_str() + word.size()) : 0;
 }
 
+/// What WebGPU's pipelines are made of.
+Json webgpu_entry(const ContentMaterial& material, std::size_t passes) {
+    Json entries = Json::array(), uniforms = Json::object(), bindings = Json::array();
+    for (std::size_t pass = 0; pass < passes; ++pass)
+        entries.push_back(fmt::format("pass{}", pass));
+    const UniformBuffer buffer = uniform_buffer(material.program.uniforms);
+    for (std::size_t i = 0; i < buffer.offsets.size(); ++i)
+        uniforms[material.program.uniforms[i].name] = buffer.offsets[i];
+    for (const ContentSampler& sampler : material.samplers) {
+        const std::string& shader = material.program.fragment;
+        const int bound = binding_of(shader, sampler.uniform + "_sampler");
+        bindings.push_back({{"texture", binding_of(shader, sampler.uniform)},
+                            {"sampler", bound < 0 ? Json() : Json(bound)}});
+    }
+    return {{"vertex_entry", "main"},
+            {"fragment_entries", entries},
+            {"uniform_buffer", {{"binding", 0}, {"size", buffer.size}, {"offsets", uniforms}}},
+            {"bindings", bindings}};
+}
+
 Json material_entry(const ExportContent& content, const ContentMaterial& material) {
     const Material& of = content.scene->materials[material.material];
     Json samplers = Json::array();
@@ -157,6 +179,7 @@ Json material_entry(const ExportContent& content, const ContentMaterial& materia
     entry["stages"] = material.stages;
     entry["samplers"] = samplers;
     entry["uniforms"] = uniform_entries(content, material_values_by_name(of));
+    if (content.language == "wgsl") entry["webgpu"] = webgpu_entry(material, content.passes.size());
     return entry;
 }
 

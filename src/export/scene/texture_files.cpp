@@ -13,22 +13,22 @@ namespace quadrel {
 namespace {
 
 struct FormatNames {
-    const char *bits, *gl_suffix, *component_type, *dxgi_suffix;
+    const char *bits, *gl_suffix, *component_type, *dxgi_suffix, *webgpu_suffix;
 };
 
 FormatNames names_of(TexelFormat format) {
     switch (format) {
         case TexelFormat::unorm8:
         case TexelFormat::srgb8:
-            return {"8", "", "UNSIGNED_BYTE", "UNORM"};
+            return {"8", "", "UNSIGNED_BYTE", "UNORM", "unorm"};
         case TexelFormat::unorm16:
-            return {"16", "", "UNSIGNED_SHORT", "UNORM"};
+            return {"16", "", "UNSIGNED_SHORT", "UNORM", "unorm"};
         case TexelFormat::half:
-            return {"16", "F", "HALF_FLOAT", "FLOAT"};
+            return {"16", "F", "HALF_FLOAT", "FLOAT", "float"};
         case TexelFormat::float32:
             break;
     }
-    return {"32", "F", "FLOAT", "FLOAT"};
+    return {"32", "F", "FLOAT", "FLOAT", "float"};
 }
 
 template <class Number>
@@ -63,8 +63,8 @@ namespace {
 
 TexelLayout layout_of_channels(const Texture& texture, const std::string& language, int channels,
                                float lacking) {
-    TexelLayout layout{texture.format(), channels, lacking, "", "", "", ""};
-    if (layout.format == TexelFormat::unorm16 && language == "glsl-es")
+    TexelLayout layout{texture.format(), channels, lacking, "", "", "", "", ""};
+    if (layout.format == TexelFormat::unorm16 && (language == "glsl-es" || language == "wgsl"))
         layout.format = TexelFormat::float32;
     const bool is_srgb = layout.format == TexelFormat::srgb8;
     if (is_srgb) layout.channels = 4;
@@ -78,6 +78,9 @@ TexelLayout layout_of_channels(const Texture& texture, const std::string& langua
                 : std::string(components[layout.channels - 1]) + names.bits + names.gl_suffix;
     for (int c = 0; c < layout.channels; ++c) layout.dxgi += letters[c] + std::string(names.bits);
     layout.dxgi += std::string("_") + names.dxgi_suffix + (is_srgb ? "_SRGB" : "");
+    static constexpr const char* lower[] = {"r", "rg", "", "rgba"};
+    layout.webgpu = std::string(lower[layout.channels - 1]) + names.bits + names.webgpu_suffix +
+                    (is_srgb ? "-srgb" : "");
     return layout;
 }
 

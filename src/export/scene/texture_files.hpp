@@ -12,12 +12,12 @@ struct TexelLayout {
     TexelFormat format;
     int channels;       ///< 1, 2 or 4
     float lacking = 0;  ///< what stands in the first three channels of those that a texture lacks
-    /// As OpenGL (without GL_) and DXGI call it.
-    std::string internal_format, components, component_type, dxgi;
+    /// As OpenGL (without GL_), DXGI and WebGPU call it.
+    std::string internal_format, components, component_type, dxgi, webgpu;
 };
 
 /// How a texture is handed over: in its own format, but for what a language's interface cannot
-/// filter (16-bit codes in OpenGL ES: as floats) or has in four channels alone (sRGB).
+/// filter (16-bit codes in OpenGL ES and WebGPU: as floats) or has in four channels alone (sRGB).
 TexelLayout texel_layout(const Texture& texture, const std::string& language);
 
 /// The same of depth layers: four channels, since those that a map lacks are 1, the bottom, where a

@@ -29,8 +29,16 @@ std::vector<double> odd_values(const ParameterText& text) {
     return values;
 }
 
-/// The shortest digits.
-std::string number(double value) {
+/// "steps along the ray; 1 to 4096, default 32"
+std::string comment(const ParameterText& text, bool has_least, bool has_most) {
+    return std::string(text.meaning) + "; " + (has_least ? "" : "above ") +
+           shortest_number(text.minimum) + " to " + (has_most ? "" : "below ") +
+           shortest_number(text.maximum) + ", default " + shortest_number(text.default_value);
+}
+
+}  // namespace
+
+std::string shortest_number(double value) {
     char text[40];
     if (value == std::floor(value) && std::fabs(value) < 1e9) {
         std::snprintf(text, sizeof text, "%.0f", value);
@@ -42,15 +50,6 @@ std::string number(double value) {
     }
     return text;
 }
-
-/// "steps along the ray; 1 to 4096, default 32"
-std::string comment(const ParameterText& text, bool has_least, bool has_most) {
-    return std::string(text.meaning) + "; " + (has_least ? "" : "above ") + number(text.minimum) +
-           " to " + (has_most ? "" : "below ") + number(text.maximum) + ", default " +
-           number(text.default_value);
-}
-
-}  // namespace
 
 NamedParameters::NamedParameters(const RecordedStage& stage, const ShaderScene& scene,
                                  const void* params)
@@ -298,7 +297,7 @@ std::string NamedParameters::written_in(const Graph& graph) const {
         if (has_name || !changes(p, plain)) continue;
         const std::optional<double> value = value_of(p);
         std::string is = value ? std::string(name_of_value(text, *value)) : "as given";
-        if (is.empty()) is = number(*value);
+        if (is.empty()) is = shortest_number(*value);
         all += (all.empty() ? "" : ", ") + std::string(text.name) + " = " + is;
     }
     return all;

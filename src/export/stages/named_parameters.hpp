@@ -14,6 +14,9 @@
 
 namespace quadrel::recorded {
 
+/// The fewest digits that read back as the number; whole ones without a point.
+std::string shortest_number(double value);
+
 class NamedParameters {
   public:
     /// `params`: the stage's Params, or null for the defaults.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <map>
 
 #include "export/print/fold.hpp"
 #include "export/print/wrapped_line.hpp"
@@ -33,11 +34,25 @@ std::string wrap_text(const PlainScene& plain) {
     return u == v ? u : u + " along u and " + v + " along v";
 }
 
-/// Parameters as uniforms of their names.
-void make_uniforms(Graph& graph) {
-    for (const Parameter& of : graph.parameters)
+/// What a uniform is, and what it is to be set to where that is not its default.
+std::string comment_with_value(const Parameter& of) {
+    const std::string value = shortest_number(of.value);
+    return of.comment.ends_with(" default " + value) ? of.comment : of.comment + ", here " + value;
+}
+
+void rename_symbol(Graph& graph, const std::string& from, const std::string& to) {
+    for (const auto& node : graph.nodes)
+        if (node->kind == Node::Kind::symbol && node->text == from) node->text = to;
+}
+
+/// Parameters as uniforms of their names, those in `apart` behind the function's.
+void make_uniforms(Graph& graph, const std::string& function, const std::set<std::string>& apart) {
+    for (const Parameter& of : graph.parameters) {
+        const std::string name = apart.count(of.name) != 0 ? function + "_" + of.name : of.name;
+        if (name != of.name) rename_symbol(graph, of.name, name);
         graph.uniforms.push_back(
-            {of.name, of.type == Type::integer ? "int" : "float", 0, of.comment});
+            {name, of.type == Type::integer ? "int" : "float", 0, comment_with_value(of)});
+    }
     graph.parameters.clear();
 }
 
@@ -54,14 +69,15 @@ std::string as_word(const std::string& text) {
 
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect,
-                         const std::string& suffix, ParametersAs parameters_as) {
+                         const std::string& suffix, ParametersAs parameters_as,
+                         const std::set<std::string>& apart) {
     FunctionText result;
     result.name = function_name(*stage.text) + suffix;
     const NamedParameters parameters(stage, scene, params);
     Graph graph;
     parameters.record(graph);
     const std::string written_in = parameters.written_in(graph);
-    if (parameters_as == ParametersAs::uniforms) make_uniforms(graph);
+    if (parameters_as == ParametersAs::uniforms) make_uniforms(graph, result.name, apart);
     Folder(graph).run();
     const Helpers helpers(graph, outputs, as_word(stage.text->id) + suffix);
     std::vector<std::string> taken = parameters.names();
@@ -84,30 +100,42 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     return result;
 }
 
-std::string assumptions(const RecordedStage& stage, const FunctionText& function,
-                        const PlainScene& plain, int light) {
+std::set<std::string> differing_uniforms(const std::vector<FunctionText>& functions) {
+    std::map<std::string, Uniform> known;
+    std::set<std::string> differing;
+    for (const FunctionText& function : functions)
+        for (const Uniform& of : function.uniforms) {
+            const Uniform& first = known.emplace(of.name, of).first->second;
+            if (first.type != of.type || first.count != of.count || first.comment != of.comment)
+                differing.insert(of.name);
+        }
+    return differing;
+}
+
+std::vector<std::string> assumptions(const RecordedStage& stage, const FunctionText& function,
+                                     const PlainScene& plain, int light) {
     const std::string room = stage.text->room;
-    std::string lines;
+    std::vector<std::string> all;
     if (room == "trace")
-        lines += comment("For a relief whose seat is " + seat_text(plain.seat) +
-                         ": uv is where the ray passes that height.");
+        all.push_back("For a relief whose seat is " + seat_text(plain.seat) +
+                      ": uv is where the ray passes that height.");
     if (room == "trace" || room == "shadow" || room == "occlusion" || room == "surface")
-        lines += comment("Where it goes by texels: maps of " + std::to_string(plain.side) + "^2, " +
-                         wrap_text(plain) + " (--side, --wrap).");
+        all.push_back("Where it goes by texels: maps of " + std::to_string(plain.side) + "^2, " +
+                      wrap_text(plain) + " (--side, --wrap).");
     for (const TextureSlot slot : {TextureSlot::horizon, TextureSlot::horizon_sampled,
                                    TextureSlot::distance, TextureSlot::distance_exact})
         for (const Uniform& uniform : function.uniforms)
             if (uniform.name == map_name(slot))
-                lines += comment("Written for a " + uniform.name +
-                                 " of one layer, and bakes have more: a scene that is exported as "
-                                 "a whole has the function for its own.");
+                all.push_back("Written for a " + uniform.name +
+                              " of one layer, and bakes have more: a scene that is exported as "
+                              "a whole has the function for its own.");
     for (const Uniform& uniform : function.uniforms)
         if (uniform.name == "light0_position")
-            lines += comment(
+            all.emplace_back(
                 "Light 0 is directional: light0_position is the direction to it. The others are "
                 "points.");
-    if (room == "shadow") lines += comment("Of light " + std::to_string(light) + " (--light).");
-    return lines;
+    if (room == "shadow") all.push_back("Of light " + std::to_string(light) + " (--light).");
+    return all;
 }
 
 void add_uniforms(std::vector<Uniform>& all, const std::vector<Uniform>& more) {
@@ -118,10 +146,13 @@ void add_uniforms(std::vector<Uniform>& all, const std::vector<Uniform>& more) {
 }
 
 std::string whole_file(const std::string& functions, const std::vector<Uniform>& uniforms,
-                       const Dialect& dialect) {
-    std::string file;
-    for (const std::string& part : {dialect.first_lines(functions), dialect.prelude(functions),
-                                    dialect.uniforms(uniforms, functions), functions})
+                       const Dialect& dialect, const std::vector<std::string>& comments) {
+    std::string file = dialect.first_lines(functions);
+    std::set<std::string> said;
+    for (const std::string& text : comments)
+        if (said.insert(text).second) file += comment(text);
+    for (const std::string& part :
+         {dialect.prelude(functions), dialect.uniforms(uniforms, functions), functions})
         if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
     return file;
 }

@@ -24,22 +24,29 @@ struct FunctionText {
 enum class ParametersAs { constants, uniforms };
 
 /// `params`: the stage's, or null for the defaults. `outputs`: those that are needed; all if empty.
-/// `suffix`: of the function's name. Throws RecordingError.
+/// `suffix`: of the function's name. `apart`: parameters whose uniforms have the function's name in
+/// front of theirs, since another function has others of that name. Throws RecordingError.
 FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, const void* params,
                          const std::set<std::string>& outputs, const Dialect& dialect,
                          const std::string& suffix = "",
-                         ParametersAs parameters = ParametersAs::constants);
+                         ParametersAs parameters = ParametersAs::constants,
+                         const std::set<std::string>& apart = {});
 
-/// What the function takes for granted of its scene, of which a shader cannot tell: comment lines.
-std::string assumptions(const RecordedStage& stage, const FunctionText& function,
-                        const PlainScene& plain, int light);
+/// Names of uniforms that some of the functions declare differently from others: of another type,
+/// meaning or value.
+std::set<std::string> differing_uniforms(const std::vector<FunctionText>& functions);
+
+/// What the function takes for granted of its scene, of which a shader cannot tell: comments.
+std::vector<std::string> assumptions(const RecordedStage& stage, const FunctionText& function,
+                                     const PlainScene& plain, int light);
 
 /// Adds those of `more` that `all` has not.
 void add_uniforms(std::vector<Uniform>& all, const std::vector<Uniform>& more);
 
 /// Texts of functions with all that they need, which is there once: version, constants, uniforms.
+/// `comments`, each once, come before all but the version.
 std::string whole_file(const std::string& functions, const std::vector<Uniform>& uniforms,
-                       const Dialect& dialect);
+                       const Dialect& dialect, const std::vector<std::string>& comments = {});
 
 /// A word of letters, digits and underscores.
 std::string as_word(const std::string& text);

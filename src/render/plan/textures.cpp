@@ -1,6 +1,7 @@
 #include "render/plan/textures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -169,6 +170,33 @@ std::shared_ptr<const Texture> bake_need(const Scene& scene, const Need& need,
     }
 }
 
+/// Solids between depth layers are told by their order: depths in [0, 1], none in front of the one
+/// before. Looked at once for each content of the cache; not where the scene arranges channels
+/// itself, as published listings want them.
+void check_layer_order(const Scene& scene, const Need& need, const Texture& layers,
+                       TextureCache& cache) {
+    const TextureView& view = layers.view();
+    const auto check = [&](const float* depths, int texel) {
+        float before = 0;
+        for (int c = 0; c < view.channels; ++c) {
+            if (depths[c] < before || depths[c] > 1)
+                throw InputError(
+                    scene.file.string(), need.reference.key,
+                    fmt::format("{}: depths {} at texel {},{}", need.reference.file.string(),
+                                fmt::join(depths, depths + view.channels, ", "),
+                                texel % view.width[0], texel / view.width[0]),
+                    "depths in [0, 1], each at or behind the one before");
+            if (depths[c] == depths[c]) before = depths[c];
+        }
+    };
+    cache.range("order of layers " + layers.id(), [&] {
+        const float* const texels = layers.level_texels(0, 0);
+        for (int i = 0; i < view.width[0] * view.height[0]; ++i)
+            check(texels + static_cast<std::ptrdiff_t>(i) * view.channels, i);
+        return ValueRange{0, 1};
+    });
+}
+
 }  // namespace
 
 std::string height_swizzle(const TextureReference& reference) {
@@ -191,6 +219,8 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
         const auto i = static_cast<std::size_t>(need.slot);
+        if (need.slot == TextureSlot::layers && need.reference.swizzle.empty())
+            check_layer_order(scene, need, *loaded[n], cache);
         out.owned[i] = need.slot >= first_baked_slot
                            ? bake_need(scene, need, *loaded[n], cache, baking)
                            : loaded[n];

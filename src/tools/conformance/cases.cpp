@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "file/data_path.hpp"
 #include "quadrel/error.hpp"
@@ -66,7 +67,11 @@ Scene scene_of(const Case& what, const std::string& hardware) {
         overrides.push_back(texture_override(
             "height", height->second.swizzle == "a" ? map.normal_height : map.height));
     if (has_normals) overrides.push_back(texture_override("normal", map.normal_height));
-    return load_scene(name, overrides);
+    Scene scene = load_scene(name, overrides);
+    // Maps that cases share are loaded, and what is derived from them is, once.
+    static const auto cache = std::make_shared<TextureCache>();
+    scene.texture_cache = cache;
+    return scene;
 }
 
 std::string hardware_of(const std::string& renderer) {

@@ -6,9 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <set>
 
+#include "conformance/reruns.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
@@ -42,12 +44,13 @@ class Judge {
     Judge(const Scene& scene, const Film& found, const JudgeOptions& options)
         : scene_(scene),
           options_(options),
-          found_(std::make_shared<const Film>(found)),
+          found_(found),
+          reruns_(scene, options.threads),
           command_(scene, select_kernels(RenderOptions()), "auto") {
         std::vector<std::string> names;
         for (const Plane& plane : found.planes)
             if (find_channel(plane.name) != nullptr) names.push_back(plane.name);
-        reference_ = rendered(names, nullptr);
+        reference_ = reruns_.reference(names);
         groups_ = groups_of(reference_, found);
         skipped_.resize(found.window.area(), false);
     }
@@ -62,29 +65,29 @@ class Judge {
         return reports;
     }
 
-  private:
-    /// A render of channels with the earlier values of a film; null: with none.
-    Film rendered(const std::vector<std::string>& channels, std::shared_ptr<const Film> earlier,
-                  const std::string& limits = "", const std::optional<Window>& window = {}) const {
-        RenderOptions options;
-        options.channels = channels;
-        options.limits = limits;
-        options.window = window;
-        if (earlier && !earlier_.empty())
-            options.injected = {{fmt::format("{}", fmt::join(earlier_, ",")), std::move(earlier),
-                                 "the implementation's image"}};
-        return render(scene_, options);
+    /// Pixels of a group that nothing explains, or that were not looked at.
+    std::set<std::size_t> not_explained(const std::string& group) const {
+        const auto found = not_explained_.find(group);
+        return found != not_explained_.end() ? found->second : std::set<std::size_t>();
     }
 
+  private:
     std::uint32_t found_bits(const std::string& channel, std::size_t i) const {
-        return found_->find(channel)->bits[i];
+        return found_.find(channel)->bits[i];
     }
+    /// Where a pixel of the frame lies in a film of a part of it.
+    std::size_t in(const Film& film, std::size_t i) const { return film.index(x_of(i), y_of(i)); }
     bool equals(const Film& film, const std::string& channel, std::size_t i) const {
-        return film.find(channel)->bits[i] == found_bits(channel, i);
+        return film.find(channel)->bits[in(film, i)] == found_bits(channel, i);
     }
     bool equals(const Film& film, const Group& group, std::size_t i) const {
         return std::ranges::all_of(group.channels,
                                    [&](const std::string& name) { return equals(film, name, i); });
+    }
+
+    /// The implementation's values of the groups before, around these pixels.
+    Film given(const std::vector<std::size_t>& pixels) const {
+        return part_of(found_, earlier_, window_around(pixels, found_.window));
     }
 
     GroupReport judge(const Group& group) {
@@ -102,12 +105,22 @@ class Judge {
             return report;
         }
         if (!pixels.empty())
-            own_ = earlier_.empty() ? reference_ : rendered(group.channels, found_);
+            own_ = earlier_.empty() ? reference_
+                                    : reruns_.made_of(group.channels, earlier_, given(pixels));
+        std::set<std::size_t> departed(pixels.begin(), pixels.end());
         if (!pixels.empty()) take_inherited(group, pixels, report);
+        for (const std::size_t i : pixels) departed.erase(i);
         if (!pixels.empty()) take_rounded(group, pixels, report);
+        departed.insert(pixels.begin(), pixels.end());
+        if (!pixels.empty() && group.kind > GroupKind::hit) take_undefined(pixels, report);
         if (!pixels.empty()) take_perturbed(group, pixels, report);
         if (!pixels.empty()) take_legal(group, pixels, report);
+        if (!pixels.empty() && group.kind == GroupKind::geometry)
+            take_other_object(group, pixels, report);
+        if (!pixels.empty() && options_.implicit_in_loops) take_divergent(group, pixels, report);
+        if (!pixels.empty()) take_redrawn(group, pixels, report);
         give_up(group, pixels, report);
+        if (group.kind != GroupKind::level) departed_.insert(departed.begin(), departed.end());
         return report;
     }
 
@@ -190,13 +203,14 @@ class Judge {
         double longest = 0;
         for (const Plane& plane : own_.planes)
             if (vector_of(plane.name) == vector_of(name))
-                longest = std::max(longest, std::fabs(static_cast<double>(plane.as_float(i))));
+                longest =
+                    std::max(longest, std::fabs(static_cast<double>(plane.as_float(in(own_, i)))));
         return options_.errors.rounding * longest;
     }
 
     bool is_rounded(const std::string& name, std::size_t i) const {
         const double off = static_cast<double>(std::bit_cast<float>(found_bits(name, i))) -
-                           static_cast<double>(own_.find(name)->as_float(i));
+                           static_cast<double>(own_.find(name)->as_float(in(own_, i)));
         return std::fabs(off) <= rounding(name, i);
     }
 
@@ -211,6 +225,35 @@ class Judge {
         return is_component ? name.substr(0, dot) : name;
     }
 
+    /// Behind hits at NaN: no specification says what look-ups there give.
+    void take_undefined(std::vector<std::size_t>& pixels, GroupReport& report) const {
+        if (found_.find("hit.flags") == nullptr) return;
+        take(pixels, report, Verdict::open, [&](std::size_t i) {
+            return (found_bits("hit.flags", i) & HitFlag::nan_look_up) != 0;
+        });
+    }
+
+    /// Of searches, for hits and towards the first light.
+    void take_divergent(const Group& group, std::vector<std::size_t>& pixels,
+                        GroupReport& report) const {
+        const std::string steps = group.kind == GroupKind::hit ? "hit.steps" : "shadow.steps";
+        if ((group.kind != GroupKind::hit && group.kind != GroupKind::shadow) ||
+            found_.find(steps) == nullptr)
+            return;
+        take(pixels, report, Verdict::divergent, [&](std::size_t i) {
+            const int x = x_of(i) / 2 * 2, y = y_of(i) / 2 * 2;
+            for (const int dy : {0, 1})
+                for (const int dx : {0, 1}) {
+                    if (x + dx >= scene_.width || y + dy >= scene_.height) continue;
+                    const std::size_t other = found_.index(x + dx, y + dy);
+                    if (found_bits(steps, other) != found_bits(steps, i) ||
+                        reference_.find(steps)->bits[other] != reference_.find(steps)->bits[i])
+                        return true;
+                }
+            return false;
+        });
+    }
+
     void take_perturbed(const Group& group, std::vector<std::size_t>& pixels,
                         GroupReport& report) const {
         const auto perturbations = perturbations_of(group.kind, options_.errors);
@@ -223,20 +266,27 @@ class Judge {
                 const double moved =
                     moved_along(plane.name, group.kind, perturbation, options_.texel);
                 for (std::size_t p = 0; p < pixels.size(); ++p)
-                    brackets[c][p].include(number(plane, plane.bits[pixels[p]]) - moved);
+                    brackets[c][p].include(number(plane, plane.bits[in(film, pixels[p])]) - moved);
             }
         };
         include(own_, {});
+        // Where all values before are the reference's but for roundings, these are as good.
+        for (std::size_t c = 0; c < group.channels.size(); ++c) {
+            const Plane& plane = *reference_.find(group.channels[c]);
+            for (std::size_t p = 0; p < pixels.size(); ++p)
+                if (!departed_.contains(pixels[p]))
+                    brackets[c][p].include(number(plane, plane.bits[pixels[p]]));
+        }
+        const Film image = given(pixels);
         for (const Perturbation& perturbation : perturbations)
-            include(
-                rendered(group.channels, std::make_shared<const Film>(perturbed(
-                                             *found_, group.kind, perturbation, options_.texel))),
-                perturbation);
+            include(reruns_.made_of(group.channels, earlier_,
+                                    perturbed(image, group.kind, perturbation, options_.texel)),
+                    perturbation);
         std::size_t next = 0;
         take(pixels, report, Verdict::perturbed, [&](std::size_t i) {
             const std::size_t p = next++;
             for (std::size_t c = 0; c < group.channels.size(); ++c) {
-                const Plane& plane = *found_->find(group.channels[c]);
+                const Plane& plane = *found_.find(group.channels[c]);
                 if (!brackets[c][p].contains(number(plane, plane.bits[i]), rounding(plane.name, i)))
                     return false;
             }
@@ -250,9 +300,9 @@ class Judge {
     }
 
     /// The parts of the frame whose ranges are computed: quads, since most take long, and no more
-    /// than so many; all of it of a group that looks nothing up.
+    /// than so many; all that differs of a group that looks nothing up.
     std::vector<Window> windows(const Group& group, const std::vector<std::size_t>& pixels) const {
-        if (group.kind == GroupKind::level) return {found_->window};
+        if (group.kind == GroupKind::level) return {window_around(pixels, found_.window)};
         std::set<std::pair<int, int>> quads;
         for (const std::size_t i : pixels) quads.insert({y_of(i) / 2, x_of(i) / 2});
         const std::size_t most = std::max<std::size_t>(options_.most_ranged, 1);
@@ -266,41 +316,97 @@ class Judge {
         return chosen;
     }
 
-    void take_legal(const Group& group, std::vector<std::size_t>& pixels,
-                    GroupReport& report) const {
+    void take_legal(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
         std::vector<std::string> channels;
         for (const std::string& name : group.channels)
             if (has_range(name)) channels.push_back(name);
         if (channels.empty()) return;
         if (group.kind == GroupKind::hit) channels.emplace_back("undecided");
         std::set<std::size_t> legal, open, looked_at;
-        try {
-            for (const Window& window : windows(group, pixels)) {
-                const Film ranges = rendered(channels, found_, options_.limits, window);
-                for (const std::size_t i : pixels) {
-                    const int x = x_of(i), y = y_of(i);
-                    if (!contains(window, {x, y, x + 1, y + 1})) continue;
-                    looked_at.insert(i);
-                    bool is_open = false;
-                    if (is_legal(group, ranges, i, is_open)) (is_open ? open : legal).insert(i);
-                }
+        const auto look = [&](const Window& window, const Film& ranges) {
+            for (const std::size_t i : pixels) {
+                const int x = x_of(i), y = y_of(i);
+                if (!contains(window, {x, y, x + 1, y + 1})) continue;
+                looked_at.insert(i);
+                bool is_open = false;
+                if (is_legal(group, ranges, i, is_open)) (is_open ? open : legal).insert(i);
             }
+        };
+        try {
+            reruns_.ranges(channels, earlier_, given(pixels), options_.limits,
+                           windows(group, pixels), look);
         } catch (const UsageError& error) {
             report.note = error.what();
             return;
         }
         take(pixels, report, Verdict::legal, [&](std::size_t i) { return legal.contains(i); });
         take(pixels, report, Verdict::open, [&](std::size_t i) { return open.contains(i); });
-        take(pixels, report, Verdict::left, [&](std::size_t i) { return !looked_at.contains(i); });
+        std::set<std::size_t>& left = not_explained_[group.name];
+        take(pixels, report, Verdict::left,
+             [&](std::size_t i) { return !looked_at.contains(i) && left.insert(i).second; });
     }
 
-    int x_of(std::size_t i) const { return static_cast<int>(i) % found_->window.width(); }
-    int y_of(std::size_t i) const { return static_cast<int>(i) / found_->window.width(); }
+    /// Where two objects have the same depth but for roundings, either may be seen.
+    void take_other_object(const Group& group, std::vector<std::size_t>& pixels,
+                           GroupReport& report) {
+        if (scene_.objects.size() < 2) return;
+        std::vector<std::string> channels = group.channels;
+        channels.insert(channels.end(), {"A", "depth"});
+        const Film seen = reruns_.reference({"depth"});
+        std::set<std::size_t> others;
+        for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
+            Scene alone = scene_;
+            for (std::size_t of = 0; of < alone.objects.size(); ++of)
+                alone.objects[of].visible &= of == object;
+            const Film film = Reruns(alone, options_.threads).reference(channels);
+            for (const std::size_t i : pixels) {
+                const double depth = film.find("depth")->as_float(i),
+                             nearest = seen.find("depth")->as_float(i);
+                if (film.find("A")->as_float(i) > 0 && equals(film, group, i) &&
+                    std::fabs(depth - nearest) <= options_.errors.depth * std::fabs(nearest))
+                    others.insert(i);
+            }
+        }
+        for (const std::size_t i : others) skipped_[i] = true;
+        take(pixels, report, Verdict::coverage, [&](std::size_t i) { return others.contains(i); });
+    }
+
+    /// Where it is only the words of the shader that make the difference.
+    void take_redrawn(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
+        for (std::size_t n = 0; n < options_.redraws.size() && !pixels.empty(); ++n) {
+            const Redrawn& other = redrawn(n);
+            const std::set<std::size_t> left = other.judge->not_explained(group.name);
+            take(pixels, report, options_.redraws[n].verdict,
+                 [&](std::size_t i) { return !left.contains(i) && !equals(other.film, group, i); });
+        }
+    }
+
+    struct Redrawn {
+        Film film;
+        std::unique_ptr<Judge> judge;
+    };
+
+    const Redrawn& redrawn(std::size_t number) {
+        if (redrawn_.size() <= number) {
+            JudgeOptions options = options_;
+            options.redraws.clear();
+            // Films keep their place: judges refer to them.
+            auto other = std::make_unique<Redrawn>();
+            other->film = options_.redraws[number].draw();
+            other->judge = std::make_unique<Judge>(scene_, other->film, options);
+            other->judge->run();
+            redrawn_.push_back(std::move(other));
+        }
+        return *redrawn_[number];
+    }
+
+    int x_of(std::size_t i) const { return static_cast<int>(i) % found_.window.width(); }
+    int y_of(std::size_t i) const { return static_cast<int>(i) / found_.window.width(); }
 
     /// Whether each channel lies in its range. Integers have none: they may be others where a
     /// decision is open.
     bool is_legal(const Group& group, const Film& ranges, std::size_t i, bool& open) const {
-        const std::size_t in_quad = ranges.index(x_of(i), y_of(i));
+        const std::size_t in_quad = in(ranges, i);
         const Plane* const decisions = ranges.find("undecided");
         const bool undecided = decisions != nullptr && decisions->bits[in_quad] != 0;
         for (const std::string& name : group.channels) {
@@ -320,8 +426,8 @@ class Judge {
         return true;
     }
 
-    void give_up(const Group& group, const std::vector<std::size_t>& pixels,
-                 GroupReport& report) const {
+    void give_up(const Group& group, const std::vector<std::size_t>& pixels, GroupReport& report) {
+        not_explained_[group.name].insert(pixels.begin(), pixels.end());
         for (const std::size_t i : pixels) {
             count(report, Verdict::unexplained);
             if (report.examples.size() >= options_.examples) continue;
@@ -343,14 +449,19 @@ class Judge {
     }
 
     const Scene& scene_;
-    const JudgeOptions& options_;
-    std::shared_ptr<const Film> found_;
+    const JudgeOptions options_;
+    const Film& found_;
+    Reruns reruns_;
     ProbeCommand command_;
     Film reference_;
-    Film own_;  ///< of the group that is judged: from the implementation's earlier values
+    Film own_;  ///< of the group that is judged, around the pixels that differ: from the
+                ///< implementation's earlier values
     std::vector<Group> groups_;
     std::vector<std::string> earlier_;  ///< channels of the groups before
     std::vector<bool> skipped_;         ///< pixels that one side alone covers
+    std::map<std::string, std::set<std::size_t>> not_explained_;  ///< by group
+    std::set<std::size_t> departed_;  ///< pixels with a value that is more than roundings away
+    std::vector<std::unique_ptr<Redrawn>> redrawn_;  ///< those that were asked for
 };
 
 }  // namespace

@@ -2,13 +2,21 @@
 // data flow: whatever differs is explained, or it is not.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "conformance/perturbations.hpp"
 #include "conformance/verdicts.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel::conformance {
+
+/// The scene drawn once more by shaders that say the same in other words.
+struct Redraw {
+    Verdict verdict;  ///< of pixels that are explained then, and only then
+    std::function<Film()> draw;
+};
 
 struct JudgeOptions {
     std::string limits = "gl";  ///< as RenderOptions::limits
@@ -17,6 +25,9 @@ struct JudgeOptions {
     std::size_t most_ranged =
         200;                   ///< quads of a group whose ranges are computed; others are `left`
     std::size_t examples = 3;  ///< unexplained pixels that are named
+    int threads = 0;           ///< of renders, as RenderOptions has them
+    bool implicit_in_loops = false;  ///< whether loops of the shaders have implicit derivatives
+    std::vector<Redraw> redraws;     ///< asked in turn, where something is left unexplained
 };
 
 /// Judges `found`, a film of the scene's frame. A group's stages are given the implementation's own

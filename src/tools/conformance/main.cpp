@@ -2,19 +2,25 @@
 // every value that is not the reference's.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <iostream>
 #include <limits>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 
 #include "conformance/cases.hpp"
 #include "conformance/judge.hpp"
 #include "conformance/planted.hpp"
 #include "conformance/report.hpp"
+#include "conformance/rewrites.hpp"
 #include "export/scene/export_scene.hpp"
 #include "file/atomic_file.hpp"
 #include "file/temporary_folder.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/renderer_choice.hpp"
 #include "gl/scene/draw_scene.hpp"
 #include "quadrel/error.hpp"
 #include "run_tool.hpp"
@@ -27,9 +33,10 @@ struct Arguments {
     std::vector<std::string> rows, maps{"obstacles", "bricks", "dunes"};
     std::vector<int> angles{0, 45, 75, 85};
     int size = 256;
-    bool all = false, json = false, markdown = false, llvmpipe = false, planted = false,
-         quiet = false;
-    std::string output, renderer, hardware;
+    int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    bool all = false, json = false, markdown = false, planted = false, quiet = false;
+    gl::RendererChoice renderer;
+    std::string output, hardware;
     JudgeOptions judging;
     Bounds bounds;
 };
@@ -40,12 +47,13 @@ struct Drawn {
 };
 
 /// The row's scene as its export has it. Throws UsageError where it cannot be exported.
-Drawn exported(const Case& what, const std::string& hardware) {
+Drawn exported(const Case& what, const std::string& hardware, int threads) {
     Scene scene = scene_of(what, hardware);
     const TemporaryFolder work;
     const std::filesystem::path folder = work.path() / "export";
     SceneExport options;
     options.reference = false;
+    options.threads = threads;
     options.baking_limit = std::numeric_limits<double>::infinity();
     export_scene(scene, options, folder);
     return {gl::read_exported_scene(folder), std::move(scene)};
@@ -61,19 +69,26 @@ TexelSize texel_size(const gl::ExportedScene& scene) {
     return {};
 }
 
-CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOptions& judging) {
+CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOptions& judging,
+                    gl::Programs& programs) {
     CaseReport report{what.row, what.map, what.angle, {}, {}, {}};
     std::optional<Drawn> drawn;
     try {
-        drawn = exported(what, hardware);
+        drawn = exported(what, hardware, judging.threads);
     } catch (const UsageError& error) {
         report.refusal = error.what();
         return report;
     }
     JudgeOptions options = judging;
     options.texel = texel_size(drawn->scene);
+    options.implicit_in_loops = has_implicit_look_ups_in_loops(drawn->scene);
+    options.redraws = {
+        {Verdict::unordered,
+         [&] { return gl::draw_scene(with_comparisons(drawn->scene), {}, programs); }},
+        {Verdict::defect,
+         [&] { return gl::draw_scene(with_sizes_of_level_0(drawn->scene), {}, programs); }}};
     try {
-        report.groups = judge(drawn->source, gl::draw_scene(drawn->scene), options);
+        report.groups = judge(drawn->source, gl::draw_scene(drawn->scene, {}, programs), options);
     } catch (const std::runtime_error& error) {
         report.failure = error.what();
     }
@@ -92,7 +107,7 @@ bool run_planted(const Arguments& arguments, const std::string& hardware) {
     for (const std::string& row : arguments.rows) {
         const Case what{row, arguments.maps.front(), arguments.angles.front(), arguments.size};
         for (const PlantedError& error : planted_errors()) {
-            Drawn drawn = exported(what, hardware);
+            Drawn drawn = exported(what, hardware, 0);
             if (!error.plant(drawn.scene)) continue;
             JudgeOptions options = arguments.judging;
             options.texel = texel_size(drawn.scene);
@@ -107,20 +122,81 @@ bool run_planted(const Arguments& arguments, const std::string& hardware) {
     return all_found;
 }
 
+/// Rows side by side, each by a context of its own, in which its cases share their programs.
+class Workers {
+  public:
+    Workers(const Arguments& arguments, const std::string& hardware)
+        : arguments_(arguments), hardware_(hardware), reports_(arguments.rows.size()) {
+        if (arguments.jobs > 1) judging_.threads = 1;
+    }
+
+    /// The reports in the order of the rows.
+    std::vector<CaseReport> run() {
+        // Made one after the other, by what the environment says; they end when all is done.
+        std::vector<gl::Context> contexts;
+        for (int i = 0; i < arguments_.jobs; ++i) {
+            contexts.push_back(gl::chosen_context(arguments_.renderer));
+            contexts.back().release();
+        }
+        {
+            std::vector<std::jthread> threads;
+            for (const gl::Context& context : contexts)
+                threads.emplace_back([this, &context] { work_by(context); });
+        }
+        if (failure_) std::rethrow_exception(failure_);
+        std::vector<CaseReport> all;
+        for (std::vector<CaseReport>& row : reports_)
+            for (CaseReport& report : row) all.push_back(std::move(report));
+        return all;
+    }
+
+  private:
+    void work_by(const gl::Context& context) {
+        try {
+            context.make_current();
+            work();
+            context.release();
+        } catch (...) {
+            fail();
+        }
+    }
+
+    void work() {
+        for (std::size_t row = next_++; row < reports_.size(); row = next_++) {
+            gl::Programs programs;
+            for (const std::string& map : arguments_.maps)
+                for (const int angle : arguments_.angles) {
+                    const Case what{arguments_.rows[row], map, angle, arguments_.size};
+                    say(what);
+                    reports_[row].push_back(run_case(what, hardware_, judging_, programs));
+                }
+        }
+    }
+
+    void say(const Case& what) {
+        if (arguments_.quiet) return;
+        const std::lock_guard lock(mutex_);
+        std::cerr << what.row << ' ' << what.map << ' ' << what.angle << '\n';
+    }
+
+    void fail() {
+        const std::lock_guard lock(mutex_);
+        if (!failure_) failure_ = std::current_exception();
+        next_ = reports_.size();
+    }
+
+    const Arguments& arguments_;
+    const std::string& hardware_;
+    JudgeOptions judging_ = arguments_.judging;
+    std::vector<std::vector<CaseReport>> reports_;
+    std::atomic<std::size_t> next_ = 0;
+    std::mutex mutex_;
+    std::exception_ptr failure_;
+};
+
 Report run_cases(const Arguments& arguments, const std::string& hardware) {
-    Report report{gl::gl_string(GL_RENDERER),
-                  gl::gl_string(GL_VERSION),
-                  hardware,
-                  arguments.judging.limits,
-                  {}};
-    for (const std::string& row : arguments.rows)
-        for (const std::string& map : arguments.maps)
-            for (const int angle : arguments.angles) {
-                if (!arguments.quiet) std::cerr << row << ' ' << map << ' ' << angle << '\n';
-                report.cases.push_back(
-                    run_case({row, map, angle, arguments.size}, hardware, arguments.judging));
-            }
-    return report;
+    return {gl::gl_string(GL_RENDERER), gl::gl_string(GL_VERSION), hardware,
+            arguments.judging.limits, Workers(arguments, hardware).run()};
 }
 
 void write(const Arguments& arguments, const Report& report) {
@@ -153,13 +229,9 @@ void check(Arguments& arguments) {
 
 bool run(Arguments& arguments) {
     check(arguments);
-    const gl::Context context =
-        arguments.llvmpipe ? gl::Context::llvmpipe(0) : gl::Context::at_hand();
-    const std::string renderer = gl::gl_string(GL_RENDERER);
-    if (renderer.find(arguments.renderer) == std::string::npos)
-        throw std::runtime_error("skipped: the renderer is " + printable(renderer));
+    const gl::Context context = gl::chosen_context(arguments.renderer);
     const std::string hardware =
-        arguments.hardware.empty() ? hardware_of(renderer) : arguments.hardware;
+        arguments.hardware.empty() ? hardware_of(gl::gl_string(GL_RENDERER)) : arguments.hardware;
     if (arguments.planted) return run_planted(arguments, hardware);
     const Report report = run_cases(arguments, hardware);
     write(arguments, report);
@@ -180,6 +252,9 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--size", a.size, "pixels a side")
         ->check(CLI::Range(16, 4096))
         ->capture_default_str();
+    app.add_option("--jobs", a.jobs, "rows that are judged side by side")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     app.add_option("--hardware", a.hardware, "the reference's; else by the renderer's name");
     app.add_option("--limits", a.judging.limits,
                    "what an implementation may give, as render has it")
@@ -195,10 +270,7 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--json", a.json, "as JSON, with every case");
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
     app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");
-    app.add_flag("--llvmpipe", a.llvmpipe, "Mesa's llvmpipe, whatever else there is");
-    app.add_option("--renderer", a.renderer,
-                   "nothing (exit code 3) where its name has not this in it")
-        ->type_name("TEXT");
+    gl::add_renderer_options(app, a.renderer);
     app.add_flag(
         "--planted", a.planted,
         "whether errors that are planted into the rows' shaders are found, on the first map "

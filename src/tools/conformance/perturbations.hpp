@@ -20,7 +20,8 @@ struct PermittedErrors {
     double rounding = 0x1p-19;
     double weight = 0x1p-9;  ///< of a texel, each axis
     double level = 0x1p-4;
-    double ray = 0x1p-20;  ///< of K, relative
+    double ray = 0x1p-20;    ///< of K, relative
+    double depth = 0x1p-20;  ///< of a fragment in its window, relative: 16 ulp
 };
 
 /// One way to move what a group's stages are given.

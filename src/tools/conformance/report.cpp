@@ -83,10 +83,15 @@ std::vector<std::size_t> used_verdicts(const std::vector<RowSum>& rows) {
 }  // namespace
 
 bool conforms(const Report& report, const Bounds& bounds) {
-    const std::pair<Verdict, double> most[] = {
-        {Verdict::perturbed, bounds.perturbed}, {Verdict::legal, bounds.legal},
-        {Verdict::open, bounds.open},           {Verdict::left, bounds.left},
-        {Verdict::coverage, bounds.coverage},   {Verdict::unexplained, 0}};
+    const std::pair<Verdict, double> most[] = {{Verdict::perturbed, bounds.perturbed},
+                                               {Verdict::legal, bounds.legal},
+                                               {Verdict::open, bounds.open},
+                                               {Verdict::left, bounds.left},
+                                               {Verdict::coverage, bounds.coverage},
+                                               {Verdict::unordered, bounds.unordered},
+                                               {Verdict::defect, bounds.defect},
+                                               {Verdict::divergent, bounds.divergent},
+                                               {Verdict::unexplained, 0}};
     for (const CaseReport& one : report.cases) {
         if (!one.failure.empty()) return false;
         for (const GroupReport& group : one.groups)

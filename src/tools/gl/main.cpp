@@ -13,6 +13,7 @@
 #include "file/file_identity.hpp"
 #include "file/input_record.hpp"
 #include "gl/context/context.hpp"
+#include "gl/context/renderer_choice.hpp"
 #include "gl/probe/planted.hpp"
 #include "gl/probe/report/results.hpp"
 #include "gl/scene/draw_scene.hpp"
@@ -25,8 +26,9 @@ namespace {
 
 struct Arguments {
     bool info = false, probe = false, list = false, json = false, markdown = false, wide = false;
-    bool planted = false, llvmpipe = false;
-    std::string output, expected, renderer, folder;
+    bool planted = false;
+    RendererChoice renderer;
+    std::string output, expected, folder;
     std::vector<std::string> only;
     std::vector<int> passes;
 };
@@ -224,9 +226,7 @@ bool run(const Arguments& arguments) {
         write(arguments, list_text(arguments));
         return true;
     }
-    const Context context = arguments.llvmpipe ? Context::llvmpipe(0) : Context::at_hand();
-    if (gl_string(GL_RENDERER).find(arguments.renderer) == std::string::npos)
-        throw std::runtime_error("skipped: the renderer is " + printable(gl_string(GL_RENDERER)));
+    const Context context = chosen_context(arguments.renderer);
     if (arguments.info) {
         const nlohmann::ordered_json json = info();
         write(arguments, arguments.json ? json.dump(2) + "\n" : info_text(json));
@@ -252,10 +252,7 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
     app.add_option("-o,--output", a.output, "into a file; .json: as JSON; of a folder, the EXR")
         ->type_name("FILE");
-    app.add_flag("--llvmpipe", a.llvmpipe, "Mesa's llvmpipe, whatever else there is");
-    app.add_option("--renderer", a.renderer,
-                   "nothing (exit code 3) where its name has not this in it")
-        ->type_name("TEXT");
+    add_renderer_options(app, a.renderer);
     app.add_option("--expect", a.expected,
                    "fail where this preset does not agree in what it models")
         ->check(CLI::IsMember(preset_names()));

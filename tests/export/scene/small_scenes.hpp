@@ -1,6 +1,7 @@
 // The installed scenes with small pictures and small maps, so that all of them can be exported.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,21 @@ inline Image small_image() {
 
 class SmallScenes {
   public:
-    SmallScenes() : map_(folder_ / "map.exr") {
-        write_exr(map_, image_film(small_image(), false), {});
+    SmallScenes() : map_(folder_ / "map.exr"), layers_(folder_ / "layers.exr") {
+        Image image = small_image();
+        write_exr(map_, image_film(image, false), {});
+        for (auto texel = image.values.begin(); texel != image.values.end(); texel += 4)
+            std::sort(texel, texel + 4);
+        write_exr(layers_, image_film(image, false), {});
     }
 
     /// The scene at 16x16, all of its images the small one.
-    Scene load(const std::string& name) const {
-        Scene scene = load_scene(name, {"size=[16,16]"});
+    Scene load(const std::string& name, std::vector<std::string> overrides = {}) const {
+        overrides.emplace_back("size=[16,16]");
+        Scene scene = load_scene(name, overrides);
         for (Material& material : scene.materials)
             for (auto& [slot, texture] : material.textures) {
-                texture.file = map_;
+                texture.file = slot == "layers" ? layers_ : map_;
                 texture.selection = {};
                 texture.srgb = false;
                 if (texture.swizzle == "alpha-or-first") texture.swizzle = "a";
@@ -50,7 +56,7 @@ class SmallScenes {
 
   private:
     testing_films::TemporaryFolder folder_;
-    std::filesystem::path map_;
+    std::filesystem::path map_, layers_;  ///< layers in their order
 };
 
 /// Stages of a scene's visible objects that cannot be shaders, but for those of which nothing is

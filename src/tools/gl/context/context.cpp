@@ -115,9 +115,18 @@ Context::Context(Context&& other) noexcept
     : display_(std::exchange(other.display_, EGL_NO_DISPLAY)),
       context_(std::exchange(other.context_, EGL_NO_CONTEXT)) {}
 
+void Context::make_current() const {
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_))
+        throw std::runtime_error("EGL's context cannot be made current");
+}
+
+void Context::release() const {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
 Context::~Context() {
     if (display_ == EGL_NO_DISPLAY) return;
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (eglGetCurrentContext() == context_) release();
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
     eglTerminate(display_);
 }

@@ -23,6 +23,11 @@ class Context {
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
+    /// On this thread, in the place of any other; and on none. A thread that draws beside others
+    /// has a context of its own.
+    void make_current() const;
+    void release() const;
+
     /// 33, 40, ..., 46.
     int version() const { return epoxy_gl_version(); }
     /// Renderer and version, as the implementation names them.

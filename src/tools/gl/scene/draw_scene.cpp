@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "gl/context/context.hpp"
-#include "gl/context/program.hpp"
 #include "gl/context/sampler.hpp"
 #include "gl/scene/objects.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
+#include "quadrel/film/resolve.hpp"
 
 namespace quadrel::gl {
 namespace {
@@ -115,22 +115,21 @@ void draw_object(const ExportedScene& scene, const Draw& draw, GLuint program) {
                    reinterpret_cast<const void*>(4 * draw.first_index));
 }
 
-void draw_pass(const ExportedScene& scene, int pass, const SceneTextures& textures) {
+void draw_pass(const ExportedScene& scene, int pass, const SceneTextures& textures,
+               Programs& programs) {
     const Pass& targets = scene.passes[static_cast<std::size_t>(pass)];
     for (std::size_t i = 0; i < targets.size(); ++i)
         glClearBufferfv(GL_COLOR, static_cast<GLint>(i), targets[i].clear.data());
     const auto depth = static_cast<float>(scene.depth_clear);
     glClearBufferfv(GL_DEPTH, 0, &depth);
-    std::vector<std::unique_ptr<Program>> programs(scene.materials.size());
     for (const Draw& draw : scene.draws) {  // in order: depth may tie
         const ExportedMaterial& material = scene.materials[draw.material];
-        auto& program = programs[draw.material];
-        if (!program) program = std::make_unique<Program>(make_program(material, pass));
-        glUseProgram(program->id());
-        set_uniforms(program->id(), scene.uniforms);
-        set_uniforms(program->id(), material.uniforms);
-        const Samplers samplers(scene, material, textures, program->id());
-        draw_object(scene, draw, program->id());
+        const GLuint program = programs.of(material, pass);
+        glUseProgram(program);
+        set_uniforms(program, scene.uniforms);
+        set_uniforms(program, material.uniforms);
+        const Samplers samplers(scene, material, textures, program);
+        draw_object(scene, draw, program);
     }
     glUseProgram(0);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
@@ -143,17 +142,100 @@ std::uint32_t whole(float value) {
     return value >= 0x1p32f ? 0xffffffffu : static_cast<std::uint32_t>(std::floor(value + 0.5f));
 }
 
-/// Copies one component of a target into a plane, turned so that the image's top comes first.
-void copy_channel(const ExportedScene& scene, const std::vector<float>& values,
-                  std::size_t component, bool integer, Plane& plane) {
-    const auto width = static_cast<std::size_t>(scene.width),
-               height = static_cast<std::size_t>(scene.height);
-    for (std::size_t y = 0; y < height; ++y) {
-        const std::size_t row = scene.first_row_is_top ? y : height - 1 - y;
-        for (std::size_t x = 0; x < width; ++x) {
-            const float value = values[4 * (row * width + x) + component];
-            plane.bits[y * width + x] =
-                integer ? whole(value) : canonical_bits(std::bit_cast<std::uint32_t>(value));
+/// Four floats a pixel of one target, of each sample.
+using SampleValues = std::vector<std::vector<float>>;
+
+/// Where each pixel of the film lies in what is read back.
+class Rows {
+  public:
+    explicit Rows(const ExportedScene& scene)
+        : width_(static_cast<std::size_t>(scene.width)),
+          height_(static_cast<std::size_t>(scene.height)),
+          top_first_(scene.first_row_is_top) {}
+
+    std::size_t pixels() const { return width_ * height_; }
+    /// Of a pixel of the film, whose top row comes first.
+    std::size_t operator()(std::size_t pixel) const {
+        const std::size_t x = pixel % width_, y = pixel / width_;
+        return (top_first_ ? y : height_ - 1 - y) * width_ + x;
+    }
+
+  private:
+    std::size_t width_, height_;
+    bool top_first_;
+};
+
+std::uint32_t bits_of(float value, bool integer) {
+    return integer ? whole(value) : canonical_bits(std::bit_cast<std::uint32_t>(value));
+}
+
+/// Channels whose samples become one value; of others a pixel has that of its lowest covered
+/// sample.
+bool is_resolved(const std::string& channel) {
+    return channel == "R" || channel == "G" || channel == "B" || channel == "A" || channel == "Z";
+}
+
+float resolved(const std::string& channel, const SampleValues& samples, std::size_t at) {
+    std::vector<ColorSample> all(samples.size());
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        all[s].r = samples[s][at];  // colours and coverage are means, whichever it is
+        all[s].z = samples[s][at];
+    }
+    const ColorSample one = resolve(all);
+    return channel == "Z" ? one.z : one.r;
+}
+
+/// Copies one component of a target into a plane. `owners`: of each pixel as it is read back, the
+/// lowest sample that something covers.
+void copy_channel(const Rows& rows, const SampleValues& samples,
+                  const std::vector<std::uint8_t>& owners, std::size_t component, bool integer,
+                  Plane& plane) {
+    const bool resolves = samples.size() > 1 && is_resolved(plane.name);
+    for (std::size_t pixel = 0; pixel < rows.pixels(); ++pixel) {
+        const std::size_t row = rows(pixel), at = 4 * row + component;
+        plane.bits[pixel] = bits_of(resolves ? resolved(plane.name, samples, at)
+                                             : samples[owners.empty() ? 0 : owners[row]][at],
+                                    integer);
+    }
+}
+
+/// Of each pixel, window row 0 first, the lowest sample that something covers; 0 where none is.
+/// Empty where a pixel has one sample.
+std::vector<std::uint8_t> owners_of(const ExportedScene& scene, const FloatTargets& drawn,
+                                    const SampleReader* reader) {
+    if (reader == nullptr) return {};
+    std::vector<std::uint8_t> owners(Rows(scene).pixels(), 0);
+    for (int sample = scene.samples - 1; sample >= 0; --sample) {
+        const std::vector<float> depths = reader->read(drawn.depth(), sample);
+        for (std::size_t i = 0; i < owners.size(); ++i)
+            if (depths[4 * i] != static_cast<float>(scene.depth_clear))
+                owners[i] = static_cast<std::uint8_t>(sample);
+    }
+    return owners;
+}
+
+SampleValues values_of(const ExportedScene& scene, const FloatTargets& drawn,
+                       const SampleReader* reader, std::size_t target) {
+    if (reader == nullptr) return {drawn.read(target)};
+    SampleValues values;
+    for (int sample = 0; sample < scene.samples; ++sample)
+        values.push_back(reader->read(drawn.color(target), sample));
+    return values;
+}
+
+/// Adds the channels of what a pass has drawn.
+void add_channels(const ExportedScene& scene, const Pass& targets, const FloatTargets& drawn,
+                  const SampleReader* reader, Film& film) {
+    const std::vector<std::uint8_t> owners = owners_of(scene, drawn, reader);
+    const Rows rows(scene);
+    for (std::size_t target = 0; target < targets.size(); ++target) {
+        const SampleValues values = values_of(scene, drawn, reader, target);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const TargetChannel& channel = targets[target].channels[c];
+            if (channel.name.empty() || film.find(channel.name) != nullptr) continue;
+            Plane& plane = film.add(channel.name,
+                                    channel.integer ? ChannelType::uint32 : ChannelType::float32);
+            copy_channel(rows, values, owners, c, channel.integer, plane);
         }
     }
 }
@@ -179,28 +261,33 @@ void check_passes(const ExportedScene& scene, const std::vector<int>& passes) {
 
 }  // namespace
 
+GLuint Programs::of(const ExportedMaterial& material, int pass) {
+    const std::string key = fmt::format("{}\n{}\n{}", pass, material.vertex, material.fragment);
+    const auto found = known_.find(key);
+    if (found != known_.end()) return found->second.id();
+    return known_.emplace(key, make_program(material, pass)).first->second.id();
+}
+
 Film draw_scene(const ExportedScene& scene, const std::vector<int>& passes) {
+    Programs programs;
+    return draw_scene(scene, passes, programs);
+}
+
+Film draw_scene(const ExportedScene& scene, const std::vector<int>& passes, Programs& programs) {
     check_passes(scene, passes);
     const Window frame{0, 0, scene.width, scene.height};
     Film film{frame, frame, {}};
     const SceneBuffers buffers(scene);
     const SceneTextures textures(scene);
-    set_state(scene);
+    std::optional<SampleReader> reader;
+    if (scene.samples > 1) reader.emplace(scene.width, scene.height);
     for (int pass = 0; pass < static_cast<int>(scene.passes.size()); ++pass) {
         if (!passes.empty() && std::ranges::count(passes, pass) == 0) continue;
         const Pass& targets = scene.passes[static_cast<std::size_t>(pass)];
-        const FloatTargets drawn(scene.width, scene.height, targets.size());
-        draw_pass(scene, pass, textures);
-        for (std::size_t target = 0; target < targets.size(); ++target) {
-            const std::vector<float> values = drawn.read(target);
-            for (std::size_t c = 0; c < 4; ++c) {
-                const TargetChannel& channel = targets[target].channels[c];
-                if (channel.name.empty() || film.find(channel.name) != nullptr) continue;
-                Plane& plane = film.add(
-                    channel.name, channel.integer ? ChannelType::uint32 : ChannelType::float32);
-                copy_channel(scene, values, c, channel.integer, plane);
-            }
-        }
+        const FloatTargets drawn(scene.width, scene.height, targets.size(), scene.samples);
+        set_state(scene);
+        draw_pass(scene, pass, textures, programs);
+        add_channels(scene, targets, drawn, reader ? &*reader : nullptr, film);
     }
     clear_uncovered(film);
     return film;

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <cstdlib>
+#include <cstring>
 
+#include "export/table.hpp"
 #include "file/read_file.hpp"
 #include "io/document/value.hpp"
 
@@ -42,6 +46,8 @@ constexpr Word<GLenum> front_faces[] = {{"ccw", GL_CCW}, {"cw", GL_CW}};
 constexpr Word<std::optional<GLenum>> culls[] = {
     {"none", std::nullopt}, {"back", GL_BACK}, {"front", GL_FRONT}};
 constexpr int largest_side = 65536, most_elements = 1 << 28;
+/// What OpenGL 3.3 has at least: samplers of a fragment shader, attributes, components of uniforms.
+constexpr int most_samplers = 16, most_attributes = 16, most_in_array = 1024;
 
 /// Calls `take` with each element of an array.
 template <class Take>
@@ -90,6 +96,13 @@ float real_of(const SceneValue& value) {
     return value.json().is_string() ? number_of(value) : static_cast<float>(value.number());
 }
 
+SceneValue at_most(const SceneValue& array, std::size_t most, const char* what) {
+    if (array.json().is_array() && array.json().size() > most)
+        array.fail(fmt::format("{} {}", array.json().size(), what),
+                   fmt::format("{} at most", most));
+    return array;
+}
+
 SceneValue four_of(const SceneValue& array, const char* what) {
     if (!array.json().is_array() || array.json().size() != 4)
         array.reject(fmt::format("four {}", what));
@@ -101,7 +114,7 @@ Uniform read_uniform(const SceneValue& value) {
     Uniform uniform;
     uniform.name = fields.get("name").string();
     uniform.components = fields.get("type").word(uniform_types);
-    const int count = fields.get("count").integer(0, most_elements);
+    const int count = fields.get("count").integer(0, most_in_array);
     uniform.values = read_all<float>(fields.get("hex"), number_of);
     const auto expected = static_cast<std::size_t>(std::max(count, 1) * uniform.components);
     if (uniform.values.size() != expected)
@@ -119,6 +132,25 @@ int channels_of(GLenum format) {
 }
 
 int bytes_of(GLenum type) { return type == GL_UNSIGNED_BYTE ? 1 : type == GL_FLOAT ? 4 : 2; }
+
+/// Of mip levels each has half the size of the one before, rounded down; or look-ups give nothing.
+void check_levels(const ExportedTexture& texture, const SceneValue& named) {
+    const std::vector<TextureLevel>& levels = texture.levels;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        const int width = std::max(levels[i - 1].width / 2, 1),
+                  height = std::max(levels[i - 1].height / 2, 1);
+        if (levels[i].width != width || levels[i].height != height)
+            named.fail(fmt::format("{}, whose level {} has {}x{} texels", texture.name, i,
+                                   levels[i].width, levels[i].height),
+                       fmt::format("{}x{}, half of the level before", width, height));
+    }
+}
+
+/// An index into a list of so many.
+std::size_t index_of(const SceneValue& value, std::size_t count, const char* of) {
+    if (count == 0) value.reject(fmt::format("nothing, since the manifest has no {}", of));
+    return static_cast<std::size_t>(value.integer(0, static_cast<int>(count) - 1));
+}
 
 ExportedTexture read_texture(const std::filesystem::path& folder, const SceneValue& value) {
     Fields fields(value);
@@ -145,15 +177,19 @@ ExportedTexture read_texture(const std::filesystem::path& folder, const SceneVal
                                                                 bytes_of(texture.type)));
     });
     if (texture.levels.empty()) fields.get("levels").reject("one level at least");
+    const TextureLevel& first = texture.levels.front();
+    if (texture.target == GL_TEXTURE_CUBE_MAP && first.width != first.height)
+        fields.get("levels").element(0).fail(fmt::format("{}x{}", first.width, first.height),
+                                             "faces of a cube, as wide as high");
     return texture;
 }
 
-ExportedSampler read_sampler(const SceneValue& value, std::size_t textures) {
+ExportedSampler read_sampler(const SceneValue& value,
+                             const std::vector<ExportedTexture>& textures) {
     Fields fields(value);
     ExportedSampler sampler;
     sampler.uniform = fields.get("uniform").string();
-    sampler.texture =
-        static_cast<std::size_t>(fields.get("texture").integer(0, static_cast<int>(textures) - 1));
+    sampler.texture = index_of(fields.get("texture"), textures.size(), "textures");
     const SceneValue wrap = fields.get("wrap");
     if (!wrap.json().is_array() || wrap.json().size() != 2) wrap.reject("two wrap modes");
     SamplerState& state = sampler.state;
@@ -162,6 +198,8 @@ ExportedSampler read_sampler(const SceneValue& value, std::size_t textures) {
     fields.read("mag", state.mag, filters);
     fields.read("min", state.min, filters);
     fields.read("mip", state.mip, mip_filters);
+    if (state.mip != MipFilter::none)
+        check_levels(textures[sampler.texture], fields.get("texture"));
     const SceneValue border = four_of(fields.get("border"), "numbers");
     for (std::size_t i = 0; i < 4; ++i) state.border[i] = real_of(border.element(i));
     state.lod_bias = real_of(fields.get("lod_bias"));
@@ -171,7 +209,7 @@ ExportedSampler read_sampler(const SceneValue& value, std::size_t textures) {
 }
 
 ExportedMaterial read_material(const std::filesystem::path& folder, const SceneValue& value,
-                               std::size_t textures) {
+                               const std::vector<ExportedTexture>& textures) {
     Fields fields(value);
     ExportedMaterial material;
     material.name = fields.get("name").string();
@@ -181,7 +219,8 @@ ExportedMaterial read_material(const std::filesystem::path& folder, const SceneV
     material.fragment_file = fragment.string();
     material.cull = fields.get("cull").word(culls);
     material.samplers = read_all<ExportedSampler>(
-        fields.get("samplers"), [&](const SceneValue& one) { return read_sampler(one, textures); });
+        at_most(fields.get("samplers"), most_samplers, "samplers"),
+        [&](const SceneValue& one) { return read_sampler(one, textures); });
     material.uniforms = read_uniforms(fields.get("uniforms"));
     return material;
 }
@@ -190,12 +229,13 @@ Draw read_draw(const SceneValue& value, std::size_t materials, std::size_t indic
     Fields fields(value);
     Draw draw;
     draw.object = fields.get("object").string();
-    draw.material = static_cast<std::size_t>(
-        fields.get("material").integer(0, static_cast<int>(materials) - 1));
+    draw.material = index_of(fields.get("material"), materials, "materials");
     draw.first_index =
         static_cast<std::size_t>(fields.get("first_index").integer(0, static_cast<int>(indices)));
-    draw.index_count = static_cast<std::size_t>(
-        fields.get("index_count").integer(0, static_cast<int>(indices - draw.first_index)));
+    const SceneValue count = fields.get("index_count");
+    draw.index_count =
+        static_cast<std::size_t>(count.integer(0, static_cast<int>(indices - draw.first_index)));
+    if (draw.index_count % 3 != 0) count.reject("whole triangles, a multiple of 3");
     draw.uniforms = read_uniforms(fields.get("uniforms"));
     return draw;
 }
@@ -219,7 +259,10 @@ Target read_target(const SceneValue& value) {
 }
 
 Pass read_pass(const SceneValue& value) {
-    return read_all<Target>(Fields(value).get("targets"), read_target);
+    const SceneValue targets = Fields(value).get("targets");
+    const Pass pass = read_all<Target>(at_most(targets, most_targets, "targets"), read_target);
+    if (pass.empty()) targets.reject("one target at least");
+    return pass;
 }
 
 void read_state(ExportedScene& scene, const SceneValue& value) {
@@ -236,24 +279,37 @@ void read_state(ExportedScene& scene, const SceneValue& value) {
 
 void read_vertices(ExportedScene& scene, const SceneValue& value) {
     Fields fields(value);
-    scene.stride = static_cast<std::size_t>(fields.get("stride").integer(4, 1 << 16));
+    // OpenGL 4.4 has strides of 2048 bytes at least.
+    const int stride = fields.get("stride").integer(4, 2048);
+    if (stride % 4 != 0) fields.get("stride").reject("a multiple of 4, the size of a float");
+    scene.stride = static_cast<std::size_t>(stride);
     const auto count = static_cast<std::size_t>(fields.get("count").integer(0, most_elements));
     scene.vertices = bytes_of(scene.folder, fields.get("file"), count * scene.stride);
     each(fields.get("attributes"), [&](const SceneValue& one) {
         Fields attribute(one);
         VertexAttribute& read = scene.attributes.emplace_back();
         read.name = attribute.get("name").string();
-        read.location = attribute.get("location").integer(0, 15);
-        read.components = attribute.get("components").integer(1, 4);
-        read.offset = static_cast<std::size_t>(attribute.get("offset").integer(
-            0, static_cast<int>(scene.stride) - 4 * read.components));
+        read.location = attribute.get("location").integer(0, most_attributes - 1);
+        read.components = attribute.get("components").integer(1, std::min(stride / 4, 4));
+        read.offset = static_cast<std::size_t>(
+            attribute.get("offset").integer(0, stride - 4 * read.components));
     });
 }
 
+/// Indices are of vertices that there are: what lies behind the buffer is nobody's.
 std::size_t read_indices(ExportedScene& scene, const SceneValue& value) {
     Fields fields(value);
     const auto count = static_cast<std::size_t>(fields.get("count").integer(0, most_elements));
     scene.indices = bytes_of(scene.folder, fields.get("file"), 4 * count);
+    const std::size_t vertices = scene.vertices.size() / scene.stride;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::uint32_t index = 0;
+        std::memcpy(&index, scene.indices.data() + 4 * i, sizeof index);
+        if (index >= vertices)
+            throw InputError(file_of(scene.folder, fields.get("file")).string(), "",
+                             fmt::format("index {} of vertex {}", i, index),
+                             fmt::format("one of the {} vertices", vertices));
+    }
     return count;
 }
 
@@ -271,15 +327,15 @@ void read_contents(ExportedScene& scene, Fields& fields) {
     scene.textures = read_all<ExportedTexture>(fields.get("textures"), [&](const SceneValue& one) {
         return read_texture(scene.folder, one);
     });
-    scene.materials =
-        read_all<ExportedMaterial>(fields.get("materials"), [&](const SceneValue& one) {
-            return read_material(scene.folder, one, scene.textures.size());
-        });
+    scene.materials = read_all<ExportedMaterial>(
+        fields.get("materials"),
+        [&](const SceneValue& one) { return read_material(scene.folder, one, scene.textures); });
     scene.uniforms = read_uniforms(fields.get("uniforms"));
     scene.draws = read_all<Draw>(fields.get("draws"), [&](const SceneValue& one) {
         return read_draw(one, scene.materials.size(), indices);
     });
     scene.passes = read_all<Pass>(fields.get("passes"), read_pass);
+    if (scene.passes.empty()) fields.get("passes").reject("one pass at least");
     for (const ExportedMaterial& material : scene.materials)
         if (scene.passes.size() > 1 &&
             material.fragment.find("#define PASS 0\n") == std::string::npos)
@@ -305,7 +361,9 @@ ExportedScene read_exported_scene(const std::filesystem::path& folder) {
     const std::vector<double> size = fields.get("size").numbers(2, 2, {1, largest_side});
     scene.width = static_cast<int>(size[0]);
     scene.height = static_cast<int>(size[1]);
-    fields.get("samples").integer(1, 1);
+    scene.samples = fields.get("samples").integer(1, 16);
+    if (!std::has_single_bit(static_cast<unsigned>(scene.samples)))
+        fields.get("samples").reject("1, 2, 4, 8 or 16");
     read_state(scene, fields.get("state"));
     read_contents(scene, fields);
     return scene;

@@ -79,6 +79,7 @@ struct ExportedScene {
     std::string scene_file, scene_hash, language, hardware;
     std::vector<std::string> overrides;
     int width = 1, height = 1;
+    int samples = 1;                               ///< of a pixel
     bool upper_left = false, zero_to_one = false;  ///< glClipControl
     bool first_row_is_top = false;                 ///< window row 0 is the image's top
     std::array<double, 2> depth_range{0, 1};
@@ -97,8 +98,9 @@ struct ExportedScene {
 };
 
 /// Reads `folder`/manifest.json and the files that it names. Throws InputError for a folder that is
-/// none that `quadrel export` has written, for a language that is not GLSL, for more than one
-/// sample a pixel, and for files that are missing or of another length.
+/// none that `quadrel export` has written, for a language that is not GLSL, for files that are
+/// missing or of another length, and for what cannot be drawn: no pass, indices that no vertex has,
+/// levels that are no mip levels.
 ExportedScene read_exported_scene(const std::filesystem::path& folder);
 
 }  // namespace quadrel::gl

@@ -72,33 +72,46 @@ SceneTextures::~SceneTextures() {
     glDeleteTextures(static_cast<GLsizei>(ids_.size()), ids_.data());
 }
 
-FloatTargets::FloatTargets(int width, int height, std::size_t count)
-    : width_(width), height_(height), colors_(count, 0) {
+FloatTargets::FloatTargets(int width, int height, std::size_t count, int samples)
+    : width_(width), height_(height), samples_(samples), textures_(count + 1, 0) {
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glGenRenderbuffers(static_cast<GLsizei>(count), colors_.data());
+    glGenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
     std::vector<GLenum> places;
     for (std::size_t i = 0; i < count; ++i) {
         places.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
-        glBindRenderbuffer(GL_RENDERBUFFER, colors_[i]);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, places.back(), GL_RENDERBUFFER, colors_[i]);
+        attach(places.back(), GL_RGBA32F, color(i));
     }
-    glGenRenderbuffers(1, &depth_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, depth());
     glDrawBuffers(static_cast<GLsizei>(count), places.data());
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    GLint has = 0;
+    glGetIntegerv(GL_SAMPLES, &has);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+        (samples > 1 && has != samples))
         throw std::runtime_error(
-            fmt::format("OpenGL has no {} float targets of {}x{} pixels", count, width, height));
+            fmt::format("OpenGL has no {} float targets of {}x{} pixels{}", count, width, height,
+                        samples > 1 ? fmt::format(" of {} samples", samples) : std::string()));
     glViewport(0, 0, width, height);
+}
+
+void FloatTargets::attach(GLenum attachment, GLenum format, GLuint texture) const {
+    const GLenum target = samples_ > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+    glBindTexture(target, texture);
+    if (samples_ > 1)
+        glTexImage2DMultisample(target, samples_, format, width_, height_, GL_TRUE);
+    else
+        glTexImage2D(target, 0, static_cast<GLint>(format), width_, height_, 0,
+                     attachment == GL_DEPTH_ATTACHMENT ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT,
+                     nullptr);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, target, texture, 0);
+    glBindTexture(target, 0);
 }
 
 FloatTargets::~FloatTargets() {
     glDeleteFramebuffers(1, &framebuffer_);
-    glDeleteRenderbuffers(static_cast<GLsizei>(colors_.size()), colors_.data());
-    glDeleteRenderbuffers(1, &depth_);
+    glDeleteTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
 }
 
 std::vector<float> FloatTargets::read(std::size_t target) const {
@@ -108,6 +121,52 @@ std::vector<float> FloatTargets::read(std::size_t target) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, values.data());
     return values;
+}
+
+namespace {
+
+constexpr const char* whole_frame = R"(#version 330 core
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+constexpr const char* one_sample = R"(#version 330 core
+uniform sampler2DMS samples;
+uniform int number;
+out vec4 value;
+void main() {
+    value = texelFetch(samples, ivec2(gl_FragCoord.xy), number);
+}
+)";
+
+}  // namespace
+
+SampleReader::SampleReader(int width, int height)
+    : program_(whole_frame, one_sample, "that reads samples"), target_(width, height, 1) {
+    glGenVertexArrays(1, &array_);
+}
+
+SampleReader::~SampleReader() { glDeleteVertexArrays(1, &array_); }
+
+std::vector<float> SampleReader::read(GLuint texture, int sample) const {
+    GLint before = 0;
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &before);
+    target_.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glUseProgram(program_.id());
+    glBindVertexArray(array_);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+    glUniform1i(glGetUniformLocation(program_.id(), "samples"), 0);
+    glUniform1i(glGetUniformLocation(program_.id(), "number"), sample);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+    glUseProgram(0);
+    glBindVertexArray(static_cast<GLuint>(before));
+    return target_.read(0);
 }
 
 }  // namespace quadrel::gl

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "gl/context/program.hpp"
 #include "gl/scene/manifest.hpp"
 
 namespace quadrel::gl {
@@ -35,21 +36,49 @@ class SceneTextures {
     std::vector<GLuint> ids_;
 };
 
-/// Float targets and a depth buffer; bound as long as it lives.
+/// Float targets and a depth buffer, of so many samples a pixel; bound as long as it lives. Throws
+/// std::runtime_error where there are none such.
 class FloatTargets {
   public:
-    FloatTargets(int width, int height, std::size_t count);
+    FloatTargets(int width, int height, std::size_t count, int samples = 1);
     ~FloatTargets();
     FloatTargets(const FloatTargets&) = delete;
     FloatTargets& operator=(const FloatTargets&) = delete;
 
-    /// Four floats a pixel of one target, window row 0 first.
+    /// What is drawn goes here again.
+    void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+
+    /// Textures of several samples (GL_TEXTURE_2D_MULTISAMPLE), or of one.
+    GLuint color(std::size_t target) const { return textures_[target]; }
+    GLuint depth() const { return textures_.back(); }
+
+    /// Four floats a pixel of one target of one sample a pixel, window row 0 first.
     std::vector<float> read(std::size_t target) const;
 
   private:
-    int width_, height_;
-    GLuint framebuffer_ = 0, depth_ = 0;
-    std::vector<GLuint> colors_;
+    void attach(GLenum attachment, GLenum format, GLuint texture) const;
+
+    int width_, height_, samples_;
+    GLuint framebuffer_ = 0;
+    std::vector<GLuint> textures_;  ///< colours, then depth
+};
+
+/// Reads textures of several samples a pixel, sample by sample, by drawing. Leaves depth test and
+/// culling switched off, and its own framebuffer bound.
+class SampleReader {
+  public:
+    SampleReader(int width, int height);
+    ~SampleReader();
+    SampleReader(const SampleReader&) = delete;
+    SampleReader& operator=(const SampleReader&) = delete;
+
+    /// Four floats a pixel of that sample, window row 0 first.
+    std::vector<float> read(GLuint texture, int sample) const;
+
+  private:
+    Program program_;
+    GLuint array_ = 0;
+    FloatTargets target_;
 };
 
 }  // namespace quadrel::gl

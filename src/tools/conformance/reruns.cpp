@@ -1,0 +1,79 @@
+#include "conformance/reruns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "render/plan/prepared.hpp"
+#include "render/registry/added_stages.hpp"
+
+namespace quadrel::conformance {
+
+Film Reruns::reference(const std::vector<std::string>& channels) const {
+    RenderOptions options;
+    options.channels = channels;
+    options.threads = threads_;
+    return render(scene_, options);
+}
+
+RenderOptions Reruns::options(const std::vector<std::string>& channels,
+                              const std::vector<std::string>& names, const Film& image) const {
+    RenderOptions options;
+    options.channels = channels;
+    options.threads = threads_;
+    options.window = image.window;
+    if (!names.empty())
+        options.injected = {{fmt::format("{}", fmt::join(names, ",")),
+                             std::make_shared<const Film>(image), "the implementation's image"}};
+    return options;
+}
+
+Film Reruns::made_of(const std::vector<std::string>& channels,
+                     const std::vector<std::string>& names, const Film& image) const {
+    return render(scene_, options(channels, names, image));
+}
+
+void Reruns::ranges(const std::vector<std::string>& channels, const std::vector<std::string>& names,
+                    const Film& image, const std::string& limits,
+                    const std::vector<Window>& windows,
+                    const std::function<void(const Window&, const Film&)>& take) const {
+    RenderOptions with_limits = options(channels, names, image);
+    with_limits.limits = limits;
+    // Planned once: most windows are single quads.
+    PreparedRender prepared = prepare_render(scene_, with_limits, select_kernels(with_limits));
+    for (const Window& window : windows) {
+        prepared.window = window;
+        take(window, draw(prepared, with_limits));
+    }
+}
+
+Film part_of(const Film& film, const std::vector<std::string>& names, const Window& window) {
+    Film part{film.frame, window, {}};
+    std::vector<std::string> all = names;
+    all.emplace_back("A");
+    for (const std::string& name : all) {
+        const Plane* const from = film.find(name);
+        if (from == nullptr || part.find(name) != nullptr) continue;
+        Plane& to = part.add(name, from->type);
+        for (int y = window.y0; y < window.y1; ++y)
+            std::copy_n(from->bits.begin() + static_cast<std::ptrdiff_t>(film.index(window.x0, y)),
+                        window.width(),
+                        to.bits.begin() + static_cast<std::ptrdiff_t>(part.index(window.x0, y)));
+    }
+    return part;
+}
+
+Window window_around(const std::vector<std::size_t>& pixels, const Window& frame) {
+    Window window{frame.x1, frame.y1, frame.x0, frame.y0};
+    for (const std::size_t i : pixels) {
+        const int x = static_cast<int>(i) % frame.width(), y = static_cast<int>(i) / frame.width();
+        window = {std::min(window.x0, x), std::min(window.y0, y), std::max(window.x1, x + 1),
+                  std::max(window.y1, y + 1)};
+    }
+    return intersection({window.x0 / 2 * 2 - 2, window.y0 / 2 * 2 - 2, window.x1 / 2 * 2 + 4,
+                         window.y1 / 2 * 2 + 4},
+                        frame);
+}
+
+}  // namespace quadrel::conformance

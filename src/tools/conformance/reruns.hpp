@@ -1,0 +1,48 @@
+// The reference once more, from an implementation's own values on, in parts of the frame.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "quadrel/film/film.hpp"
+#include "quadrel/render.hpp"
+#include "quadrel/scene/scene.hpp"
+
+namespace quadrel::conformance {
+
+class Reruns {
+  public:
+    /// `threads`: as RenderOptions has them. The scene must outlive it.
+    Reruns(const Scene& scene, int threads) : scene_(scene), threads_(threads) {}
+
+    /// The whole frame as the scene has it.
+    Film reference(const std::vector<std::string>& channels) const;
+
+    /// What stages make of the values `names` of an image; in its window.
+    Film made_of(const std::vector<std::string>& channels, const std::vector<std::string>& names,
+                 const Film& image) const;
+
+    /// The same as ranges that `limits` permits: `take` gets a film of each of the windows, which
+    /// lie in that of the image. Throws UsageError where a stage has none.
+    void ranges(const std::vector<std::string>& channels, const std::vector<std::string>& names,
+                const Film& image, const std::string& limits, const std::vector<Window>& windows,
+                const std::function<void(const Window&, const Film&)>& take) const;
+
+  private:
+    RenderOptions options(const std::vector<std::string>& channels,
+                          const std::vector<std::string>& names, const Film& image) const;
+
+    const Scene& scene_;
+    int threads_;
+};
+
+/// Planes of these names and A, in a window of the frame.
+Film part_of(const Film& film, const std::vector<std::string>& names, const Window& window);
+
+/// The smallest window of whole quads that holds these pixels of a frame, and one quad more on each
+/// side.
+Window window_around(const std::vector<std::size_t>& pixels, const Window& frame);
+
+}  // namespace quadrel::conformance

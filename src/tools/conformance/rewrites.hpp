@@ -1,0 +1,23 @@
+// What an implementation's values are due to: shaders that say the same in other words, and what a
+// shader has that is undefined.
+#pragma once
+
+#include "gl/scene/manifest.hpp"
+
+namespace quadrel::conformance {
+
+/// The scene with fragment shaders whose min, max and clamp are comparisons: "min returns y if
+/// y < x, otherwise x" (GLSL 4.60, 8.3). What the functions themselves make of NaN, and of zeros of
+/// two signs, is left open (4.7.1); comparisons of these are not.
+gl::ExportedScene with_comparisons(gl::ExportedScene scene);
+
+/// The scene with fragment shaders that make the sizes of levels of level 0's: "textureSize returns
+/// the dimensions of level lod" (GLSL 4.60, 8.9.1), also where fragments of a quad ask for
+/// different ones.
+gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene);
+
+/// Whether a fragment shader looks textures up in a loop by implicit derivatives, which are
+/// undefined once fragments of a quad leave it at different steps (GLSL 4.60, 8.9).
+bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene);
+
+}  // namespace quadrel::conformance
