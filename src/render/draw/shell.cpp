@@ -47,23 +47,20 @@ Shell::Shell(const Mesh& mesh, const ShadedVertices& base, const Material& mater
              const glm::mat4& projection)
     : mesh_(mesh), depth_(material.depth), seat_(material.seat) {
     const std::size_t n = base.eye.size();
-    vertices_.normal.resize(2 * n);
-    std::map<std::pair<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>>, std::uint32_t>
-        known;
-    for (std::size_t i = 0; i < n; ++i)
-        vertices_.normal[i] = vertices_.normal[n + i] = unit_or_null(base.normal[i]);
-    for (const double offset : {-seat_ * depth_, (1 - seat_) * depth_}) {
+    for (const double offset : {-seat_ * depth_, (1 - seat_) * depth_})
         for (std::size_t i = 0; i < n; ++i) {
-            const bool moved = offset != 0;
+            const glm::dvec3 moved = glm::dvec3(unit_or_null(base.normal[i])) * offset;
+            // A vertex that stays keeps its bits.
             const glm::vec3 eye =
-                moved
-                    ? glm::vec3(glm::dvec3(base.eye[i]) + glm::dvec3(vertices_.normal[i]) * offset)
-                    : base.eye[i];
+                offset == 0 ? base.eye[i] : glm::vec3(glm::dvec3(base.eye[i]) + moved);
             vertices_.eye.push_back(eye);
-            vertices_.clip.push_back(moved ? projection * glm::vec4(eye, 1.0f) : base.clip[i]);
+            vertices_.clip.push_back(offset == 0 ? base.clip[i]
+                                                 : projection * glm::vec4(eye, 1.0f));
+            vertices_.normal.push_back(base.normal[i]);
             vertices_.uv.push_back(base.uv[i]);
         }
-    }
+    std::map<std::pair<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 3>>, std::uint32_t>
+        known;
     for (std::uint32_t i = 0; i < n; ++i)
         first_equal_.push_back(
             known.try_emplace({bits_of(vertices_.eye[i]), bits_of(vertices_.eye[n + i])}, i)

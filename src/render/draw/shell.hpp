@@ -34,7 +34,7 @@ class Shell {
     Shell(const Mesh& mesh, const ShadedVertices& base, const Material& material,
           const glm::mat4& projection);
 
-    /// First the bottoms of the mesh's vertices, then their tops; normals of unit length.
+    /// First the bottoms of the mesh's vertices, then their tops, with the normals of the mesh.
     const ShadedVertices& vertices() const { return vertices_; }
 
     /// The three tetrahedra of a triangle. Vertices of the same bits are one, so that triangles

@@ -55,10 +55,11 @@ testing::AssertionResult no_prism_hit_is_wrong(PrismSurface surface, int batches
             const Real error = path.height_error, off = path.end_error;
             const Real found = run.found(lane);
             const auto meet = [&](Real lift, Real until) {
-                return oracle::meet_prism<Real>(field, path, surface, lift, until);
+                const Real t = oracle::meet_prism<Real>(field, path, surface, lift, until);
+                return t <= until ? t * path.length : t;  // infinite, or of length 0
             };
-            Real first = meet(error, 1 + off) * path.length;
-            Real last = meet(-error, 1 - off) * path.length;
+            Real first = meet(error, 1 + off);
+            Real last = meet(-error, 1 - off);
             if (path.to_floor || path.floor_is_near)
                 first = std::min(first, path.length * (1 - off));
             if (path.to_floor && !path.floor_is_near)
@@ -90,7 +91,8 @@ testing::AssertionResult unflagged_prism_hits_are_decided(PrismSurface surface, 
             if (run.batch.integer(Value::hit_flags, lane) & HitFlag::ambiguous)
                 return std::string();
             const oracle::Real found = run.found(lane);
-            oracle::Real exact = oracle::meet_prism<mpq_class>(field, path, surface) * path.length;
+            oracle::Real exact = oracle::meet_prism<mpq_class>(field, path, surface);
+            if (exact <= 1) exact *= path.length;
             if (path.to_floor) exact = std::min(exact, path.length);
             if (found == exact || std::fabs(found - exact) <= 1e-7L * (1 + path.length))
                 return std::string();
@@ -128,6 +130,7 @@ testing::AssertionResult nothing_leaves_through_the_bottom(PrismFlaw flaw = none
 
 TEST(PrismExact, NothingLeavesThroughTheBottom) {
     EXPECT_TRUE(nothing_leaves_through_the_bottom());
+    EXPECT_FALSE(nothing_leaves_through_the_bottom(floor_forgotten));
 }
 
 // ---- The pyramid --------------------------------------------------------------------------------

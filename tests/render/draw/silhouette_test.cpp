@@ -1,6 +1,8 @@
 // Shells as they are drawn: without cracks, equal to the mesh where there is no relief, and as the
 // displaced mesh where there is.
-#include "quadrel/error.hpp"
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
 #include "quadrel/scene/displace.hpp"
 #include "quadrel/texture/of_texels.hpp"
 #include "render/films.hpp"
@@ -13,8 +15,8 @@ constexpr float shell_depth = 0.2f;
 
 /// Everywhere the same height.
 TextureReference level_texture(double level) {
-    TextureReference reference = texture(write_texture(fmt::format("level-{}.exr", height), 4,
-                                                       [=](int, int, int) { return height; }));
+    TextureReference reference = texture(
+        write_texture(fmt::format("level-{}.exr", level), 4, [=](int, int, int) { return level; }));
     reference.sampler.mip = MipFilter::none;
     return reference;
 }
@@ -72,7 +74,9 @@ testing::AssertionResult has_no_cracks(double level, double seat, double lower =
             const double z = value(film, "Z", x, y);
             if (z < value(top, "Z", x, y) - 1e-3 ||
                 (value(bottom, "A", x, y) > 0 && z > value(bottom, "Z", x, y) + 1e-3))
-                return testing::AssertionFailure() << "not in the shell at " << x << "," << y;
+                return testing::AssertionFailure()
+                       << "not in the shell at " << x << "," << y << ": " << z << ", from "
+                       << value(top, "Z", x, y) << " to " << value(bottom, "Z", x, y);
             const double s = value(film, "hit.s", x, y);
             if (std::abs(1 - s - level + lower) > 0.01)
                 return testing::AssertionFailure()
@@ -192,6 +196,81 @@ Mesh bumpy_mesh(const Mesh& mesh, CellSplit split) {
     displacement.depth = shell_depth;
     displacement.split = split;
     return displaced(mesh, displacement);
+}
+
+double bumpy_height(int x, int y) {
+    const auto wrapped = [](int i) { return (i % bumpy_texels + bumpy_texels) % bumpy_texels; };
+    return 0.25 + 0.5 * noise(wrapped(x), wrapped(y), 1);
+}
+
+/// Two triangles a cell, along the main diagonal.
+double bumpy_surface(const glm::dvec2& uv) {
+    const double x = uv.x * bumpy_texels - 0.5, y = uv.y * bumpy_texels - 0.5;
+    const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+    const double f = x - i, g = y - j;
+    const double h00 = bumpy_height(i, j), h11 = bumpy_height(i + 1, j + 1);
+    const double other = f > g ? bumpy_height(i + 1, j) : bumpy_height(i, j + 1);
+    return h00 + (other - h00) * std::max(f, g) + (h11 - other) * std::min(f, g);
+}
+
+/// Every hit lies where the displaced mesh has its texture coordinates, but for what
+/// shell_face.hpp says of tetrahedra. `planted` is added to the heights.
+testing::AssertionResult hits_are_on_the_displaced_mesh(const Mesh& mesh, double planted = 0) {
+    Scene scene = shell_scene(mesh, bumpy_texture(), 128, wound);
+    scene.materials[0].trace.parameters["surface"] = 1;
+    const Film film =
+        take(render, scene,
+             {"A", "hit.U", "hit.V", "hit.P", "hit.s", "hit.h", "hit.flags", "hit.depth", "id"});
+    const glm::dmat4 to_object =
+        glm::inverse(glm::dmat4(scene.camera.view) * glm::dmat4(scene.objects[0].transform));
+    int seen = 0;
+    for (int y = 0; y < scene.height; ++y)
+        for (int x = 0; x < scene.width; ++x) {
+            if (value(film, "A", x, y) == 0) continue;
+            const auto& corner = mesh.triangles[bits(film, "id.primitive", x, y)];
+            std::array<glm::dvec2, 3> uv;
+            std::array<glm::dvec3, 3> position, normal;
+            for (std::size_t k = 0; k < 3; ++k) {
+                uv[k] = mesh.uvs[corner[k]];
+                position[k] = mesh.positions[corner[k]];
+                normal[k] = glm::normalize(glm::dvec3(mesh.normals[corner[k]]));
+            }
+            const glm::dvec2 hit(value(film, "hit.U", x, y), value(film, "hit.V", x, y));
+            const auto area = [](const glm::dvec2& a, const glm::dvec2& b) {
+                return a.x * b.y - a.y * b.x;
+            };
+            const double whole = area(uv[1] - uv[0], uv[2] - uv[0]);
+            if (std::abs(whole) < 1e-6) continue;
+            const double b = area(hit - uv[0], uv[2] - uv[0]) / whole;
+            const double c = area(uv[1] - uv[0], hit - uv[0]) / whole, a = 1 - b - c;
+            const double offset = (bumpy_surface(hit) + planted - 1) * shell_depth;
+            const glm::dvec3 expected = position[0] * a + position[1] * b + position[2] * c +
+                                        (normal[0] * a + normal[1] * b + normal[2] * c) * offset;
+            const glm::dvec3 found(to_object * glm::dvec4(value(film, "hit.P.X", x, y),
+                                                          value(film, "hit.P.Y", x, y),
+                                                          value(film, "hit.P.Z", x, y), 1));
+            double bound = 0;
+            for (std::size_t k = 0; k < 3; ++k)
+                bound = std::max(bound, glm::distance(normal[k], normal[(k + 1) % 3]));
+            ++seen;
+            // A ray that begins below the surface by what rounding and snapping let through is met
+            // where it enters.
+            if (glm::distance(found, expected) > shell_depth * (0.25 * bound + 0.005))
+                return testing::AssertionFailure()
+                       << glm::distance(found, expected) << " off at " << x << "," << y
+                       << ", height " << value(film, "hit.h", x, y) << " at "
+                       << 1 - value(film, "hit.s", x, y) << ", flags "
+                       << bits(film, "hit.flags", x, y);
+        }
+    return seen > 3000 ? testing::AssertionSuccess() : testing::AssertionFailure() << seen;
+}
+
+TEST(Silhouettes, HitsAreOnTheDisplacedMesh) {
+    for (const Mesh& mesh :
+         {make_sphere(1, 12, 8), make_sphere(1, 48, 32), make_torus(0.3, 0.7, 24, 36)}) {
+        EXPECT_TRUE(hits_are_on_the_displaced_mesh(mesh));
+        EXPECT_FALSE(hits_are_on_the_displaced_mesh(mesh, 0.2));
+    }
 }
 
 /// Shares of the pixels: those that one of both alone covers, and those whose depths differ by more

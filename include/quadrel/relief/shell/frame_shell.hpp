@@ -4,12 +4,14 @@
 // has to be outside of the shell.
 //
 // Inside of a tetrahedron
-//     uv(P) = uv + J (P - P0),  height(P) = height - s_gradient . (P - P0),
-// so that frame_normal is -D s_gradient: of length 1 where the shell is as thick as D says, as over
-// a flat mesh, and exactly what normals of heights and light rays want of it everywhere else: they
-// go on in the tetrahedron's own texture space. Rays may rise or run level in a shell: what other
-// frames measure in depth (r, uv_rate, K, hit.depth) is measured along the ray, from where it
-// enters: r = 1, uv_rate = J d. The searches that go with it are prism-*, and no others.
+//     uv(P) = uv + J (P - P0),  s(P) = s + s_gradient . (P - P0).
+// Rays may rise or run level in a shell: what other frames measure in depth (r, uv_rate, K,
+// hit.depth) is measured along the ray, from where it enters: r = 1, uv_rate = J d. The searches
+// that go with it are prism-*, and no others. Normals of heights and light rays start from
+// frame_normal: `normal` says whether that is the vertices', interpolated over the face by which
+// the ray enters, so that shading is as smooth as over the mesh; or -D s_gradient, which is 1 long
+// where the shell is as thick as D says: what they want of an affine texture space, exactly, but it
+// jumps from one tetrahedron to the next.
 //
 // Source: Hirche et al., "Hardware Accelerated Per-Pixel Displacement Mapping", 2004. Differs:
 // gradients are the host's, in double, and reach every fragment as a row of its face.
@@ -30,8 +32,16 @@ struct FrameShell : StageDefaults {
     static constexpr auto outputs = frame_outputs;
     static constexpr bool reads_vertices = true;
 
+    struct Params {
+        std::int32_t normal = 0;
+    };
+    static constexpr ValueName normal_names[] = {{0, "vertex"}, {1, "level"}};
+    static constexpr std::array parameters{choice<&Params::normal>(
+        "normal", "vertex: interpolated, smooth; level: across the planes of equal height",
+        normal_names, 0)};
+
     template <class Io>
-    void operator()(Io& io, const Params&) const {
+    void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const ShellFaces<F> face(io);
         const vec3<F> d = -to_viewer(io.template load<Value::P>(), io.frame());
@@ -43,8 +53,9 @@ struct FrameShell : StageDefaults {
         const auto directions = uv_directions(j);
         io.template store<Value::T>(directions.T);
         io.template store<Value::B>(directions.B);
-        io.template store<Value::frame_normal>(select(
-            deep, face.s_gradient() * -depth, normalize(io.template load<Value::vertex_normal>())));
+        const vec3<F> smooth = normalize(io.template load<Value::vertex_normal>());
+        const vec3<F> level = select(deep, face.s_gradient() * -depth, smooth);
+        io.template store<Value::frame_normal>(params.normal == 0 ? smooth : level);
         io.template store<Value::J>(std::array<vec3<F>, 2>{j.grad_u, j.grad_v});
         io.template store<Value::r>(F(1));
         io.template store<Value::uv_rate>(rate);

@@ -12,11 +12,15 @@
 // Camarero, "How to Subdivide Pyramids, Prisms and Hexahedra into Tetrahedra", 8th International
 // Meshing Roundtable, 1999 (their order).
 //
-// How the tetrahedra differ from the prism: with bilinear sides, through which P + h D N goes with
-// P and N interpolated over the triangle, uv and h at a point are roots of a cubic. Both agree at
-// the six corners, on the edges, and on top and bottom; between them a level of equal h is bent
-// where normals differ. Where the sides twist the tetrahedra are a shell of their own, without gaps
-// to their neighbours. bench/README.md has how far apart the two are.
+// How the tetrahedra differ from the prism with bilinear sides: there a point is P + (h - seat) D N
+// with P and N interpolated over the triangle, and uv and h at a given point are roots of a cubic.
+// Both agree at the corners and on top and bottom. With weights a, b, c of the vertices in order,
+// the tetrahedra have the point of (a, b, c, h) at
+//     sum of bottoms + D (rise_a N_a + rise_b N_b + rise_c N_c),
+// where the rises add up to h: as much of it as its weight to the last vertex, then to the one
+// before. That is off by D times a difference of means of the normals of which no weight is above
+// 1/4: at most D / 4 max |N_i - N_j|, half as much over edges half as long. Where sides twist,
+// neighbours still share their triangles: there are no gaps. bench/README.md has a table.
 #pragma once
 
 #include "quadrel/quad/interpolate.hpp"
