@@ -35,6 +35,7 @@ set(QUADREL_KERNEL_GROUPS
   "layer|relief/trace/layer/stages.hpp|LayerStages"
   "tables|relief/trace/table/stages.hpp|TableStages"
   "engine|relief/trace/engine/stages.hpp|EngineStages"
+  "shell|relief/shell/stages.hpp|ShellStages"
   "hit|relief/hit/stages.hpp|HitStages"
   "surface|relief/surface/stages.hpp|SurfaceStages"
   "shadow|relief/shadow/stages.hpp|ShadowStages"

@@ -7,6 +7,7 @@
 #include "quadrel/relief/hit/stages.hpp"
 #include "quadrel/relief/occlusion/stages.hpp"
 #include "quadrel/relief/shadow/stages.hpp"
+#include "quadrel/relief/shell/stages.hpp"
 #include "quadrel/relief/surface/stages.hpp"
 #include "quadrel/relief/trace/cone/stages.hpp"
 #include "quadrel/relief/trace/engine/stages.hpp"

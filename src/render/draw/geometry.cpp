@@ -14,6 +14,7 @@
 #include "quadrel/raster/coverage.hpp"
 #include "render/draw/primitive_frame.hpp"
 #include "render/draw/primitive_vertices.hpp"
+#include "render/draw/shell.hpp"
 #include "render/draw/vertex_stage.hpp"
 #include "scene/degrees.hpp"
 
@@ -74,6 +75,76 @@ AssembledTriangle whole_of(AssembledTriangle piece) {
     return piece;
 }
 
+/// What an object's triangles are drawn with.
+struct DrawnObject {
+    const Scene& scene;
+    std::uint32_t index;
+    const Mesh& mesh;
+    const ShadedVertices& vertices;
+    RasterState state;
+    Interpolation form;
+    const GeometryParts& parts;
+};
+
+/// Draws triangle `primitive` of the mesh, or a part of the shell over it, of vertices `corners`.
+/// `add_rows(rows, piece)` appends what stages read of a piece.
+template <class AddRows>
+void assemble_corners(const DrawnObject& object, std::uint32_t primitive,
+                      const std::array<std::uint32_t, 3>& corners, const AddRows& add_rows,
+                      std::vector<AssembledTriangle>& pieces, Geometry& geometry) {
+    const bool keeps_pieces = has_planes_of_the_whole(object.form);
+    const std::vector<glm::vec4>& all = object.vertices.clip;
+    pieces.clear();
+    const std::array<glm::vec4, 3> clip{all[corners[0]], all[corners[1]], all[corners[2]]};
+    assemble_triangle(clip, object.state, pieces, geometry.counts);
+    const ScreenTriangle submitted = submitted_triangle(clip, object.state);
+    for (const AssembledTriangle& piece : pieces) {
+        // Of a fine mesh these are most, and would take most of the memory.
+        if (!object.parts.all_triangles && !may_cover(piece.screen, object.scene.samples)) continue;
+        const std::size_t material = object.scene.objects[object.index].material;
+        geometry.triangles.push_back(
+            {piece.screen, object.index, primitive, static_cast<std::uint32_t>(material)});
+        const bool whole = keeps_pieces && piece.clipped && has_places(submitted);
+        add_rows(geometry, whole ? whole_of(piece) : piece);
+        if (keeps_pieces) add_rows(geometry.pieces, piece);
+        if (object.form != Interpolation::exact)
+            geometry.planes.push_back(
+                plane_setup(object.form, whole ? submitted : piece.screen, object.scene.samples));
+    }
+}
+
+/// The faces of the tetrahedra over every triangle by which rays enter.
+void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFrames>& frames,
+                    bool mirrored, Geometry& geometry) {
+    const Material& material = object.scene.materials[object.scene.objects[object.index].material];
+    const Shell shell(object.mesh, object.vertices, material, object.scene.camera.projection);
+    DrawnObject drawn_object{object.scene, object.index, object.mesh, shell.vertices(),
+                             object.state, object.form,  object.parts};
+    if (material.depth > 0) drawn_object.state.cull = Cull::back;
+    std::vector<ShellTriangle> faces;
+    std::vector<AssembledTriangle> pieces;
+    for (std::uint32_t t = 0; t < object.mesh.triangles.size(); ++t) {
+        const DrawnCorners drawn = drawn_corners(t, mirrored);
+        const std::array<std::uint32_t, 3> index = indices_of(object.mesh, drawn);
+        const std::vector<glm::vec3>& eye = object.vertices.eye;
+        if (is_flat(eye[index[0]], eye[index[1]], eye[index[2]])) {
+            ++geometry.counts.submitted;
+            ++geometry.counts.zero_area;
+            continue;
+        }
+        faces.clear();
+        shell.append_faces(drawn, faces);
+        for (const ShellTriangle& face : faces) {
+            const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
+                to.data.push_back(primitive_data(piece, shell.vertices(), face.index, false));
+                if (frames) to.frames.push_back(frames->of(over_mesh(piece, face, drawn), drawn));
+                if (object.parts.vertices) to.vertices.push_back(shell_row(face, piece));
+            };
+            assemble_corners(drawn_object, t, face.index, add_rows, pieces, geometry);
+        }
+    }
+}
+
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
                      Interpolation form, const GeometryParts& parts, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
@@ -85,17 +156,11 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
     std::optional<PrimitiveFrames> frames;
     if (parts.frames)
         frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+    const bool mirrored = is_mirrored(model_view);
+    const DrawnObject drawn_object{scene, object_index, mesh, vertices, state, form, parts};
+    if (draws_shell(material)) return assemble_shell(drawn_object, frames, mirrored, geometry);
     std::optional<VertexRows> rows;
     if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
-    const bool mirrored = is_mirrored(model_view);
-    const bool keeps_pieces = has_planes_of_the_whole(form);
-    const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece,
-                              const std::array<std::uint32_t, 3>& index,
-                              const DrawnCorners& drawn) {
-        to.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
-        if (frames) to.frames.push_back(frames->of(piece, drawn));
-        if (rows) to.vertices.push_back(rows->of(piece, drawn));
-    };
     std::vector<AssembledTriangle> pieces;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const DrawnCorners drawn = drawn_corners(t, mirrored);
@@ -106,23 +171,12 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
             ++geometry.counts.zero_area;
             continue;
         }
-        pieces.clear();
-        const std::array<glm::vec4, 3> clip{vertices.clip[index[0]], vertices.clip[index[1]],
-                                            vertices.clip[index[2]]};
-        assemble_triangle(clip, state, pieces, geometry.counts);
-        const ScreenTriangle submitted = submitted_triangle(clip, state);
-        for (const AssembledTriangle& piece : pieces) {
-            // Of a fine mesh these are most, and would take most of the memory.
-            if (!parts.all_triangles && !may_cover(piece.screen, scene.samples)) continue;
-            geometry.triangles.push_back(
-                {piece.screen, object_index, t, static_cast<std::uint32_t>(object.material)});
-            const bool whole = keeps_pieces && piece.clipped && has_places(submitted);
-            add_rows(geometry, whole ? whole_of(piece) : piece, index, drawn);
-            if (keeps_pieces) add_rows(geometry.pieces, piece, index, drawn);
-            if (form != Interpolation::exact)
-                geometry.planes.push_back(
-                    plane_setup(form, whole ? submitted : piece.screen, scene.samples));
-        }
+        const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
+            to.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
+            if (frames) to.frames.push_back(frames->of(piece, drawn));
+            if (rows) to.vertices.push_back(rows->of(piece, drawn));
+        };
+        assemble_corners(drawn_object, t, index, add_rows, pieces, geometry);
     }
 }
 

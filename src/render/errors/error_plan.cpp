@@ -7,6 +7,7 @@
 
 #include "quadrel/relief/rooms.hpp"
 #include "quadrel/relief/shadow/light_ray.hpp"
+#include "render/draw/shell.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel {
@@ -152,6 +153,7 @@ std::optional<JudgedRun> judged_run(ErrorPart part) {
 
 std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& material) {
     if (material.noise || material.textures.count("height") == 0) return std::nullopt;
+    if (draws_shell(material)) return std::nullopt;  // the judge knows polygons
     const std::vector<PlannedStage> stages = material_stages(scene, material);
     const PlannedStage& trace = *stage_of_room(stages, "trace");
     if (reads_slot(trace, TextureSlot::layers)) return std::nullopt;  // the judge knows heights

@@ -4,6 +4,7 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/scene/default_stage.hpp"
+#include "render/draw/shell.hpp"
 #include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
 
@@ -43,6 +44,10 @@ void replace_trace(const Scene& scene, Material& material) {
         throw InputError(scene.file.string(), material.trace.key,
                          std::string("a search of depth layers, ") + trace->text.id,
                          "a height map, or no trace: integrals take the judge's hits");
+    if (draws_shell(material))
+        throw InputError(scene.file.string(), material.trace.key,
+                         std::string("a search of shells, ") + trace->text.id,
+                         "a search of polygons, or no trace: integrals take the judge's hits");
     replace(material.trace,
             reads(*trace, TextureSlot::texel_max) ? "oracle-block" : "oracle-bilinear");
 }

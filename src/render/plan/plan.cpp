@@ -11,6 +11,7 @@
 #include "quadrel/relief/rooms.hpp"
 #include "quadrel/relief/trace/oracle/first_hit.hpp"
 #include "render/draw/border_check.hpp"
+#include "render/draw/shell.hpp"
 #include "render/errors/error_plan.hpp"
 #include "render/exact/observed.hpp"
 #include "render/plan/chains.hpp"
@@ -156,7 +157,8 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
         make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
     stages.push_back(chosen(material.frame, "frame"));
     PlannedStage trace = chosen(material.trace, "trace");
-    if (auto judge = judge_of(trace)) stages.push_back(*std::move(judge));
+    auto judge = judge_of(trace);
+    if (judge && !draws_shell(material)) stages.push_back(*std::move(judge));
     stages.push_back(std::move(trace));
     if (has_clip_stage(material)) stages.push_back(chosen(material.clip, "clip"));
     stages.push_back(make_stage(*find_stage("displace")));

@@ -11,6 +11,7 @@
 #include "render/exact/exact_plan.hpp"
 #include "render/exact/observed.hpp"
 #include "render/plan/height_bounds.hpp"
+#include "render/plan/shell_check.hpp"
 
 namespace quadrel {
 namespace {
@@ -126,12 +127,14 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
     plan.frame = frame_uniforms(scene, plan.hardware);
     const Wanted wanted = skip ? wanted_values(channels) : all_values(channels);
     for (const Material& material : scene.materials) {
+        check_shell(scene, material);
         plan.materials.push_back(plan_material(scene, material, wanted, kernels));
         plan.discard.push_back(discard_plan(scene, material, kernels));
         check_height(scene, material, plan.materials.back());
         check_height(scene, material, plan.discard.back());
         check_layers(scene, material, plan.materials.back());
         check_layers(scene, material, plan.discard.back());
+        check_judge_of_shell(scene, material, plan.materials.back());
         plan.uniforms.push_back(material_uniforms(material));
         if (observes_heights(channels) && material.textures.count("height") != 0)
             plan.materials.back().textures.set(height_slot);

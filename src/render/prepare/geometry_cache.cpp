@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "render/draw/shell.hpp"
 #include "text/hash.hpp"
 
 namespace quadrel {
@@ -56,8 +57,10 @@ std::string geometry_key(const Scene& scene, const HardwareModel& hardware,
     key.add(scene.meshes.size());
     for (const Mesh& mesh : scene.meshes) add_mesh(mesh, key);
     key.add(scene.materials.size());
-    for (const Material& material : scene.materials)
+    for (const Material& material : scene.materials) {
         key.add(material.texture_matrix).add(material.cull).add_text(material.frame.id);
+        if (draws_shell(material)) key.add(material.depth).add(material.seat);
+    }
     key.add(scene.objects.size());
     for (const Object& object : scene.objects)
         key.add(object.mesh).add(object.material).add(object.transform).add(object.visible);

@@ -58,8 +58,8 @@ std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
                        ExactStages, LayerStages, TableStages, OracleTraceStages, EngineStages,
-                       HitStages, SurfaceStages, ShadowStages, OracleShadowStages, OcclusionStages,
-                       OracleOcclusionStages, ShadeStages>();
+                       ShellStages, HitStages, SurfaceStages, ShadowStages, OracleShadowStages,
+                       OcclusionStages, OracleOcclusionStages, ShadeStages>();
     return stages;
 }
 

@@ -28,6 +28,15 @@ Scene good_scene() {
     return scene;
 }
 
+/// The scene's material as that of a shell.
+Material& shell_of(Scene& scene) {
+    Material& material = scene.materials[0];
+    material.frame = stage("frame-shell", "");
+    material.trace = stage("prism-exact", "");
+    material.surface = stage("h2n-sobel", "");
+    return material;
+}
+
 const std::vector<BadScene> bad_scenes = {
     {"a stage of no known id",
      [](Scene& s) { s.materials[0].trace.id = "liner"; },
@@ -71,6 +80,33 @@ const std::vector<BadScene> bad_scenes = {
     {"a search of layers without them",
      [](Scene& s) { s.materials[0].trace = stage("dual-depth-exact", ""); },
      {"materials.stone.layers", "nothing", "dual-depth-exact"}},
+    {"a search of shells without their frame",
+     [](Scene& s) { s.materials[0].trace = stage("prism-exact", ""); },
+     {"materials.stone.relief.trace", "prism-exact", "frame-shell"}},
+    {"a shell without a search of shells",
+     [](Scene& s) { s.materials[0].frame = stage("frame-shell", ""); },
+     {"materials.stone.relief.trace", "linear", "prism-*"}},
+    {"a shell of a depth in tiles",
+     [](Scene& s) { shell_of(s).depth_in_tiles = true; },
+     {"materials.stone.relief.depth", "tiles", "world units"}},
+    {"a shell that fades",
+     [](Scene& s) { shell_of(s).fade_from = 30; },
+     {"materials.stone.relief.grazing_fade", "fades", "one depth"}},
+    {"a shell from within",
+     [](Scene& s) { shell_of(s).cull = Cull::front; },
+     {"materials.stone.cull", "front", "none or back"}},
+    {"a shell clipped at its top",
+     [](Scene& s) { shell_of(s).clip = stage("clip-path", ""); },
+     {"materials.stone.relief.clip", "clip-path", "clip-uv"}},
+    {"a shell with normals of faces",
+     [](Scene& s) { shell_of(s).surface = stage("h2n-thesis", ""); },
+     {"materials.stone.relief.surface", "h2n-thesis", "h2n-sobel"}},
+    {"a shell over facets",
+     [](Scene& s) {
+         shell_of(s);
+         for (Mesh& mesh : s.meshes) mesh.normals.clear();
+     },
+     {"materials.stone.relief.frame", "without vertex normals", "along which"}},
     {"noise for a stage that reads texels",
      [](Scene& s) { s.materials[0].noise = NoiseHeights(); },
      {"materials.stone.height", "noise", "h2n-thesis"}},

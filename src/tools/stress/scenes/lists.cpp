@@ -218,6 +218,48 @@ void add_scales(Scenes& scenes) {
                 });
 }
 
+/// The searches of shells.
+std::vector<std::string> shell_searches() {
+    std::vector<std::string> ids;
+    for (const StageInfo& stage : all_stages())
+        if (stage.text.room == std::string_view("trace") && is_of_shells(stage.text.id))
+            ids.emplace_back(stage.text.id);
+    return ids;
+}
+
+/// Shells over meshes: thin, thicker than the mesh, around the eye, over a surface without area.
+void add_shells(Scenes& scenes) {
+    const auto shell = [&](const std::string& name, const std::string& trace,
+                           const Change& change) {
+        add(scenes, fmt::format("E.6/{}/{}", name, trace), cruel, 30, trace, [&](StressScene& s) {
+            relief_of(s)["frame"] = "frame-shell";
+            relief_of(s)["surface"] = "h2n-patch";
+            relief_of(s)["frag_depth"] = "frag-depth";
+            if (change) change(s);
+        });
+    };
+    for (const std::string& trace : shell_searches()) {
+        for (const char* shape : {"quad", "sphere", "torus", "teapot", "cube"})
+            for (const double depth : {0.0, 1e-30, 0.1, 5.0, 1e12})
+                shell(fmt::format("{}, depth {}", shape, depth), trace, [&](StressScene& s) {
+                    mesh_of(s) = Json::object({{"shape", shape}});
+                    relief_of(s)["depth"] = depth;
+                    relief_of(s)["seat"] = 0.5;
+                });
+        for (const double height : {0.05, 0.0, -0.05, -0.2})
+            shell(fmt::format("eye at {}", height), trace, [&](StressScene& s) {
+                s.document["camera"] = {
+                    {"eye", {0, -0.5, height}}, {"target", {0, 0.5, height - 0.1}}, {"near", 1e-3}};
+            });
+        for (const double scale : {1e-15, 1e-5, 1e5, 1e15})
+            shell(fmt::format("scale {}", scale), trace,
+                  [&](StressScene& s) { scale_scene(s, scale); });
+        for (const double far : {1e3, 1e6})
+            shell(fmt::format("{} from the origin", far), trace,
+                  [&](StressScene& s) { move_scene(s, far); });
+    }
+}
+
 }  // namespace
 
 std::vector<StressScene> listed_scenes() {
@@ -231,6 +273,7 @@ std::vector<StressScene> listed_scenes() {
         add_stages(scenes, room, room);
     add_stages(scenes, "frag-depth", "frag_depth");
     add_lights(scenes);
+    add_shells(scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].number = i;
     return scenes;
 }

@@ -32,11 +32,15 @@ void write_scene(const std::filesystem::path& folder, const StressScene& scene) 
     write_named_maps(folder, text);
 }
 
+bool is_of_shells(std::string_view stage) {
+    return stage.starts_with("prism-") || stage == "frame-shell";
+}
+
 std::vector<std::string> stage_ids(const std::string& room, bool judges) {
     std::vector<std::string> ids;
     for (const StageInfo& stage : all_stages()) {
         const std::string id(stage.text.id);
-        if (stage.text.room != room) continue;
+        if (stage.text.room != room || is_of_shells(id)) continue;
         if (judges || id.find("oracle") == std::string::npos) ids.push_back(id);
     }
     return ids;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stress/scenes/maps.hpp"
@@ -28,8 +29,12 @@ struct StressScene {
 /// Writes scene.json, its mesh and the maps that it names into a folder, to be rendered from there.
 void write_scene(const std::filesystem::path& folder, const StressScene& scene);
 
+/// Whether a stage draws shells over meshes: frame and search go together there, and with no
+/// others.
+bool is_of_shells(std::string_view stage);
+
 /// The ids of a room that scenes may choose from, in the registry's order, without those of oracles
-/// if `judges` is false.
+/// if `judges` is false, and without those of shells.
 std::vector<std::string> stage_ids(const std::string& room, bool judges = true);
 
 /// A texture that reads one of our maps.
