@@ -84,7 +84,8 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
         shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
     std::optional<PrimitiveFrames> frames;
     if (parts.frames)
-        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id,
+                       parts.quadrics);
     std::optional<VertexRows> rows;
     if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
     const bool mirrored = is_mirrored(model_view);

@@ -50,6 +50,7 @@ std::string_view family_of(std::string_view trace) {
     if (lists(ConeStages(), trace)) return "cone";
     if (lists(ExactStages(), trace)) return "exact";
     if (lists(LayerStages(), trace)) return "layer";
+    if (lists(CurvedStages(), trace)) return "curved";
     if (lists(TableStages(), trace)) return "table";
     if (lists(OracleTraceStages(), trace)) return "oracle";
     if (lists(EngineStages(), trace)) return "engine";
@@ -59,8 +60,8 @@ std::string_view family_of(std::string_view trace) {
 std::vector<std::string> trace_rows(Rows rows) {
     std::vector<std::string> ids;
     for (const StageInfo& stage : all_stages())
-        if (std::string_view(stage.text.room) == "trace" && family_of(stage.text.id) != "layer" &&
-            belongs(stage, rows))
+        if (std::string_view(stage.text.room) == "trace" && !stage.may_miss &&
+            family_of(stage.text.id) != "layer" && belongs(stage, rows))
             ids.emplace_back(stage.text.id);
     return ids;
 }
