@@ -33,6 +33,7 @@ set(QUADREL_KERNEL_GROUPS
   "cone|relief/trace/cone/stages.hpp|ConeStages"
   "exact|relief/trace/exact/stages.hpp|ExactStages"
   "layer|relief/trace/layer/stages.hpp|LayerStages"
+  "curved|relief/trace/curved/stages.hpp|CurvedStages"
   "tables|relief/trace/table/stages.hpp|TableStages"
   "engine|relief/trace/engine/stages.hpp|EngineStages"
   "shell|relief/shell/stages.hpp|ShellStages"

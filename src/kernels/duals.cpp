@@ -32,8 +32,8 @@ std::vector<KernelRow> rows_of_lists() {
 const KernelTable& dual_kernels() {
     static const std::vector<KernelRow> rows =
         rows_of_lists<QuadStages, FrameStages, OffsetStages, MarchStages, ConeStages, ExactStages,
-                      LayerStages, TableStages, EngineStages, HitStages, SurfaceStages,
-                      ShadowStages, OcclusionStages, ShadeStages>();
+                      LayerStages, CurvedStages, TableStages, EngineStages, HitStages,
+                      SurfaceStages, ShadowStages, OcclusionStages, ShadeStages>();
     static const KernelGroup group{rows.data(), static_cast<std::int32_t>(rows.size())};
     static const ChainGroup no_chains{nullptr, 0};
     static const KernelTable table{kernel_magic, kernel_abi_version, "scalar", 4, sizeof(Dual), 1,

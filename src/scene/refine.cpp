@@ -6,15 +6,11 @@
 #include <unordered_map>
 
 #include "quadrel/num/functions.hpp"
+#include "scene/direction.hpp"
 #include "scene/mesh_corners.hpp"
 
 namespace quadrel {
 namespace {
-
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double squared = dot(v, v);
-    return squared > 0 ? v / std::sqrt(squared) : glm::dvec3(0);
-}
 
 /// A point of the surface, common to all vertices at its position.
 struct Point {
@@ -57,14 +53,14 @@ std::vector<NormalShare> normal_shares(const Surface& surface) {
     const Mesh& mesh = surface.mesh;
     std::vector<NormalShare> shares;
     for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-        const glm::dvec3 n = unit(glm::dvec3(mesh.normals[v]));
+        const glm::dvec3 n = direction(glm::dvec3(mesh.normals[v]));
         shares.push_back({surface.point_of[v], {n.x, n.y, n.z}});
     }
     if (!mesh.normals.empty()) return shares;
     for (const auto& t : mesh.triangles) {
         const glm::dvec3 a(mesh.positions[t[0]]);
-        const glm::dvec3 n =
-            unit(cross(glm::dvec3(mesh.positions[t[1]]) - a, glm::dvec3(mesh.positions[t[2]]) - a));
+        const glm::dvec3 n = direction(
+            cross(glm::dvec3(mesh.positions[t[1]]) - a, glm::dvec3(mesh.positions[t[2]]) - a));
         for (const std::uint32_t v : t) shares.push_back({surface.point_of[v], {n.x, n.y, n.z}});
     }
     return shares;
@@ -84,7 +80,7 @@ void find_normals(Surface& surface) {
     for (const NormalShare& share : shares)
         surface.points[share.point].normal +=
             glm::dvec3(share.normal[0], share.normal[1], share.normal[2]);
-    for (Point& point : surface.points) point.normal = unit(point.normal);
+    for (Point& point : surface.points) point.normal = direction(point.normal);
 }
 
 /// The middle of the PN edge between two points; the same for both orders of them.
@@ -94,10 +90,10 @@ Point edge_point(const Point& a, const Point& b) {
     const double squared = dot(edge, edge);
     const glm::dvec3 sum = a.normal + b.normal;
     const glm::dvec3 reflected =
-        squared > 0 ? unit(sum - edge * (2 * dot(edge, sum) / squared)) : unit(sum);
+        squared > 0 ? direction(sum - edge * (2 * dot(edge, sum) / squared)) : direction(sum);
     Point middle;
     middle.position = (a.position + b.position) * 0.5 - lift * 0.125;
-    middle.normal = unit(sum + reflected);
+    middle.normal = direction(sum + reflected);
     return middle;
 }
 
@@ -132,7 +128,7 @@ class EdgeCutter {
         if (!mesh.uvs.empty()) mesh.uvs.push_back((mesh.uvs[a] + mesh.uvs[b]) * 0.5f);
         if (mesh.tangents.empty()) return;
         const glm::dvec3 sum = glm::dvec3(mesh.tangents[a]) + glm::dvec3(mesh.tangents[b]);
-        mesh.tangents.emplace_back(glm::vec3(unit(sum)), mesh.tangents[a].w);
+        mesh.tangents.emplace_back(glm::vec3(direction(sum)), mesh.tangents[a].w);
     }
 
     Surface& surface_;

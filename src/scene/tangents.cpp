@@ -4,18 +4,13 @@
 
 #include "quadrel/num/inverse_trig.hpp"
 #include "scene/corner_groups.hpp"
+#include "scene/direction.hpp"
 
 namespace quadrel {
 namespace {
 
 glm::dvec3 uv_of(const Mesh& mesh, std::uint32_t index) {
     return mesh.uvs.empty() ? glm::dvec3(0) : glm::dvec3(mesh.uvs[index].x, mesh.uvs[index].y, 0);
-}
-
-/// v / |v|, or null.
-glm::dvec3 direction(const glm::dvec3& v) {
-    const double squared = dot(v, v);
-    return squared > 0 ? v / std::sqrt(squared) : glm::dvec3(0);
 }
 
 /// Some unit vector perpendicular to n: the axis that n is farthest from, made so.

@@ -61,8 +61,12 @@ testing::AssertionResult is_described(const StageInfo& stage) {
     }
     if (stage.outputs.empty()) return testing::AssertionFailure() << "no outputs";
     for (const Value v : stage.outputs) {
-        // Clipping changes a status in place, and flags may be added behind the trace.
-        const bool in_place = v == Value::hit_status || v == Value::hit_flags;
+        // Clipping changes a status in place, and flags may be added behind the trace; searches
+        // over curved surfaces turn the frame.
+        const bool frame =
+            v == Value::frame_normal || v == Value::T || v == Value::B || v == Value::J;
+        const bool in_place =
+            v == Value::hit_status || v == Value::hit_flags || (frame && stage.may_miss);
         if (is_input(stage, v) && !in_place)
             return testing::AssertionFailure() << info(v).name << " is both";
     }

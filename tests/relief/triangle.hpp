@@ -45,6 +45,8 @@ struct Triangle {
                 f.tangent[i][c] = P[1][c] - P[0][c];
                 f.bitangent[i][c] = P[2][c] - P[0][c];
                 f.tangent_sign[i] = 1;
+                f.quadric[i][0] = 0.5f - 0.2f * static_cast<float>(i);
+                f.quadric[i][1] = -0.1f + 0.2f * static_cast<float>(i);
             }
         }
         return f;

@@ -9,8 +9,8 @@ namespace quadrel {
 
 /// What `interpolate` takes from PrimitiveFrame.
 inline constexpr auto frame_values =
-    values(Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::face_J,
-           Value::object_x, Value::object_y, Value::object_z);
+    values(Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::quadric,
+           Value::face_J, Value::object_x, Value::object_y, Value::object_z);
 
 /// Reads PrimitiveData or PrimitiveFrame for one packet: a broadcast when all its quads belong to
 /// one primitive, a gather otherwise; the same bits either way.
@@ -146,8 +146,8 @@ struct Interpolate : StageDefaults {
     static constexpr std::array<Value, 0> inputs{};
     static constexpr auto outputs =
         values(Value::P, Value::vertex_normal, Value::Ng, Value::uv, Value::bary,
-               Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::face_J,
-               Value::object_x, Value::object_y, Value::object_z);
+               Value::vertex_tangent, Value::tangent_sign, Value::vertex_bitangent, Value::quadric,
+               Value::face_J, Value::object_x, Value::object_y, Value::object_z);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
@@ -194,6 +194,8 @@ struct Interpolate : StageDefaults {
             interpolated.at(row, at(offsetof(PrimitiveFrame, tangent_sign)), 1));
         io.template store<Value::vertex_bitangent>(
             interpolated.template vector<3>(row, at(offsetof(PrimitiveFrame, bitangent))));
+        io.template store<Value::quadric>(
+            interpolated.template vector<2>(row, at(offsetof(PrimitiveFrame, quadric))));
         io.template store<Value::face_J>(
             std::array<vec3<F>, 2>{constant(at(J)), constant(at(J) + 3)});
         io.template store<Value::object_x>(constant(at(axes)));

@@ -17,6 +17,8 @@ inline constexpr std::array<std::string_view, texture_slot_count> texture_slot_n
     "normal",
     "environment",
     "layers",
+    "layer_normals_x",
+    "layer_normals_y",
     "max-mip",
     "min-max",
     "texel-max",

@@ -21,6 +21,8 @@ enum class TextureSlot : std::int32_t {
     normal,
     environment,
     layers,
+    layer_normals_x,
+    layer_normals_y,
     max_mip,
     min_max,
     texel_max,
@@ -112,7 +114,8 @@ struct PrimitiveFrame {
     float bitangent[3][3];
     float J[6];               ///< of the whole triangle: gradients of u and v in its plane
     float object_axes[3][3];  ///< columns of the normal matrix: object to eye space
-    float unused[4];
+    float quadric[3][2];      ///< a vertex each (scene/quadrics.hpp), eye space; else 0
+    float unused[6];
 };
 
 /// What vertex programs read of a triangle (vertex_program.hpp), in an array of its own: the
@@ -132,7 +135,7 @@ struct PrimitiveVertices {
 inline constexpr int primitive_floats = sizeof(PrimitiveData) / sizeof(float);
 static_assert(primitive_floats == 32, "rows of 128 bytes");
 inline constexpr int frame_floats = sizeof(PrimitiveFrame) / sizeof(float);
-static_assert(frame_floats == 40, "rows of 160 bytes");
+static_assert(frame_floats == 48, "rows of 192 bytes");
 static_assert(sizeof(PrimitiveVertices) == 80 * sizeof(float), "rows of 320 bytes");
 
 }  // namespace quadrel

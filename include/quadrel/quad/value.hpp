@@ -19,6 +19,7 @@ enum class Value : std::int32_t {
     vertex_tangent,  ///< interpolated vertex tangent, not normalised (what it is: the frame's)
     tangent_sign,    ///< interpolated handedness of the vertex tangents
     vertex_bitangent,  ///< interpolated vertex bitangent, not normalised
+    quadric,           ///< interpolated quadric of the vertices (quadric_of_lane), 1 / world unit
     face_J,            ///< J of the triangle itself, from its vertices, in its plane
     object_x,          ///< the normal matrix' columns: eye-space directions of the object's axes
     object_y,
@@ -54,7 +55,7 @@ enum class Value : std::int32_t {
     hit_uv,
     hit_s,      ///< ray parameter: depth below the top plane, in units of the relief's depth
     hit_h,      ///< height that ended the search, in [0, 1]
-    hit_depth,  ///< world depth of the hit below the polygon
+    hit_depth,  ///< world depth of the hit below the polygon's plane, along the frame's normal
     hit_P,      ///< displaced point
     hit_status,
     hit_flags,
@@ -98,6 +99,7 @@ inline constexpr std::array<ValueInfo, static_cast<std::size_t>(Value::count)> v
     {"vertex_tangent", 3},
     {"tangent_sign", 1},
     {"vertex_bitangent", 3},
+    {"quadric", 2},
     {"face_J", 6},
     {"object_x", 3},
     {"object_y", 3},

@@ -10,6 +10,7 @@
 #include "quadrel/relief/shell/stages.hpp"
 #include "quadrel/relief/surface/stages.hpp"
 #include "quadrel/relief/trace/cone/stages.hpp"
+#include "quadrel/relief/trace/curved/stages.hpp"
 #include "quadrel/relief/trace/engine/stages.hpp"
 #include "quadrel/relief/trace/exact/stages.hpp"
 #include "quadrel/relief/trace/layer/stages.hpp"

@@ -19,6 +19,7 @@ class Builder {
         for (VertexAttribute attribute : all_vertex_attributes()) {
             if (std::find(names.begin(), names.end(), attribute.name) == names.end()) continue;
             attribute.offset = offset;
+            fits_quadrics_ |= std::string_view(attribute.name) == "quadric";
             offset += attribute.components * static_cast<int>(sizeof(float));
             buffers_.attributes.push_back(attribute);
         }
@@ -32,7 +33,8 @@ class Builder {
         const glm::mat4 model_view = scene_.camera.view * of.transform;
         const ShadedVertices shaded =
             shade_vertices(mesh, scene_.camera, model_view, material.texture_matrix);
-        const PrimitiveFrames frames(mesh, model_view, shaded.eye, shaded.uv, material.frame.id);
+        const PrimitiveFrames frames(mesh, model_view, shaded.eye, shaded.uv, material.frame.id,
+                                     fits_quadrics_);
         const bool mirrored = is_mirrored(model_view);
         Known known;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
@@ -72,7 +74,8 @@ class Builder {
                                           &eye[i].x,
                                           &shaded.clip[i].x,
                                           &eye_normal.x,
-                                          &shaded.uv[i].x};
+                                          &shaded.uv[i].x,
+                                          frame.quadric[v]};
             std::string bytes;
             for (const VertexAttribute& attribute : buffers_.attributes)
                 bytes.append(reinterpret_cast<const char*>(parts[attribute.location]),
@@ -95,6 +98,7 @@ class Builder {
 
     const Scene& scene_;
     VertexBuffers buffers_;
+    bool fits_quadrics_ = false;
 };
 
 }  // namespace
@@ -113,7 +117,8 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"eye_position", 9, 3, 0, "model_view * position"},
         {"clip_position", 10, 4, 0, "projection * eye_position"},
         {"eye_normal", 11, 3, 0, "normal_matrix * normal, or face_normal in meshes without"},
-        {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"}};
+        {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"},
+        {"quadric", 13, 2, 0, "of the corner, fitted to the mesh in eye space"}};
     return all;
 }
 

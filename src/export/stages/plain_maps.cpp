@@ -35,6 +35,8 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::normal:
         case TextureSlot::environment:
         case TextureSlot::layers:
+        case TextureSlot::layer_normals_x:
+        case TextureSlot::layer_normals_y:
         case TextureSlot::layer_bounds:
         case TextureSlot::quad_cone:
         case TextureSlot::aniso_cone:

@@ -110,6 +110,10 @@ constexpr SceneKey keys[] = {
      "behind it in two or four channels, in pairs, sorted, 0 at the top and 1 at the bottom; where "
      "both are equal there is nothing. Of one channel: a front that is solid down to the bottom",
      Below::object, "texture"},
+    {"material", "layer_normals_x", "name or `texture`", "none",
+     "x of the layers' normals, a channel a layer, for `normal-layers`", Below::object, "texture"},
+    {"material", "layer_normals_y", "name or `texture`", "none", "y of them", Below::object,
+     "texture"},
     {"material", "relief", "a `relief`", "the defaults below", "", Below::object, "relief"},
     {"material", "shade", "a stage's id, or a `stage`", "the default stage", "lighting",
      Below::object, "stage"},

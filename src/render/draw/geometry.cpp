@@ -155,7 +155,8 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
         shade_vertices(mesh, scene.camera, model_view, material.texture_matrix);
     std::optional<PrimitiveFrames> frames;
     if (parts.frames)
-        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id);
+        frames.emplace(mesh, model_view, vertices.eye, vertices.uv, material.frame.id,
+                       parts.quadrics);
     const bool mirrored = is_mirrored(model_view);
     const DrawnObject drawn_object{scene, object_index, mesh, vertices, state, form, parts};
     if (draws_shell(material)) return assemble_shell(drawn_object, frames, mirrored, geometry);

@@ -40,6 +40,7 @@ struct Geometry : PrimitiveRows {
 struct GeometryParts {
     bool frames = false;    ///< tangents, the triangles' own J and the objects' axes
     bool vertices = false;  ///< the vertices as submitted
+    bool quadrics = false;  ///< within `frames`: quadrics fitted to the meshes
     /// Triangles between the samples of the picture, too: for those who take samples elsewhere.
     bool all_triangles = false;
 };

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include "quadrel/num/functions.hpp"
+#include "quadrel/scene/quadrics.hpp"
 #include "quadrel/scene/tangents.hpp"
 
 namespace quadrel {
@@ -46,7 +47,8 @@ std::array<float, 6> triangle_jacobian(const std::array<glm::vec3, 3>& position,
 
 PrimitiveFrames::PrimitiveFrames(const Mesh& mesh, const glm::mat4& model_view,
                                  const std::vector<glm::vec3>& eye,
-                                 const std::vector<glm::vec2>& uv, std::string_view frame)
+                                 const std::vector<glm::vec2>& uv, std::string_view frame,
+                                 bool quadrics)
     : mesh_(mesh),
       eye_(eye),
       uv_(uv),
@@ -66,6 +68,15 @@ PrimitiveFrames::PrimitiveFrames(const Mesh& mesh, const glm::mat4& model_view,
     } else if (!mesh.tangents.empty()) {
         make_own(mesh);
     }
+    if (quadrics) make_quadrics(mapped());
+}
+
+// Of the mesh in eye space, so that no transform has to know what it does to curvature.
+void PrimitiveFrames::make_quadrics(Mesh mesh) {
+    mesh.positions = eye_;
+    for (glm::vec3& normal : mesh.normals)
+        normal = unit_or_null(glm::vec3(glm::dmat3(normal_matrix_) * glm::dvec3(normal)));
+    quadrics_ = fitted_quadrics(mesh);
 }
 
 void PrimitiveFrames::make_gradients(const Mesh& mesh) {
@@ -111,6 +122,15 @@ PrimitiveFrame PrimitiveFrames::of(const AssembledTriangle& piece,
     std::copy(J.begin(), J.end(), frame.J);
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < 3; ++i) frame.object_axes[axis][i] = normal_matrix_[axis][i];
+    if (!quadrics_.empty()) {
+        const std::array<glm::vec2, 3>& own = quadrics_[drawn.triangle];
+        const glm::vec2 &first = own[drawn.corner[0]], &second = own[drawn.corner[1]],
+                        &third = own[drawn.corner[2]];
+        for (int v = 0; v < 3; ++v)
+            for (int i = 0; i < 2; ++i)
+                frame.quadric[v][i] = weigh(piece.weights[static_cast<std::size_t>(v)].perspective,
+                                            first[i], second[i], third[i]);
+    }
     if (corners_.empty()) return frame;
     const Corners& corners = corners_[drawn.triangle];
     const Corner &first = corners[drawn.corner[0]], &second = corners[drawn.corner[1]],

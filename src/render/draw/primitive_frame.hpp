@@ -9,6 +9,8 @@
 //
 // All in eye space; null where a mesh has nothing of the kind. frame-mikkt takes the mesh's own
 // tangents where it has some and no texture matrix turns the UV.
+//
+// Quadrics are fitted where a stage reads them, with the fragments' texture coordinates.
 #pragma once
 
 #include <array>
@@ -33,10 +35,10 @@ struct DrawnCorners {
 class PrimitiveFrames {
   public:
     /// `eye` and `uv`: the vertex stage's outputs, as long as the mesh; all must outlive this.
-    /// `frame`: id of the material's frame.
+    /// `frame`: id of the material's frame. `quadrics`: whether to fit them.
     PrimitiveFrames(const Mesh& mesh, const glm::mat4& model_view,
                     const std::vector<glm::vec3>& eye, const std::vector<glm::vec2>& uv,
-                    std::string_view frame = {});
+                    std::string_view frame = {}, bool quadrics = false);
 
     /// The row of one piece of a triangle.
     PrimitiveFrame of(const AssembledTriangle& piece, const DrawnCorners& drawn) const;
@@ -52,6 +54,7 @@ class PrimitiveFrames {
     void make_own(const Mesh& mesh);
     void make_gradients(const Mesh& mesh);
     void make_mikkt(const Mesh& mesh);
+    void make_quadrics(Mesh mesh);
 
     const Mesh& mesh_;
     const std::vector<glm::vec3>& eye_;
@@ -60,6 +63,7 @@ class PrimitiveFrames {
     glm::mat3 normal_matrix_;
     float side_;                    ///< -1 where the transform mirrors
     std::vector<Corners> corners_;  ///< a triangle each, eye space; empty where all are null
+    std::vector<std::array<glm::vec2, 3>> quadrics_;  ///< likewise
 };
 
 /// v / |v|, or null.

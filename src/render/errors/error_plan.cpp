@@ -156,7 +156,8 @@ std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& materi
     if (draws_shell(material)) return std::nullopt;  // the judge knows polygons
     const std::vector<PlannedStage> stages = material_stages(scene, material);
     const PlannedStage& trace = *stage_of_room(stages, "trace");
-    if (reads_slot(trace, TextureSlot::layers)) return std::nullopt;  // the judge knows heights
+    // The judge knows heights, and straight rays that end on them.
+    if (reads_slot(trace, TextureSlot::layers) || trace.info->may_miss) return std::nullopt;
     const std::string own = trace.info->text.id;
     const std::string judge = stores(trace, Value::oracle_s)              ? own
                               : reads_slot(trace, TextureSlot::texel_max) ? "oracle-block"
@@ -200,7 +201,9 @@ std::string judges_text(const Scene& scene) {
         const auto judge = error_judge(scene, material);
         lines.push_back(fmt::format("{}: {}", material.name,
                                     judge ? fmt::format("{}, {}", judge->frame, judge->trace)
-                                          : "not judged, no height map"));
+                                    : material.textures.count("height") != 0
+                                        ? "not judged, rays may pass the relief"
+                                        : "not judged, no height map"));
     }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }

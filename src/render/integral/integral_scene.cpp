@@ -44,10 +44,10 @@ void replace_trace(const Scene& scene, Material& material) {
         throw InputError(scene.file.string(), material.trace.key,
                          std::string("a search of depth layers, ") + trace->text.id,
                          "a height map, or no trace: integrals take the judge's hits");
-    if (draws_shell(material))
+    if (trace->may_miss)
         throw InputError(scene.file.string(), material.trace.key,
-                         std::string("a search of shells, ") + trace->text.id,
-                         "a search of polygons, or no trace: integrals take the judge's hits");
+                         std::string("a search that rays may pass, ") + trace->text.id,
+                         "a search of a height map, or no trace: integrals take the judge's hits");
     replace(material.trace,
             reads(*trace, TextureSlot::texel_max) ? "oracle-block" : "oracle-bilinear");
 }

@@ -174,6 +174,7 @@ GeometryParts parts_read(const RenderPlan& plan) {
         for (const MaterialPlan* material : plans_that_load(plan, m)) {
             for (const Value v : frame_values)
                 parts.frames |= material->values[static_cast<std::size_t>(v)];
+            parts.quadrics |= material->values[static_cast<std::size_t>(Value::quadric)];
             for (const PlannedStage& stage : material->stages)
                 parts.vertices |= stage.info->reads_vertices;
         }

@@ -52,7 +52,7 @@ std::string geometry_key(const Scene& scene, const HardwareModel& hardware,
     Key key;
     key.add(scene.width).add(scene.height).add(scene.samples).add(scene.conventions);
     key.add(hardware.subpixel_bits).add(hardware.snap_rounding).add(hardware.interpolation);
-    key.add(parts.frames).add(parts.vertices).add(parts.all_triangles);
+    key.add(parts.frames).add(parts.vertices).add(parts.quadrics).add(parts.all_triangles);
     key.add(scene.camera.view).add(scene.camera.projection).add(scene.camera.reversed_z);
     key.add(scene.meshes.size());
     for (const Mesh& mesh : scene.meshes) add_mesh(mesh, key);

@@ -57,9 +57,9 @@ std::vector<StageInfo> describe_lists() {
 std::vector<StageInfo>& registry() {
     static auto stages =
         describe_lists<QuadStages, FrameStages, OracleStages, OffsetStages, MarchStages, ConeStages,
-                       ExactStages, LayerStages, TableStages, OracleTraceStages, EngineStages,
-                       ShellStages, HitStages, SurfaceStages, ShadowStages, OracleShadowStages,
-                       OcclusionStages, OracleOcclusionStages, ShadeStages>();
+                       ExactStages, LayerStages, CurvedStages, TableStages, OracleTraceStages,
+                       EngineStages, ShellStages, HitStages, SurfaceStages, ShadowStages,
+                       OracleShadowStages, OcclusionStages, OracleOcclusionStages, ShadeStages>();
     return stages;
 }
 

@@ -16,12 +16,6 @@ bool lists(StageList<S...>, std::string_view id) {
 /// Without the suffix, but one program's listing all the same.
 bool is_one_programs(std::string_view id) { return id == "pom-dxsdk"; }
 
-/// Not depth layers, and not shells over meshes.
-bool searches_heights(std::string_view trace) {
-    const std::string_view family = family_of(trace);
-    return family != "layer" && family != "shell";
-}
-
 bool is_corrected(const StageInfo& stage, std::string_view family) {
     const std::string_view id = stage.text.id;
     const bool searches = family == "offset" || family == "march" || family == "cone" ||
@@ -56,6 +50,7 @@ std::string_view family_of(std::string_view trace) {
     if (lists(ConeStages(), trace)) return "cone";
     if (lists(ExactStages(), trace)) return "exact";
     if (lists(LayerStages(), trace)) return "layer";
+    if (lists(CurvedStages(), trace)) return "curved";
     if (lists(TableStages(), trace)) return "table";
     if (lists(ShellStages(), trace)) return "shell";
     if (lists(OracleTraceStages(), trace)) return "oracle";
@@ -66,8 +61,8 @@ std::string_view family_of(std::string_view trace) {
 std::vector<std::string> trace_rows(Rows rows) {
     std::vector<std::string> ids;
     for (const StageInfo& stage : all_stages())
-        if (std::string_view(stage.text.room) == "trace" && searches_heights(stage.text.id) &&
-            belongs(stage, rows))
+        if (std::string_view(stage.text.room) == "trace" && !stage.may_miss &&
+            family_of(stage.text.id) != "layer" && belongs(stage, rows))
             ids.emplace_back(stage.text.id);
     return ids;
 }

@@ -7,8 +7,8 @@
 
 namespace quadrel::sweep {
 
-/// "offset", "march", "cone", "exact", "layer", "table", "shell", "oracle", "engine", or "other"
-/// for a plugin's.
+/// "offset", "march", "cone", "exact", "layer", "curved", "table", "shell", "oracle", "engine", or
+/// "other" for a plugin's.
 std::string_view family_of(std::string_view trace);
 
 /// Which rows a plan may ask for by one word.
@@ -20,8 +20,8 @@ enum class Rows {
     oracles
 };
 
-/// Ids in the registry's order, but for searches of depth layers and of shells: sweeps have height
-/// maps and flat polygons.
+/// Ids in the registry's order, but for searches of depth layers, and for those that rays may pass:
+/// sweeps have height maps, and a judge of rays that end on them.
 std::vector<std::string> trace_rows(Rows rows);
 
 }  // namespace quadrel::sweep

@@ -1,5 +1,6 @@
-// Depth layers: a curtain, front and back; and a lattice over a floor, four depths. Where there is
-// nothing, front and back meet in the middle of what is beside, so that rims close smoothly.
+// Depth layers: a curtain, front and back; and a lattice over a floor, four depths, with the
+// normals of all four. Where there is nothing, front and back meet in the middle of what is beside,
+// so that rims close smoothly.
 #include <algorithm>
 
 #include "recipes.hpp"
@@ -58,6 +59,28 @@ glm::dvec4 lattice_at(int x, int y) {
     return {0.25 - half, 0.25 + half, 0.9 - floor, 0.9 + floor};
 }
 
+/// World depth of the lattice's relief a length of its tile: that of the scenes that read the
+/// normals.
+constexpr double lattice_depth = 0.15;
+
+/// A component of the four layers' unit normals, along u (axis 0) or v, as n * 0.5 + 0.5. Fronts
+/// face the top, backs the bottom; slopes are differences over two texels.
+glm::dvec4 lattice_normal(int x, int y, int axis) {
+    const auto slopes = [](const glm::dvec4& next, const glm::dvec4& last) {
+        return (next - last) * (0.5 * size * lattice_depth);
+    };
+    const glm::dvec4 along_u = slopes(lattice_at(x + 1, y), lattice_at(x - 1, y));
+    const glm::dvec4 along_v = slopes(lattice_at(x, y + 1), lattice_at(x, y - 1));
+    const glm::dvec4& along = axis == 0 ? along_u : along_v;
+    glm::dvec4 normal;
+    for (int layer = 0; layer < 4; ++layer) {
+        const double n = along[layer] / std::sqrt(1 + along_u[layer] * along_u[layer] +
+                                                  along_v[layer] * along_v[layer]);
+        normal[layer] = 0.5 + 0.5 * (layer % 2 == 0 ? n : -n);
+    }
+    return normal;
+}
+
 }  // namespace
 
 void write_layers(const std::filesystem::path& directory) {
@@ -65,6 +88,10 @@ void write_layers(const std::filesystem::path& directory) {
                  make_grid<glm::dvec4>(size, size, curtain_at));
     write_depths(directory / "lattice_layers.exr", 4,
                  make_grid<glm::dvec4>(size, size, lattice_at));
+    for (const int axis : {0, 1})
+        write_depths(directory / (axis == 0 ? "lattice_normals_x.exr" : "lattice_normals_y.exr"), 4,
+                     make_grid<glm::dvec4>(
+                         size, size, [axis](int x, int y) { return lattice_normal(x, y, axis); }));
 }
 
 }  // namespace quadrel::textures

@@ -41,7 +41,7 @@ std::map<std::string, Floats> vertex(const VertexBuffers& buffers, std::uint32_t
     return values;
 }
 
-/// P, normal, uv, face normal, tangent, handedness, bitangent, J of a corner.
+/// P, normal, uv, face normal, tangent, handedness, bitangent, J, quadric of a corner.
 Floats shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformValues& object,
               const UniformValues& material) {
     const auto of = vertex(buffers, index);
@@ -54,8 +54,8 @@ Floats shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformVa
                            : linear_row(object.at("normal_matrix"), row, of.at("normal")));
     const Floats uv{of.at("texture_coordinates")[0], of.at("texture_coordinates")[1], 0};
     for (int row = 0; row < 2; ++row) all.push_back(affine(material.at("texture_matrix"), row, uv));
-    for (const char* name :
-         {"face_normal", "tangent", "handedness", "bitangent", "gradient_u", "gradient_v"})
+    for (const char* name : {"face_normal", "tangent", "handedness", "bitangent", "gradient_u",
+                             "gradient_v", "quadric"})
         all.insert(all.end(), of.at(name).begin(), of.at(name).end());
     return all;
 }
@@ -90,6 +90,7 @@ Floats interpolated(const Geometry& geometry, std::size_t triangle, int corner) 
     add(&frame.tangent_sign[corner], 1);
     add(frame.bitangent[corner], 3);
     add(frame.J, 6);
+    add(frame.quadric[corner], 2);
     return all;
 }
 
@@ -103,7 +104,7 @@ std::vector<std::string> all_attribute_names() {
 /// How many corners of whole triangles are not what Quadrel has; -1 if there are none.
 template <class Change>
 int wrong_corners(const Scene& scene, const Change& change) {
-    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false});
+    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false, true});
     const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
     int wrong = 0, seen = 0;
     for (const Draw& draw : buffers.draws) {
@@ -152,7 +153,7 @@ TEST(SceneBuffers, MirroredObjectsKeepTheirOutside) {
     for (Material& material : scene.materials) material.cull = Cull::back;
     scene.objects = {scene.objects[1]};  // in view
     scene.objects[0].transform[0] *= -1.0f;
-    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false});
+    const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false, true});
     ASSERT_FALSE(geometry.triangles.empty());
     const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
     const UniformValues object = object_values_by_name(scene, scene.objects[0]);

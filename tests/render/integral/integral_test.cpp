@@ -189,6 +189,15 @@ TEST(Integral, ReplacesWhatAFootprintDecides) {
     EXPECT_EQ(changed.environment->sampler.mip, MipFilter::none);
 }
 
+TEST(Integral, RefusesSearchesThatRaysMayPass) {
+    Scene scene = varied_scene();
+    EXPECT_NO_THROW(integral_scene(scene));
+    for (const char* trace : {"prism-free", "curved-quadric"}) {
+        scene.materials[0].trace = stage(trace, "materials.stone.relief.trace");
+        EXPECT_THROW(integral_scene(scene), InputError) << trace;
+    }
+}
+
 /// Which levels a sampler would choose does not matter, nor how hardware filters.
 TEST(Integral, DoesNotDependOnLevelsOfDetail) {
     Scene scene = varied_scene();

@@ -28,7 +28,9 @@ AssertionResult tells_scenes_apart(const KeyOf& key) {
     }
     if (key(scene, {true, false}) == key(scene, {})) return AssertionFailure() << "frames";
     if (key(scene, {false, true}) == key(scene, {})) return AssertionFailure() << "vertices";
-    if (key(scene, {false, false, true}) == key(scene, {})) return AssertionFailure() << "all";
+    if (key(scene, {false, false, true}) == key(scene, {})) return AssertionFailure() << "quadrics";
+    if (key(scene, {false, false, false, true}) == key(scene, {}))
+        return AssertionFailure() << "all";
     return AssertionSuccess();
 }
 

@@ -10,7 +10,7 @@
 // greatest heights: none of them could be dark.
 #pragma once
 
-#include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/shadow/light_cells.hpp"
 #include "quadrel/relief/trace/exact/rising_search.hpp"
 
 namespace quadrel {
@@ -33,21 +33,13 @@ struct ShadowExactBy : StageDefaults {
         using F = typename Io::Number;
         const LightRay<F> light = light_ray(io);
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        const Grid grid = cell_grid(map.view.width[0], map.view.height[0], map.sampler);
-        SearchRay<F> upwards{light.uv, light.K, F(1), 0, light.active, Int<F>(0), Int<F>(0)};
-        CellSearch<F> search(make_cell_ray(upwards, map, grid, 0.5f), light.active);
+        LightCells<F> search(light, map);
         const auto heights = [&] {
-            return cell_heights<F>(map, grid, stored_index<F>(search.i, grid.u),
-                                   stored_index<F>(search.j, grid.v));
+            return cell_heights<F>(map, search.grid, search.stored_i(), search.stored_j());
         };
-        const vec2<F> start{clamp(search.ray.x.start - to_float<F>(search.i), F(0), F(1)),
-                            clamp(search.ray.y.start - to_float<F>(search.j), F(0), F(1))};
         CellHeights<F> h = heights();
-        const F z = patch_height(h, start), rise = F(1) - z;
-        // s = 1 is where the ray leaves the relief at its top.
-        search.active = search.active & (rise > F(0));
-        search.ray.x.rate = search.ray.x.rate * rise;
-        search.ray.y.rate = search.ray.y.rate * rise;
+        const F z = patch_height(h, search.start), rise = F(1) - z;
+        search.leave_after(rise);
         const RisingHeight<F> ray{z, rise};
         const auto test = [&](Mask<F> mask, const CellExit<F>& exit, Mask<F> first) {
             const PatchRay<F> part = search.part_in_cell(exit);

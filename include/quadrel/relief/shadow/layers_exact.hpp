@@ -10,7 +10,7 @@
 // NaN.
 #pragma once
 
-#include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/shadow/light_cells.hpp"
 #include "quadrel/relief/trace/layer/layer_search.hpp"
 
 namespace quadrel {
@@ -66,22 +66,15 @@ struct ShadowLayersExact : StageDefaults {
         using F = typename Io::Number;
         const LightRay<F> light = light_ray(io);
         const SampledTexture& map = layer_map(io);
-        const Grid grid = cell_grid(map.view.width[0], map.view.height[0], map.sampler);
-        SearchRay<F> upwards{light.uv, light.K, F(1), 0, light.active, Int<F>(0), Int<F>(0)};
-        CellSearch<F> search(make_cell_ray(upwards, map, grid, 0.5f), light.active);
+        LightCells<F> search(light, map);
         const auto cell_here = [&] {
-            return cell_layers<F>(map, grid, stored_index<F>(search.i, grid.u),
-                                  stored_index<F>(search.j, grid.v));
+            return cell_layers<F>(map, search.grid, search.stored_i(), search.stored_j());
         };
-        const vec2<F> at{clamp(search.ray.x.start - to_float<F>(search.i), F(0), F(1)),
-                         clamp(search.ray.y.start - to_float<F>(search.j), F(0), F(1))};
         CellLayers<F> cell = cell_here();
-        const StartLayer<F> start = start_layer(cell, at, io.template load<Value::hit_s>());
-        // s = 1 is where the ray leaves the relief at its top.
+        const StartLayer<F> start =
+            start_layer(cell, search.start, io.template load<Value::hit_s>());
         const F rise = start.depth;
-        search.active = search.active & (rise > F(0));
-        search.ray.x.rate = search.ray.x.rate * rise;
-        search.ray.y.rate = search.ray.y.rate * rise;
+        search.leave_after(rise);
         Mask<F> first(true);
         for (const auto k : rounds<F>()) {
             search.count_step(1, 2);

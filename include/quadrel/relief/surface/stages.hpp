@@ -16,6 +16,8 @@
 #include "quadrel/relief/surface/h2n_thesis.hpp"
 #include "quadrel/relief/surface/h2n_thesis_published.hpp"
 #include "quadrel/relief/surface/none.hpp"
+#include "quadrel/relief/surface/normal_layers.hpp"
+#include "quadrel/relief/surface/normal_layers_published.hpp"
 #include "quadrel/relief/surface/normal_map.hpp"
 #include "quadrel/relief/surface/normal_map_flightgear.hpp"
 #include "quadrel/relief/surface/normal_mcguire_published.hpp"
@@ -28,6 +30,6 @@ using SurfaceStages =
     StageList<SurfaceNone, H2nThesis, H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap,
               H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, H2nLayers, BumpBlinn,
               BumpNoise, BumpNoisePublished, NormalMap, NormalMapFlightGear, NormalSmoothMcGuire,
-              NormalMcGuirePublished, NormalWelshPublished>;
+              NormalMcGuirePublished, NormalWelshPublished, NormalLayers, NormalLayersPublished>;
 
 }  // namespace quadrel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "quadrel/relief/trace/exact/height_pyramid.hpp"
+#include "quadrel/relief/trace/exact/recorded_look_ups.hpp"
 
 namespace quadrel {
 
@@ -27,22 +28,15 @@ class BlockSearch : public CellSearch<typename Io::Number> {
         this->hit(mask & meets & is_finite(height), clamp(top, entry, leaves), height);
     }
 
-    /// Counts a look-up in the pyramid and tells a probe what it gave.
-    void record_node(Mask<F> mask, F height) {
-        count_fetch(io_.template context<TextureSlot::texel_max>(mask));
-        count_in<F>(this->result.fetches, mask);
-        if (io_.call().log == nullptr) return;
-        const F s = this->entry();
-        io_.march_step(mask, s, fragment_.at(s), F(1) - s, height);
-    }
-
     /// The whole search; `ascent` as in search_pyramid.
     void run(int ascent) {
         const HeightPyramid<F> pyramid(*io_.template texture<TextureSlot::texel_max>(), grid_);
         search_pyramid<F>(
             *this, pyramid, ascent,
             [&](Mask<F> mask, const CellExit<F>& exit, F height) { test(mask, exit, height); },
-            [&](Mask<F> mask, F height) { record_node(mask, height); });
+            [&](Mask<F> mask, F height) {
+                record_node<TextureSlot::texel_max>(io_, *this, fragment_, mask, height);
+            });
         store_cell_search(io_, fragment_, *this);
     }
 

@@ -2,7 +2,7 @@
 // whatever filters the sampler has; its wrap modes hold.
 #pragma once
 
-#include "quadrel/relief/trace/exact/cell_search.hpp"
+#include "quadrel/relief/trace/exact/recorded_look_ups.hpp"
 
 namespace quadrel {
 
@@ -28,7 +28,8 @@ class PatchSearch : public CellSearch<typename Io::Number> {
         const CellHeights<F> heights = cell_heights<F>(map_, grid_, stored_i(), stored_j());
         const PatchRay<F> part = this->part_in_cell(exit);
         const PatchHit<F> meeting = intersect_patch(heights, part, tells_grazes_);
-        record(mask, part, heights);
+        record_cell<TextureSlot::height>(io_, *this, fragment_, map_, mask, part.s, heights,
+                                         patch_height(heights, part.entry));
         this->met_nan = this->met_nan | (mask & meeting.not_finite);
         this->result.flags = this->result.flags | select(mask & meeting.ambiguous,
                                                          Int<F>(HitFlag::ambiguous), Int<F>(0));
@@ -39,14 +40,7 @@ class PatchSearch : public CellSearch<typename Io::Number> {
     /// Counts look-ups in a map that was baked for this search, and tells a probe what they gave.
     template <TextureSlot slot, int fetches = 1>
     void record_node(Mask<F> mask, F height) {
-        const SampleContext<F> context = io_.template context<slot>(mask);
-        for (int k = 0; k < fetches; ++k) {
-            count_fetch(context);
-            count_in<F>(this->result.fetches, mask);
-        }
-        if (context.log == nullptr) return;
-        const F s = this->entry();
-        io_.march_step(mask, s, fragment_.at(s), F(1) - s, height);
+        quadrel::record_node<slot, fetches>(io_, *this, fragment_, mask, height);
     }
 
     void store() { store_cell_search(io_, fragment_, *this); }
@@ -64,17 +58,6 @@ class PatchSearch : public CellSearch<typename Io::Number> {
           grid_(grid) {
         this->counts_steps = are_steps_counted(io);
         this->tests_are_costly = true;
-    }
-
-    void record(Mask<F> mask, const PatchRay<F>& part, const CellHeights<F>& heights) {
-        const SampleContext<F> context = io_.template context<TextureSlot::height>(mask);
-        count_fetch(context);
-        count_in<F>(this->result.fetches, mask);
-        const vec2<F> uv = fragment_.at(part.s);
-        io_.march_step(mask, part.s, uv, F(1) - part.s, patch_height(heights, part.entry));
-        if (context.log == nullptr) return;
-        log_fetch(context, map_, uv, lod_from_level(map_, F(0)),
-                  vec4<F>(heights.h00, heights.h10, heights.h01, heights.h11));
     }
 
     const Io& io_;

@@ -2,7 +2,7 @@
 // whatever filters the sampler has; its wrap modes hold.
 #pragma once
 
-#include "quadrel/relief/trace/exact/cell_search.hpp"
+#include "quadrel/relief/trace/exact/recorded_look_ups.hpp"
 #include "quadrel/relief/trace/layer/solid.hpp"
 
 namespace quadrel {
@@ -88,7 +88,9 @@ class LayerSearch : public CellSearch<typename Io::Number> {
         const CellLayers<F> cell = cell_layers<F>(map_, grid_, stored_index<F>(this->i, grid_.u),
                                                   stored_index<F>(this->j, grid_.v));
         const PatchRay<F> part = this->part_in_cell(exit);
-        record(mask, part, cell);
+        const CellHeights<F>& front = cell.layer[0];
+        record_cell<TextureSlot::layers>(io_, *this, fragment_, map_, mask, part.s, front,
+                                         F(1) - patch_height(front, part.entry));
         const auto meeting = meet_layers<layers, F>(cell, part, {part.s, F(1)}, tells_grazes_);
         this->met_nan = this->met_nan | (mask & meeting.not_finite);
         this->result.flags = this->result.flags | select(mask & meeting.ambiguous,
@@ -99,11 +101,7 @@ class LayerSearch : public CellSearch<typename Io::Number> {
 
     /// Counts a look-up in the pyramid of bounds, and shows a probe the depth that it gave.
     void record_node(Mask<F> mask, F depth) {
-        count_fetch(io_.template context<TextureSlot::layer_bounds>(mask));
-        count_in<F>(this->result.fetches, mask);
-        if (io_.call().log == nullptr) return;
-        const F s = this->entry();
-        io_.march_step(mask, s, fragment_.at(s), F(1) - s, F(1) - depth);
+        quadrel::record_node<TextureSlot::layer_bounds>(io_, *this, fragment_, mask, F(1) - depth);
     }
 
     /// A ray that meets nothing is a miss.
@@ -120,18 +118,6 @@ class LayerSearch : public CellSearch<typename Io::Number> {
           fragment_(fragment),
           map_(map),
           grid_(grid) {}
-
-    void record(Mask<F> mask, const PatchRay<F>& part, const CellLayers<F>& cell) {
-        const SampleContext<F> context = io_.template context<TextureSlot::layers>(mask);
-        count_fetch(context);
-        count_in<F>(this->result.fetches, mask);
-        const vec2<F> uv = fragment_.at(part.s);
-        const CellHeights<F>& front = cell.layer[0];
-        io_.march_step(mask, part.s, uv, F(1) - part.s, F(1) - patch_height(front, part.entry));
-        if (context.log == nullptr) return;
-        log_fetch(context, map_, uv, lod_from_level(map_, F(0)),
-                  vec4<F>(front.h00, front.h10, front.h01, front.h11));
-    }
 
     const Io& io_;
     SearchRay<F> fragment_;

@@ -69,10 +69,11 @@ Int<F> search_status(Mask<F> found, Mask<F> met_nan, Status otherwise = Status::
 }
 
 /// Stores a search's outputs. Lanes without a frame stay on the polygon with the frame's status.
-/// `uv`: the displaced coordinates; by default those of s on the ray.
+/// `uv`: the displaced coordinates; by default those of s on the ray. `depth`: hit_depth, where s
+/// does not say it.
 template <class Io, class F = typename Io::Number>
 void store_search(const Io& io, const SearchRay<F>& ray, const SearchResult<F>& found,
-                  const vec2<F>& uv) {
+                  const vec2<F>& uv, F depth) {
     const Mask<F> framed = ray.frame_status == status_packet<F>(Status::hit);
     const F s = select(framed, found.s, F(ray.s_polygon));
     const Mask<F> starts_below = (found.status == status_packet<F>(Status::hit)) &
@@ -82,12 +83,17 @@ void store_search(const Io& io, const SearchRay<F>& ray, const SearchResult<F>& 
     io.template store<Value::hit_uv>(select(framed, uv, ray.uv));
     io.template store<Value::hit_s>(s);
     io.template store<Value::hit_h>(found.h);
-    io.template store<Value::hit_depth>((s - F(ray.s_polygon)) * ray.depth);
+    io.template store<Value::hit_depth>(select(framed, depth, F(0)));
     io.template store<Value::hit_status>(select(framed, found.status, ray.frame_status));
     const Int<F> all = flags | nan_look_up_flag(uv);
     io.template store<Value::hit_flags>(ray.frame_flags | select(framed, all, Int<F>(0)));
     io.template store<Value::hit_steps>(found.steps);
     io.template store<Value::hit_fetches>(found.fetches);
+}
+template <class Io, class F = typename Io::Number>
+void store_search(const Io& io, const SearchRay<F>& ray, const SearchResult<F>& found,
+                  const vec2<F>& uv) {
+    store_search(io, ray, found, uv, (found.s - F(ray.s_polygon)) * ray.depth);
 }
 template <class Io, class F = typename Io::Number>
 void store_search(const Io& io, const SearchRay<F>& ray, const SearchResult<F>& found) {
