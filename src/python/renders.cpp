@@ -1,6 +1,8 @@
 // What is computed of a scene: renders, probes, errors against the truth, sweeps.
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"
 #include "quadrel/errors.hpp"
@@ -57,6 +59,15 @@ struct Extras {
     bool stats = false, touched = false;
 };
 
+/// Between two tiles a render can be stopped. Where a pixel takes milliseconds they are small,
+/// which costs such a render little.
+void shorten_tiles(RenderOptions& options) {
+    constexpr int small_tile = 4;
+    if (options.integral || !options.limits.empty() ||
+        std::ranges::any_of(options.channels, is_drawn_apart))
+        options.tile = small_tile;
+}
+
 py::tuple render_film(const HeldScene& held, const std::vector<std::string>& channels,
                       const std::optional<Box>& window, const Running& running,
                       const Extras& extras, const std::vector<InjectedFilm>& injected,
@@ -77,6 +88,7 @@ py::tuple render_film(const HeldScene& held, const std::vector<std::string>& cha
         options.integral->samples = extras.samples.value_or(options.integral->samples);
         options.integral->error = extras.error.value_or(0);
     }
+    shorten_tiles(options);
     RenderStats stats;
     if (extras.stats || extras.touched) options.stats = &stats;
     const auto named = std::make_shared<NamedFilm>();

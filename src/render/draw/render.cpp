@@ -259,10 +259,11 @@ TouchedTexels mark_touched(const PreparedRender& prepared, const RenderOptions& 
     const FilmTarget target{&film, &prepared.channels, viewport, scene.background};
     const RenderPlan counting = plan_with_steps(prepared.plan);
     TouchedTexels touched(prepared.plan);
-    RenderOptions silent = options;
-    silent.progress = nullptr;
+    RenderOptions marking = options;
+    // All is drawn by now; but who is told may end it.
+    if (options.progress) marking.progress = [&](double) { options.progress(1); };
     render_tiles(
-        prepared, silent,
+        prepared, marking,
         [&] {
             return TileRenderer(scene, counting, prepared.geometry, target, Recording::marks,
                                 &touched);
