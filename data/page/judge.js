@@ -133,7 +133,7 @@ async function drawAndJudge() {
     const verdict = verdictOf(reference, drawn);
     document.body.dataset.verdict = JSON.stringify({ ...verdict, renderer: drawing.renderer });
     showJudge(verdictLine(verdict), verdict.counts[3] ? "bad" : "good",
-      html("p", { className: "lead" }, `${drawing.renderer}; drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}, in ${passes === 1 ? "one pass" : `${passes} passes`}.`),
+      html("p", { className: "lead" }, `${drawing.renderer}; ${passes === 1 ? "one pass" : `${passes} passes`}${took < 1 ? "" : `, drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}`}.`),
       verdictTable(verdict), ...listOf(notesOf(drawing, verdict)), html("div", { className: "row wishes" }, ...judgeControls()));
   } catch (error) {
     document.body.dataset.verdict = JSON.stringify({ error: error.message });
