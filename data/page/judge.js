@@ -7,8 +7,39 @@ const wishLabels = { targets: [["float", "Float"], ["packed", "Bytes (RGBA8)"]],
 /* Ranges stand beside the values that they are of. */
 saidOtherwise = (name) => name.startsWith("gpu.");
 
+/* Pixels that one side alone covers, by whether the reference's coverage ends beside them: snapped elsewhere, an edge
+   may pass another pixel's centre, but none that lies farther away. */
+function coverageOf(reference, drawn) {
+  const [x, y] = [reference, drawn].map((source) => source.channels.get("A")?.values), apart = [], far = [];
+  if (!x || !y) return { apart, far };
+  const { width, height } = reference, covers = (values, i) => values[i] > 0;
+  const endsBeside = (i) => {
+    const column = i % width, row = Math.floor(i / width);
+    for (let v = Math.max(row - 1, 0); v <= Math.min(row + 1, height - 1); v += 1)
+      for (let u = Math.max(column - 1, 0); u <= Math.min(column + 1, width - 1); u += 1)
+        if (covers(x, v * width + u) !== covers(x, i)) return true;
+    return false;
+  };
+  for (let i = 0; i < x.length; i += 1)
+    if (covers(x, i) !== covers(y, i)) (endsBeside(i) ? apart : far).push(i);
+  return { apart, far };
+}
+/* Where one side has no fragment, no range holds: there is nothing to judge but coverage. */
+const embeddedPaths = new Map();
+function judgeCoveredAlone(reference, { apart, far }) {
+  for (const [name, channel] of reference.channels) {
+    if (!name.startsWith("gpu.paths.")) continue;
+    if (!embeddedPaths.has(name)) embeddedPaths.set(name, channel.bits);
+    const bits = embeddedPaths.get(name).slice();
+    for (const i of [...apart, ...far]) bits[i] = notJudged;
+    reference.channels.set(name, channelOf(name, channel.type, channel.stored, bits));
+  }
+}
+
 /* Pixels by their worst class over all channels, and by channel; `farthest` as worstOutside has it. */
 function verdictOf(reference, drawn) {
+  const { apart, far } = coverageOf(reference, drawn);
+  judgeCoveredAlone(reference, { apart, far });
   const judged = judgedChannels(reference, drawn), pixels = reference.width * reference.height, worst = new Uint8Array(pixels);
   const rows = judged.map((of) => {
     const counts = classNames.map(() => 0), own = reference.channels.get(of.name);
@@ -21,13 +52,15 @@ function verdictOf(reference, drawn) {
     }
     return { name: of.name, counts, equal, farthest: counts[3] ? worstOutside([of], 1)[0].most : 0 };
   });
+  for (const i of far) worst[i] = 3;
   const counts = classNames.map(() => 0);
   for (const found of worst) counts[found] += 1;
   const unranged = [...drawn.channels.keys()].filter((name) => reference.channels.has(name) && !rangesOf(reference, name)).map((name) => {
     const { unequal } = comparisonOf(reference.channels.get(name), drawn.channels.get(name));
     return { name, unequal, equal: pixels - unequal };
   });
-  return { rows, counts, pixels, unranged, first: rows.find((row) => row.counts[3] > 0)?.name };
+  return { rows, counts, pixels, unranged, edges: apart.length, uncovered: far.length,
+           first: far.length ? "A" : rows.find((row) => row.counts[3] > 0)?.name };
 }
 
 function verdictLine({ rows, counts, pixels, unranged, first }) {
@@ -54,9 +87,11 @@ function verdictTable({ rows, counts, pixels, unranged }) {
     body.unshift(html("tr", { className: "all" }, html("th", { scope: "row" }, "pixels by their worst"), html("td", {}, ""), ...counts.slice(0, 4).map((n, k) => number(n, k === 3)), html("td", {}, "")));
   return html("div", { className: "scroll tall" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...body)));
 }
-function notesOf(drawing) {
+function notesOf(drawing, verdict) {
   const { limits, refusal, every } = judgedScene, notes = drawing ? [...new Set(drawing.notes)] : [];
-  if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most a sixteenth of their distance from the reference.`);
+  if (verdict?.edges) notes.push(`${counted(verdict.edges, "pixel")} at edges ${verdict.edges === 1 ? "is" : "are"} covered on one side alone, which snapping permits; nothing else is judged there.`);
+  if (verdict?.uncovered) notes.push(`${counted(verdict.uncovered, "pixel")} away from all edges ${verdict.uncovered === 1 ? "is" : "are"} covered on one side alone.`);
+  if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most an eighth of their distance from the reference.`);
   if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared.`);
   if (refusal) notes.push(`Some channels have no range: ${refusal}.`);
   return notes;
@@ -98,8 +133,8 @@ async function drawAndJudge() {
     const verdict = verdictOf(reference, drawn);
     document.body.dataset.verdict = JSON.stringify({ ...verdict, renderer: drawing.renderer });
     showJudge(verdictLine(verdict), verdict.counts[3] ? "bad" : "good",
-      html("p", { className: "lead" }, `${drawing.renderer}; drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}, in ${passes === 1 ? "one pass" : `${passes} passes`}.`),
-      verdictTable(verdict), ...listOf(notesOf(drawing)), html("div", { className: "row wishes" }, ...judgeControls()));
+      html("p", { className: "lead" }, `${drawing.renderer}; ${passes === 1 ? "one pass" : `${passes} passes`}${took < 1 ? "" : `, drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}`}.`),
+      verdictTable(verdict), ...listOf(notesOf(drawing, verdict)), html("div", { className: "row wishes" }, ...judgeControls()));
   } catch (error) {
     document.body.dataset.verdict = JSON.stringify({ error: error.message });
     showJudge(`Not judged: ${error.message}.`, "bad", html("p", { className: "lead" }, "The reference alone is shown."),

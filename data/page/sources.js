@@ -35,7 +35,7 @@ async function unpackedBits(base64, count, earlier) {
 /* What range_codes (src/page/range_codes.hpp) did, undone: the bits of bounds of `values`. */
 function boundBits(values, codes, end) {
   const bounds = new Uint32Array(codes.length), nanCode = 0x2000, inward = 0x1000, infinity = 0x7f800000;
-  const distanceOf = (code) => (code < 32 ? code : (16 + (code - 32) % 16) * 2 ** (Math.floor((code - 32) / 16) + 1));
+  const distanceOf = (code) => (code < 16 ? code : (8 + code % 8) * 2 ** (Math.floor(code / 8) - 1));
   for (let i = 0; i < codes.length; i += 1) {
     if (codes[i] === nanCode) { bounds[i] = 0x7fc00000; continue; }
     const distance = distanceOf(codes[i] & ~inward), down = (end === "low") === !(codes[i] & inward);

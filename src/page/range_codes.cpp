@@ -12,8 +12,8 @@ namespace {
 
 // The same numbers stand in data/page/sources.js.
 constexpr std::uint32_t nan_code = 0x2000, inward = 0x1000;
-constexpr int significant_bits = 5;  // 16 to 31
-constexpr std::uint64_t first_rounded = 1u << significant_bits;
+constexpr int significant_bits = 4;  // 8 to 15
+constexpr std::uint64_t first_rounded = 1u << significant_bits, half = first_rounded / 2;
 constexpr std::int64_t infinity_on_line = 0x7f800000;
 
 /// Floats in their order, 0 and -0 in one place; infinities are the ends.
@@ -34,15 +34,15 @@ std::uint32_t distance_code(std::uint64_t distance, bool up) {
     if (distance < first_rounded) return static_cast<std::uint32_t>(distance);
     const int shift = static_cast<int>(std::bit_width(distance)) - significant_bits;
     std::uint64_t first_bits = distance >> shift;
-    if (up && first_bits << shift != distance) ++first_bits;  // 32 is the next octave's 16
-    return static_cast<std::uint32_t>(first_rounded + 16 * static_cast<unsigned>(shift - 1) +
-                                      first_bits - 16);
+    if (up && first_bits << shift != distance) ++first_bits;  // 16 is the next octave's 8
+    return static_cast<std::uint32_t>(first_rounded + half * static_cast<unsigned>(shift - 1) +
+                                      first_bits - half);
 }
 
 std::uint64_t distance_of(std::uint32_t code) {
     if (code < first_rounded) return code;
     const std::uint64_t above = code - first_rounded;
-    return (16 + above % 16) << (above / 16 + 1);
+    return (half + above % half) << (above / half + 1);
 }
 
 std::int64_t base_of(float value) { return std::isnan(value) ? 0 : on_line(value); }

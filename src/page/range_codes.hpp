@@ -12,7 +12,7 @@ namespace quadrel::page {
 enum class RangeEnd { low, high };
 
 /// A word for each float's bound, both by their bits: the number of floats between them, rounded
-/// outwards by 1/16 at most. NaN stays NaN, and what is infinite infinite. Of values that are NaN
+/// outwards by 1/8 at most. NaN stays NaN, and what is infinite infinite. Of values that are NaN
 /// bounds count from 0.
 std::vector<std::uint32_t> range_codes(std::span<const float> values, std::span<const float> bounds,
                                        RangeEnd end);

@@ -34,7 +34,7 @@ testing::AssertionResult stands_for(float kept, float bound, float value, RangeE
     const std::int64_t outwards =
         end == RangeEnd::low ? place(bound) - place(kept) : place(kept) - place(bound);
     const std::int64_t apart = std::abs(place(bound) - base);
-    return outwards >= 0 && 16 * outwards <= apart ? testing::AssertionSuccess() : failure;
+    return outwards >= 0 && 8 * outwards <= apart ? testing::AssertionSuccess() : failure;
 }
 
 /// Keeps bounds of values of all sizes; `defect` changes what is kept.

@@ -197,16 +197,21 @@ std::string judge_page(const Scene& scene, const JudgePage& options) {
     if (!options.limits.empty()) ranged = ranged_channels(scene, content.channels, options.limits);
     Film film = content.expected;
     add_ranges(scene, options, ranged, film);
+    return judge_page_of(content, std::move(film), options, ranged.refusal);
+}
+
+std::string judge_page_of(const ExportContent& content, Film reference, const JudgePage& options,
+                          const std::string& refusal) {
     Json description = manifest_of(content);
     for (Json& texture : description["textures"])
         for (Json& level : texture["levels"]) level.erase("exr");
     description["limits"] = options.limits;
-    description["refusal"] = ranged.refusal;
+    description["refusal"] = refusal;
     description["every"] = options.every;
     description["pack"] = page::page_part("snippets/pack.glsl");
     description["data"] = packed_files(content);
-    return page::judge_html(reference_of(content, std::move(film)), description,
-                            scene.file.stem().string() + " on this GPU");
+    return page::judge_html(reference_of(content, std::move(reference)), description,
+                            content.scene->file.stem().string() + " on this GPU");
 }
 
 }  // namespace quadrel

@@ -8,6 +8,8 @@
 
 namespace quadrel {
 
+struct ExportContent;
+
 struct JudgePage {
     /// Language and reference are the page's own. Channels: none: judged_channels.
     SceneExport scene;
@@ -23,5 +25,11 @@ std::vector<std::string> judged_channels(const Scene& scene);
 /// The page. Channels whose stages do not run on ranges have none, and the page says why. Throws as
 /// export_scene does, and UsageError for several samples a pixel and for limits that are none.
 std::string judge_page(const Scene& scene, const JudgePage& options);
+
+/// The last step: of what is gathered, in `page_language`; `reference` has the expected channels
+/// and, behind them, gpu.lo.X, gpu.hi.X and gpu.paths.X of those that are judged. `refusal`: why
+/// others have none, or empty.
+std::string judge_page_of(const ExportContent& content, Film reference, const JudgePage& options,
+                          const std::string& refusal);
 
 }  // namespace quadrel

@@ -5,11 +5,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "browser.hpp"
 #include "effort.hpp"
+#include "export/scene/content.hpp"
 #include "io/document/json.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/load.hpp"
+#include "random.hpp"
 
 namespace quadrel::export_tests {
 namespace {
@@ -137,7 +141,9 @@ TEST_F(JudgePageInABrowser, ShowsPlantedErrors) {
         {"float(i) / float(steps);", "float(i) / float(steps + 1);", "hit.V"},   // a step too many
         {"[\"repeat\",\"repeat\"]", "[\"clamp-to-edge\",\"repeat\"]", "hit.U"},  // wrong wrap
         {"max(cosine, 0.0)", "cosine", "R"},                                     // a missing clamp
-        {"(light0_position - hit_P)", "(eye - hit_P)", "R"}};  // light from the wrong point
+        {"(light0_position - hit_P)", "(eye - hit_P)", "R"},  // light from the wrong point
+        {"    quad_differentiate(P, uv,",                     // a hole
+         "    if (4.0 > gl_FragCoord.x) discard; quad_differentiate(P, uv,", "A"}};
     const std::string page = judge_page(small_scene(), {{}, limits});
     for (const auto& [from, to, first] : errors) {
         const Judged judged(with_planted(page, from, to), "");
@@ -166,6 +172,53 @@ TEST(JudgePage, OfTheSameSceneIsTheSame) {
     EXPECT_EQ(judge_page(small_scene(), options), page);
     options.every = 3;
     EXPECT_NE(judge_page(small_scene(), options), page);
+}
+
+/// Ranges in the place of real ones, of which such a picture takes an hour, with the entropy that
+/// 32x32 pixels of bricks-45 under gl have: ends of normals and colours 6 bits, each pixel by
+/// itself, those of what is smooth 2.
+void add_ragged_ranges(Film& film) {
+    test::Random random(5);
+    std::vector<std::string> names;
+    for (const Plane& plane : film.planes)
+        if (plane.type == ChannelType::float32 && plane.name != "A") names.push_back(plane.name);
+    for (const std::string& name : names) {
+        const bool ragged = name.size() == 1 || name.starts_with("N.");
+        for (const auto& [end, sign] : {std::pair{"gpu.lo.", -1.0}, {"gpu.hi.", 1.0}}) {
+            const Plane values = *film.find(name);
+            Plane& plane = film.add(end + name, ChannelType::float32);
+            for (std::size_t i = 0; i < plane.bits.size(); ++i) {
+                const double value = values.as_float(i);
+                const double octave = ragged ? random.uniform(8, 16) : random.uniform(8, 8.5);
+                const double apart = std::exp2(octave) * std::abs(value) * 0x1p-24;
+                plane.bits[i] = testing_films::bits(static_cast<float>(value + sign * apart));
+            }
+        }
+        film.add("gpu.paths." + name, ChannelType::uint32, 1);
+    }
+}
+
+/// Megabytes of a page of bricks-45, whose pictures and maps are full of detail.
+double page_size(int side) {
+    const Scene scene = load_scene("bricks-45", {fmt::format("size=[{},{}]", side, side)});
+    JudgePage options;
+    options.scene.language = "glsl-es";
+    options.scene.channels = judged_channels(scene);
+    const ExportContent content = export_content(scene, options.scene);
+    Film film = content.expected;
+    add_ragged_ranges(film);
+    return static_cast<double>(judge_page_of(content, std::move(film), options, "").size()) / 1e6;
+}
+
+/// QUADREL_PAGE_SIDE=512: ctest -C Slow -R page_size
+TEST(JudgePage, StaysSmall) {
+    if (test::sanitized) GTEST_SKIP() << "sizes are the same as without sanitizers";
+    const char* const asked = std::getenv("QUADREL_PAGE_SIDE");
+    const int side = asked != nullptr ? std::atoi(asked) : 256;
+    const double size = page_size(side);
+    RecordProperty("megabytes", fmt::format("{:.2f}", size));
+    EXPECT_LT(size, side > 256 ? 15 : 5);
+    EXPECT_GT(size, side > 256 ? 8 : 3);  // else it would not hold what it should
 }
 
 }  // namespace
