@@ -138,7 +138,8 @@ void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFram
             const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
                 to.data.push_back(primitive_data(piece, shell.vertices(), face.index, false));
                 if (frames) to.frames.push_back(frames->of(over_mesh(piece, face, drawn), drawn));
-                if (object.parts.vertices) to.vertices.push_back(shell_row(face, piece));
+                if (object.parts.vertices)
+                    to.vertices.push_back(shell_row(face, piece, object.state.subpixel_bits));
             };
             assemble_corners(drawn_object, t, face.index, add_rows, pieces, geometry);
         }

@@ -149,8 +149,10 @@ void Shell::append_faces(const DrawnCorners& drawn, std::vector<ShellTriangle>& 
         append_faces_of(tetrahedron, drawn, out);
 }
 
-PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriangle& piece) {
+PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriangle& piece,
+                            int subpixel_bits) {
     ShellFace row = triangle.face;
+    row.snap = static_cast<float>(std::ldexp(1.0, -subpixel_bits));
     for (std::size_t v = 0; v < 3; ++v) {
         const auto& weights = piece.weights[v].perspective;
         row.s[v] = weigh(weights, triangle.face.s[0], triangle.face.s[1], triangle.face.s[2]);

@@ -57,8 +57,9 @@ class Shell {
     std::vector<std::uint32_t> first_equal_;  ///< of each vertex of the mesh, the first like it
 };
 
-/// The row of one piece of a face.
-PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriangle& piece);
+/// The row of one piece of a face, in a window with as many bits behind the point.
+PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriangle& piece,
+                            int subpixel_bits);
 
 /// The piece as one of the mesh's triangle that the face belongs to: with the weights of that
 /// triangle's drawn corners, for what is interpolated over the mesh.

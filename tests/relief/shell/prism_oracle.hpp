@@ -63,9 +63,8 @@ PrismPath prism_path(Batch<T>& batch, int lane, const Field& field) {
     for (const Real exit : exits) within += exit <= reach;
     path.floor_is_near = floor >= 0 && exits[floor] <= reach && within > 1;
     s = std::clamp<Real>(s, 0, 1);
-    const Real out = std::clamp<Real>(s + dot3(face.s_gradient, d) * path.length, 0, 1);
     path.z = 1 - s;
-    path.rise = s - (path.to_floor ? 1 : out);
+    path.rise = path.to_floor ? s - 1 : -dot3(face.s_gradient, d) * path.length;
     const float grad_u[3] = {face.J[0], face.J[1], face.J[2]};
     const float grad_v[3] = {face.J[3], face.J[4], face.J[5]};
     path.uv = {batch.real(Value::uv, lane, 0), batch.real(Value::uv, lane, 1),

@@ -81,7 +81,7 @@ inline void fill_prism_rays(Batch<float>& batch, Random& random) {
         const ShellTriangle& face =
             faces[static_cast<std::size_t>(random.below(int(faces.size())))];
         const auto q = static_cast<std::size_t>(quad);
-        batch.vertices[q] = shell_row(face, whole_piece());
+        batch.vertices[q] = shell_row(face, whole_piece(), 8);
         batch.primitives[q] = {};
         for (float& w : batch.primitives[q].w) w = 1;
         for (int lane = 4 * quad; lane < 4 * quad + 4; ++lane) {
@@ -100,6 +100,7 @@ inline void fill_prism_rays(Batch<float>& batch, Random& random) {
             batch.set(Value::P, lane, dvec3(P.x, P.y, P.z));
             batch.set(Value::uv, lane, dvec2(uv.x, uv.y));
             batch.set(Value::vertex_normal, lane, dvec3(0, 0, 1));
+            for (const Value v : {Value::dPdx, Value::dPdy}) batch.set(v, lane, dvec3(0, 0, 0));
         }
     }
 }

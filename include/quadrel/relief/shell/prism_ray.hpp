@@ -12,8 +12,8 @@ namespace quadrel {
 
 /// What searches of shells load.
 inline constexpr auto prism_inputs =
-    values(Value::P, Value::uv, Value::uv_rate, Value::relief_depth, Value::frame_status,
-           Value::frame_flags);
+    values(Value::P, Value::dPdx, Value::dPdy, Value::uv, Value::uv_rate, Value::relief_depth,
+           Value::frame_status, Value::frame_flags);
 
 template <Number F>
 struct PrismRay {
@@ -35,16 +35,28 @@ struct PrismExit {
 
 /// By the faces that the ray comes nearer to: those opposite of the face's own corners. A ray that
 /// comes nearer to none of them has length 0.
+///
+/// Corners are snapped to the window's lattice, so that the rays of two faces at a pixel are up to
+/// one of its places apart, and coverage may give a pixel to one side of a face while the ray runs
+/// along its other side. So a ray goes on for as long as it is within such a distance of a face, in
+/// the texture space of its tetrahedron: neighbours overlap there, and leave nothing between them.
+/// `px`, `py`: window-space differences of the point where it enters. Not at the shell's bottom,
+/// where every ray has hit.
 template <Number F>
-PrismExit<F> prism_exit(const ShellFaces<F>& face, const vec3<F>& d) {
+PrismExit<F> prism_exit(const ShellFaces<F>& face, const vec3<F>& d, const vec3<F>& px,
+                        const vec3<F>& py) {
     const F never(std::numeric_limits<Scalar<F>>::infinity()), floor = face.to_floor();
     PrismExit<F> exit{never, Mask<F>(false)};
     for (int k = 0; k < 3; ++k) {
-        const F rate = dot(face.gradient(k), d), weight = max(face.weight(k), F(0));
+        const vec3<F> gradient = face.gradient(k);
+        const Mask<F> to_floor = floor == F(Scalar<F>(k));
+        const F near = (abs(dot(gradient, px)) + abs(dot(gradient, py))) * face.snap();
+        const F rate = dot(gradient, d);
+        const F weight = max(face.weight(k), F(0)) + select(to_floor, F(0), near);
         const F length = select(rate < F(0), weight / -rate, never);
         const Mask<F> first = length < exit.length;
         exit.length = select(first, length, exit.length);
-        exit.to_floor = (exit.to_floor & !first) | (first & (floor == F(Scalar<F>(k))));
+        exit.to_floor = (exit.to_floor & !first) | (first & to_floor);
     }
     exit.length = select(exit.length < never, exit.length, F(0));
     return exit;
@@ -54,13 +66,13 @@ template <class Io, class F = typename Io::Number>
 PrismRay<F> prism_ray(const Io& io) {
     const ShellFaces<F> face(io);
     const vec3<F> d = -to_viewer(io.template load<Value::P>(), io.frame());
-    const PrismExit<F> exit = prism_exit(face, d);
+    const PrismExit<F> exit =
+        prism_exit(face, d, io.template load<Value::dPdx>(), io.template load<Value::dPdy>());
     PrismRay<F> ray;
     ray.length = exit.length;
     ray.s = clamp(face.s(), F(0), F(1));
-    // What rounding makes of the depth at the exit is no part of the shell.
-    const F leaves = clamp(ray.s + dot(face.s_gradient(), d) * ray.length, F(0), F(1));
-    ray.s_shift = select(exit.to_floor, F(1), leaves) - ray.s;
+    const F shift = dot(face.s_gradient(), d) * ray.length;
+    ray.s_shift = select(exit.to_floor, F(1) - ray.s, shift);
     ray.uv.uv = io.template load<Value::uv>();
     ray.uv.K = io.template load<Value::uv_rate>() * ray.length;
     ray.uv.depth = io.template load<Value::relief_depth>();
@@ -88,7 +100,7 @@ void store_prism(const Io& io, const PrismRay<F>& ray, const SearchResult<F>& fo
                          select(wrapped & meets, Int<F>(HitFlag::wrapped), none) |
                          nan_look_up_flag(uv);
     io.template store<Value::hit_uv>(select(framed, uv, from));
-    io.template store<Value::hit_s>(ray.s_at(t));
+    io.template store<Value::hit_s>(clamp(ray.s_at(t), F(0), F(1)));
     io.template store<Value::hit_h>(found.h);
     io.template store<Value::hit_depth>(ray.length * t);
     io.template store<Value::hit_status>(select(framed, found.status, ray.uv.frame_status));

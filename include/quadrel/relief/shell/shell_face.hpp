@@ -37,7 +37,8 @@ struct ShellFace {
     float J[6];            ///< gradients of u and v
     float s_gradient[3];   ///< gradient of s
     float to_floor;        ///< which of the face's corners lies opposite of the bottom; -1: none
-    float unused[49];
+    float snap;            ///< pixels from one place of the window's lattice to the next
+    float unused[48];
 };
 static_assert(sizeof(ShellFace) == sizeof(PrimitiveVertices), "rows of one array");
 
@@ -62,6 +63,7 @@ class ShellFaces {
     vec3<F> grad_u() const { return vector(at(offsetof(ShellFace, J))); }
     vec3<F> grad_v() const { return vector(at(offsetof(ShellFace, J)) + 3); }
     vec3<F> s_gradient() const { return vector(at(offsetof(ShellFace, s_gradient))); }
+    F snap() const { return row_.at(at(offsetof(ShellFace, snap))); }
     F to_floor() const { return row_.at(at(offsetof(ShellFace, to_floor))); }
 
   private:
