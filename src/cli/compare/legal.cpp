@@ -7,6 +7,7 @@
 
 #include "cli/common/arguments.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
 #include "text/suggest.hpp"
 
 namespace quadrel::cli {
@@ -24,7 +25,7 @@ double parse_share(const std::string& option, const std::string& text, double ot
 
 /// The channel that a plane of the reference says something of.
 std::string judged_name(const std::string& plane) {
-    for (const std::string prefix : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
+    for (const std::string prefix : gpu_range_prefixes)
         if (plane.starts_with(prefix)) return plane.substr(prefix.size());
     return plane;
 }
@@ -116,7 +117,8 @@ LegalJudgement judge_legal(const LegalRules& rules, Images images, const std::st
     LegalReference& reference = judgement.reference;
     images.reference.film = reference.values;
     std::map<std::string, Encoding> encodings;
-    for (Film* film : {&reference.values, &reference.lo, &reference.hi})
+    for (Film* film :
+         {&reference.values, &reference.lo, &reference.hi, &reference.gap_lo, &reference.gap_hi})
         encodings = encode_film(*film, images, judgement.test);
     LegalRules own = rules;
     own.left_out = images.rules.left_out;
