@@ -42,8 +42,7 @@ testing::AssertionResult all_are_held(double apart, double claimed, judge::Surfa
         fill_stress_rays(rays, map.height, random);
         for (int lane = 0; lane < rays.lanes; ++lane) {
             const judge::Ray ray = judged_ray(rays, lane);
-            const FirstHits hits(map.height.sampled, asked == judge::Surface::block,
-                                 about(ray, claimed));
+            const FirstHits hits(map.height.sampled, asked, about(ray, claimed));
             ++found.ranges;
             if (!hits.known()) continue;
             ++found.known;
@@ -63,7 +62,7 @@ testing::AssertionResult all_are_held(double apart, double claimed, judge::Surfa
 }
 
 TEST(FirstHits, HoldThoseOfEachRay) {
-    for (const judge::Surface surface : {judge::Surface::bilinear, judge::Surface::block})
+    for (const judge::Surface surface : surfaces)
         for (const double apart : {1e-9, 1e-4, 1e-2}) {
             PartsFound found;
             EXPECT_TRUE(all_are_held(apart, apart, surface, surface, found)) << apart;
