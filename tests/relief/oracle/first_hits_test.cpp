@@ -62,7 +62,7 @@ testing::AssertionResult all_are_held(double apart, double claimed, judge::Surfa
 }
 
 TEST(FirstHits, HoldThoseOfEachRay) {
-    for (const judge::Surface surface : surfaces)
+    for (const judge::Surface surface : {judge::Surface::bilinear, judge::Surface::block})
         for (const double apart : {1e-9, 1e-4, 1e-2}) {
             PartsFound found;
             EXPECT_TRUE(all_are_held(apart, apart, surface, surface, found)) << apart;
@@ -71,6 +71,15 @@ TEST(FirstHits, HoldThoseOfEachRay) {
                 EXPECT_GT(found.several, 0);
             }
         }
+}
+
+TEST(FirstHits, HoldThoseOnTriangles) {
+    for (const judge::Surface surface :
+         {judge::Surface::tri_main, judge::Surface::tri_anti, judge::Surface::tri_min}) {
+        PartsFound found;
+        EXPECT_TRUE(all_are_held(1e-4, 1e-4, surface, surface, found));
+        EXPECT_GT(found.known, found.ranges / 2);
+    }
 }
 
 /// What is said of other rays, or of another surface, does not hold.

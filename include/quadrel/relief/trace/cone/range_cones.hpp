@@ -140,6 +140,42 @@ class DistanceVolume<slot, Io> {
     const SampledTexture& map_;
 };
 
+/// Longer than any ray: where a ray may run along a border.
+template <Number F>
+requires std::same_as<F, Ranges> F fall_to_cell_border(const vec2<F>& uv, const vec2<F>& K,
+                                                       const vec2<F>& size) {
+    constexpr double for_ever = 1e6;
+    const auto axis = [&](const Ranged& u, const Ranged& rate, const Ranged& texels) -> Ranged {
+        const Ranged place = u * texels - Ranged(0.5), speed = rate * texels;
+        if (!place.is_bounded() || !speed.is_bounded()) return Ranged(0.0, for_ever);
+        const RealInterval x = place.range(), v = speed.range();
+        double least = for_ever, most = 0;
+        const auto include = [&](double from, double to) {
+            least = std::min(least, from);
+            most = std::max(most, std::min(to, for_ever));
+        };
+        if (v.hi > 0)
+            include((std::floor(x.lo) == std::floor(x.hi) ? std::floor(x.hi) + 1 - x.hi : 0) / v.hi,
+                    v.lo > 0 ? 1 / v.lo : for_ever);
+        if (v.lo < 0)
+            include((std::ceil(x.lo) == std::ceil(x.hi) ? x.lo - std::ceil(x.lo) + 1 : 0) / -v.lo,
+                    v.hi < 0 ? 1 / -v.hi : for_ever);
+        if (v.has_zero()) most = for_ever;
+        // The next border may be that of the same cell at most.
+        if (v.lo > 0 && std::floor(x.lo) == std::floor(x.hi))
+            most = std::min(most, (std::floor(x.lo) + 1 - x.lo) / v.lo);
+        if (v.hi < 0 && std::ceil(x.lo) == std::ceil(x.hi))
+            most = std::min(most, (x.hi - std::ceil(x.hi) + 1) / -v.hi);
+        return range_detail::rounded({std::min(least, most), most},
+                                     range_detail::budget().unit > 0 ? 8 : 0);
+    };
+    F fall;
+    for (int lane = 0; lane < 4; ++lane)
+        fall.lane[lane] = min(axis(uv.x.lane[lane], K.x.lane[lane], size.x.lane[lane]),
+                              axis(uv.y.lane[lane], K.y.lane[lane], size.y.lane[lane]));
+    return max(fall, F(0)) + F(1e-5);
+}
+
 namespace range_detail {
 
 /// A number in one lane, and in the others the same.

@@ -143,22 +143,40 @@ WalkEnds walk_parts(int most, double finest, const Step& step) {
     return result;
 }
 
-/// Walks of a quad's lanes, which do not depend on what else is decided: one kind of walk's, and
-/// this thread's.
+/// What has been decided in a run so far, of a lane: nothing, if it is not followed.
+struct DecidedSoFar {
+    std::int32_t answers = -1;
+    std::uint32_t together = 0;
+    std::int8_t way[RangeContext::most_answers] = {};
+
+    explicit DecidedSoFar(int lane) {
+        const RangeContext& context = range_context();
+        if (context.followed != lane) return;
+        answers = context.answers;
+        together = context.together;
+        std::copy_n(context.way, answers, way);
+    }
+    bool operator==(const DecidedSoFar&) const = default;
+};
+
+/// Walks of a quad's lanes, so that what is decided behind them does not make them again: one kind
+/// of walk's, and this thread's.
 class KnownWalks {
   public:
     template <class Walk>
     const WalkEnds& of(const SearchRay<Ranges>& ray, int lane, const Walk& walk) {
         Known& known = known_[lane];
+        const DecidedSoFar decided(lane);
         const Ranged numbers[4] = {ray.uv.x.lane[lane], ray.uv.y.lane[lane], ray.K.x.lane[lane],
                                    ray.K.y.lane[lane]};
-        bool same = known.quad == range_context().quad;
+        bool same = known.quad == range_context().quad && known.decided == decided;
         for (int k = 0; k < 4; ++k) {
             const RealInterval x = numbers[k].range();
             same = same && x.lo == known.numbers[k].lo && x.hi == known.numbers[k].hi;
             known.numbers[k] = x;
         }
         known.quad = range_context().quad;
+        known.decided = decided;
         if (!same) known.walk = walk();
         return known.walk;
     }
@@ -166,6 +184,7 @@ class KnownWalks {
   private:
     struct Known {
         std::uint64_t quad = 0;
+        DecidedSoFar decided{-2};  // of no lane
         RealInterval numbers[4];
         WalkEnds walk;
     };
