@@ -4,15 +4,18 @@
 //
 // LIMITS as --limits has them (gl). Of every scene of data/ (but those of data/scenes/rows), QUADS
 // quads (64) are drawn, spread evenly over the frame, and judged as `compare --legal` judges a file
-// by itself: shares of covered pixels that are ambiguous, and that are unconstrained. Extents are
-// those of the pixels that were drawn.
+// of the whole frame by itself: shares of covered pixels that are ambiguous, and that are
+// unconstrained. In brackets, of how many pixels no range that is right could be narrow: renders
+// that the limits permit differ there by as much as makes a range wide.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <exception>
 #include <iostream>
+#include <map>
 #include <vector>
 
 #include "quadrel/error.hpp"
@@ -35,6 +38,13 @@ std::vector<Column> columns() {
             {"hit.uv", {"hit.U", "hit.V"}},
             {"N", {"N.X", "N.Y", "N.Z"}},
             {"R G B", {"R", "G", "B"}}};
+}
+
+std::vector<std::string> channels() {
+    std::vector<std::string> names;
+    for (const Column& column : columns())
+        names.insert(names.end(), column.channels.begin(), column.channels.end());
+    return names;
 }
 
 /// The upper left pixels of about `count` quads, spread over a frame.
@@ -65,31 +75,139 @@ void append_covered(Film& row, const Film& from) {
     row.frame = row.window = {0, 0, pixels, 1};
 }
 
-Film sampled_pixels(const Scene& scene, const std::string& limits, int quads) {
+/// The covered pixels of `quads`, as one row.
+Film sampled_pixels(const Scene& scene, const std::vector<Window>& quads,
+                    const std::string& limits) {
     RenderOptions options;
-    options.channels = {"uv", "K", "hit.U", "hit.V", "N", "R", "G", "B", "A"};
+    options.channels = channels();
+    options.channels.push_back("A");
     options.limits = limits;
     Film row;
-    for (const Window& quad : spread_quads(scene.width, scene.height, quads)) {
+    for (const Window& quad : quads) {
         options.window = quad;
         append_covered(row, render(scene, options));
     }
     return row;
 }
 
-std::string shares_of(const LegalReport& report, const Column& column) {
-    double ambiguous = 0, unconstrained = 0;
-    for (const LegalChannelReport& channel : report.channels) {
-        if (std::ranges::count(column.channels, channel.name) == 0) continue;
-        const auto share = [&](LegalVerdict verdict) {
-            return 100.0 * static_cast<double>(channel.count(verdict)) /
-                   static_cast<double>(channel.pixels);
-        };
-        ambiguous = std::max(ambiguous, share(LegalVerdict::ambiguous));
-        unconstrained = std::max(unconstrained, share(LegalVerdict::unconstrained));
-    }
-    return fmt::format("{:.0f} / {:.0f}", ambiguous, unconstrained);
+/// By which each channel differs over the whole frame, as `compare` says it.
+std::map<std::string, double> extents_of(const Scene& scene) {
+    RenderOptions options;
+    options.channels = channels();
+    Film frame = render(scene, options);
+    const std::vector<Plane> values = frame.planes;
+    for (const Plane& value : values)
+        for (const char* prefix : {"gpu.lo.", "gpu.hi."}) {
+            frame.planes.push_back(value);
+            frame.planes.back().name = prefix + value.name;
+        }
+    for (const Plane& value : values) frame.add("gpu.paths." + value.name, ChannelType::uint32, 1);
+    std::map<std::string, double> extents;
+    for (const LegalChannelReport& channel : judge(take_apart(frame, "frame"), frame, {}).channels)
+        extents[channel.name] = channel.extent;
+    return extents;
 }
+
+/// The biases of all textures, by their keys in the scene file.
+std::map<std::string, double> biases_of(const Scene& scene) {
+    std::map<std::string, double> biases;
+    for (const Material& material : scene.materials)
+        for (const auto& [slot, texture] : material.textures)
+            biases[texture.key] = texture.sampler.lod_bias;
+    return biases;
+}
+
+/// Scenes whose renders the limits permit, too: levels of detail that all forms of rho allow, and
+/// an implementation that is known.
+std::vector<std::vector<std::string>> permitted(const Scene& scene, const std::string& limits) {
+    const bool direct = limits.starts_with("d3d"), exact = limits.find("rho=exact") != limits.npos;
+    const double lod = direct ? 0x1p-8 : 0x1p-4;
+    std::vector<double> biases{-lod, lod};
+    if (!direct && !exact) biases = {-lod, 0.25, 0.5};  // sqrt(2) times as long
+    std::vector<std::vector<std::string>> scenes;
+    for (const double bias : biases) {
+        std::vector<std::string> overrides;
+        for (const auto& [key, own] : biases_of(scene))
+            overrides.push_back(fmt::format("{}.lod_bias={}", key, own + bias));
+        scenes.push_back(overrides);
+    }
+    const bool interpolates = limits.find("evaluation=0") == limits.npos;
+    if (limits.starts_with("gl") && interpolates && !exact)
+        scenes.push_back({"hardware=\"llvmpipe\""});
+    return scenes;
+}
+
+/// What there is of a channel in a pixel of the row.
+struct Spread {
+    double least, most;
+    void include(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+};
+
+class SceneShares {
+  public:
+    SceneShares(const std::string& name, const std::string& limits, int quads) {
+        const Scene scene = load_scene(name);
+        const auto windows = spread_quads(scene.width, scene.height, quads);
+        extents_ = extents_of(scene);
+        const auto start = std::chrono::steady_clock::now();
+        row_ = sampled_pixels(scene, windows, limits);
+        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (row_.planes.empty() || row_.window.area() == 0)
+            throw UsageError("no quad that is covered");
+        for (const auto& overrides : permitted(scene, limits))
+            variants_.push_back(sampled_pixels(load_scene(name, overrides), windows, ""));
+    }
+
+    std::size_t pixels() const { return row_.window.area(); }
+    double milliseconds() const { return 1000 * seconds_ / static_cast<double>(pixels()); }
+
+    /// Percent ambiguous / unconstrained (at least), of the column's worst channel of each.
+    std::string text(const Column& column) const {
+        double worst[3] = {};
+        for (const std::string& channel : column.channels) {
+            const auto shares = shares_of(channel);
+            for (int k = 0; k < 3; ++k) worst[k] = std::max(worst[k], shares[k]);
+        }
+        return fmt::format("{:.0f} / {:.0f} ({:.0f})", worst[0], worst[1], worst[2]);
+    }
+
+  private:
+    std::array<double, 3> shares_of(const std::string& name) const {
+        const double extent = extents_.at(name), widest = LegalRules().widest;
+        const auto plane = [&](const std::string& prefix) -> const Plane& {
+            return *row_.find(prefix + name);
+        };
+        std::array<double, 3> counts{};
+        for (std::size_t i = 0; i < pixels(); ++i) {
+            const LegalRange range{plane("gpu.lo.").as_float(i), plane("gpu.hi.").as_float(i),
+                                   plane("gpu.paths.").bits[i], plane("gpu.gap.lo.").as_float(i),
+                                   plane("gpu.gap.hi.").as_float(i)};
+            const double value = plane("").as_float(i);
+            const LegalVerdict verdict = legal_verdict(range, value, extent, widest);
+            if (verdict == LegalVerdict::fail) throw UsageError("a value outside of its range");
+            counts[0] += verdict == LegalVerdict::ambiguous;
+            counts[1] += verdict == LegalVerdict::unconstrained;
+            Spread spread{value, value};
+            for (const Film& variant : variants_) {
+                const double other = variant.find(name)->as_float(i);
+                if (legal_verdict(range, other, extent, widest) == LegalVerdict::fail)
+                    throw UsageError(fmt::format("{} of a permitted render is outside", name));
+                spread.include(other);
+            }
+            counts[2] += spread.most - spread.least > widest * extent;
+        }
+        for (double& count : counts) count *= 100 / static_cast<double>(pixels());
+        return counts;
+    }
+
+    std::map<std::string, double> extents_;
+    Film row_;
+    double seconds_ = 0;
+    std::vector<Film> variants_;  ///< what else is permitted, the same pixels
+};
 
 void print_header() {
     std::string line = "| scene | pixels |", rule = "|---|---|";
@@ -101,18 +219,10 @@ void print_header() {
 }
 
 void print_scene(const std::string& name, const std::string& limits, int quads) {
-    const Scene scene = load_scene(name);
-    const auto start = std::chrono::steady_clock::now();
-    const Film row = sampled_pixels(scene, limits, quads);
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const std::size_t pixels = row.window.area();
-    if (pixels == 0) throw UsageError("no quad that is covered");
-    const LegalReport report = judge(take_apart(row, name), row, {});
-    std::string line = fmt::format("| {} | {} |", name, pixels);
-    for (const Column& column : columns()) line += fmt::format(" {} |", shares_of(report, column));
-    std::cout << line << fmt::format(" {:.1f} |", 1000 * seconds / static_cast<double>(pixels))
-              << std::endl;
+    const SceneShares shares(name, limits, quads);
+    std::string line = fmt::format("| {} | {} |", name, shares.pixels());
+    for (const Column& column : columns()) line += fmt::format(" {} |", shares.text(column));
+    std::cout << line << fmt::format(" {:.1f} |", shares.milliseconds()) << std::endl;
 }
 
 void print_table(const std::string& limits, int quads, const std::vector<std::string>& scenes) {

@@ -124,7 +124,8 @@ function worstPixels(pairs, count) {
 const classNames = ["pass", "ambiguous", "unconstrained", "fail", "not judged"], notJudged = 0xffffffff;
 function rangesOf(source, name) {
   const [low, high, paths] = ["lo", "hi", "paths"].map((part) => source.channels.get(`gpu.${part}.${name}`));
-  return low && high && paths ? { low, high, paths } : null;
+  const [gapLow, gapHigh] = ["lo", "hi"].map((end) => source.channels.get(`gpu.gap.${end}.${name}`) || high);
+  return low && high && paths ? { low, high, paths, gapLow, gapHigh } : null;
 }
 function extentOf(source, name) {
   const vector = vectorOf(name), own = statisticsOf(source.channels.get(name));
@@ -141,10 +142,14 @@ function classOf(ranges, extent, value, i) {
   const low = ranges.low.values[i], high = ranges.high.values[i], paths = ranges.paths.values[i];
   if (paths === notJudged) return 4;
   if (paths === 0) return 2;
+  const gapLow = ranges.gapLow.values[i], gapHigh = ranges.gapHigh.values[i];
+  const hasGap = gapLow >= low && gapLow < gapHigh && gapHigh <= high;
   const open = [low, high].filter(Number.isNaN).length;
-  const holds = Number.isNaN(value) ? open > 0 : open < 2 && !(value < low) && !(value > high);
+  const holds = Number.isNaN(value) ? open > 0
+    : open < 2 && !(value < low) && !(value > high) && !(hasGap && value > gapLow && value < gapHigh);
   if (!holds) return 3;
-  const width = open === 1 ? Infinity : open === 2 || low === high ? 0 : high - low;
+  const gap = hasGap ? gapHigh - gapLow : 0;
+  const width = open === 1 ? Infinity : open === 2 || low === high ? 0 : high - low - gap;
   if (!(width <= 0.1 * extent)) return 2;
   return paths > 1 ? 1 : 0;
 }

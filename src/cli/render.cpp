@@ -331,9 +331,10 @@ void add_execution(CLI::App& verb, RenderOptions& options) {
                     "number type of the shading; double runs on scalar alone")
         ->check(one_word_of(std::vector<std::string>{"float", "double"}))
         ->capture_default_str();
-    verb.add_option("--limits", options.limits,
-                    "also render what an implementation of this interface may give: gpu.lo.X, "
-                    "gpu.hi.X and gpu.paths.X for each channel X; vulkan, d3d, gl or webgpu")
+    verb.add_option(
+            "--limits", options.limits,
+            "also render what an implementation of this interface may give: gpu.lo.X, "
+            "gpu.hi.X, gpu.paths.X and gpu.gap.*.X for each channel X; vulkan, d3d, gl or webgpu")
         ->type_name("INTERFACE");
     verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
         ->check(one_word_of(

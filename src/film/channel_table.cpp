@@ -221,6 +221,11 @@ void add_ranges(Table& table) {
     table.push_back({"gpu.hi." + any, real, "the channel's", "greatest value that a GPU may give"});
     table.push_back({"gpu.paths." + any, integer, "ranges",
                      "disjoint ranges that open decisions leave; 0: nothing is known"});
+    table.push_back({"gpu.gap.lo." + any, real, "the channel's",
+                     "where the widest gap between these ranges begins: no GPU gives a value "
+                     "between the two ends of it"});
+    table.push_back({"gpu.gap.hi." + any, real, "the channel's",
+                     "where that gap ends; no more than gpu.gap.lo where there is none"});
     table.push_back({"bound.lo." + any, real, "the channel's",
                      "least value by exact arithmetic on the same inputs"});
     table.push_back({"bound.hi." + any, real, "the channel's",

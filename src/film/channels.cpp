@@ -96,9 +96,10 @@ bool is_error_channel(const std::string& name) { return is_below(name, "err"); }
 
 std::optional<RangeChannel> range_channel(const std::string& name) {
     for (const char* set : {"gpu", "bound"})
-        for (const char* part : {"lo", "hi", "paths"}) {
+        for (const char* part : {"lo", "hi", "paths", "gap.lo", "gap.hi"}) {
             const std::string group = std::string(set) + "." + part;
-            if (group == "bound.paths" || !is_below(name, group)) continue;
+            const bool of_both = group == "bound.lo" || group == "bound.hi";
+            if ((group.starts_with("bound") && !of_both) || !is_below(name, group)) continue;
             const std::string channel = name.substr(group.size() + 1);
             if (has_range(channel)) return RangeChannel{set, part, channel};
         }

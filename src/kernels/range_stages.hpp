@@ -1,10 +1,15 @@
-// The stages that run on ranges: those that find their way by comparing numbers, and, by what they
-// are known to find, those that walk over cells and levels to the first hit. Others that have whole
-// numbers as their state do not, nor what reads baked maps or texels by its own addresses.
+// The stages that run on ranges: those that find their way by comparing numbers, those that walk by
+// cones and distances, and, by what they are known to find, those that walk over cells and levels
+// to the first hit. Others that have whole numbers as their state do not, nor what reads tables by
+// direction or layers by its own addresses.
 #pragma once
 
 #include "quadrel/relief/range_words.hpp"
+#include "quadrel/relief/shadow/range_rising.hpp"
 #include "quadrel/relief/stages.hpp"
+#include "quadrel/relief/trace/cone/range_cones.hpp"
+#include "quadrel/relief/trace/march/range_step_bounds.hpp"
+#include "quadrel/relief/trace/oracle/range_traces.hpp"
 #include "quadrel/relief/trace/search/range_first_hit.hpp"
 #include "quadrel/shade/stages.hpp"
 
@@ -24,9 +29,14 @@ using RangeStages = StageList<
     RabbidPom, ReliefBinary, ReliefGg3, RabbidRelief, ThesisLinearBinary,
     ThesisLinearBinaryPublished, Secant, Interval, Contact, ThesisSphere, Babylon, Bevy, Godot,
     JMonkey, LearnOpenGl, O3de, PlayCanvas, ThreeParallax, ThreeParallaxUv, UnityPom,
-    UnrealBumpOffset, FirstHitOnRanges<TexelExact, false>, FirstHitOnRanges<MaxMip, false>,
-    FirstHitOnRanges<ConeCell, false>, FirstHitOnRanges<RmqLeap, false>,
-    FirstHitOnRanges<Qdm, true>, FirstHitOnRanges<Pyramid, true>,
+    UnrealBumpOffset, SteepMaxmip, ConeStep, ConeQuad, ConeAniso, ConeHybrid, ConeRobust,
+    RelaxedCone, RelaxedConeExact, RelaxedConePublished, ConeGg3, ConeDummerExact, ConeRabbid,
+    ConeRabbidFloat, Sphere3dOnRanges, Sphere3dPublished, FirstHitOnRanges<TexelExact>,
+    FirstHitOnRanges<MaxMip>, FirstHitOnRanges<ConeCell>, FirstHitOnRanges<RmqLeap>,
+    FirstHitOnRanges<Ddm>, FirstHitOnRanges<Qdm, oracle::Surface::block>,
+    FirstHitOnRanges<Pyramid, oracle::Surface::block>, OracleOnRanges<oracle::Surface::bilinear>,
+    OracleOnRanges<oracle::Surface::block>, OracleOnRanges<oracle::Surface::tri_main>,
+    OracleOnRanges<oracle::Surface::tri_anti>, OracleOnRanges<oracle::Surface::tri_min>,
     // hit, surface
     ClipUv, ClipPath, Displace, FragDepth, FragDepthPublished, SurfaceNone, H2nThesis,
     H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap, H2n4TapPublished, H2nSobel,
@@ -35,7 +45,8 @@ using RangeStages = StageList<
     // shadow, occlusion
     ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished, ShadowMarchMcguire,
     ShadowMarchMcguirePublished, ShadowRelief, ShadowSoftPom, ShadowSoftPomPublished,
-    ShadowSoftRiccardi, OcclusionNone,
+    ShadowSoftRiccardi, ShadowCone, ShadowExactOnRanges, ShadowOracleOnRanges, OcclusionNone,
+    AoOracleOnRanges,
     // shade
     ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished, ShadeMcGuire,
     ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3, ShadeLambert, ShadePhong,

@@ -63,11 +63,15 @@ TEST(Channels, RangesAreThoseOfFloatChannels) {
     EXPECT_EQ(range->part, "paths");
     EXPECT_EQ(range->channel, "shadow.1.visibility");
     EXPECT_EQ(find_channel("gpu.paths.R")->type, ChannelType::uint32);
+    EXPECT_EQ(range_channel("gpu.gap.hi.N.X")->part, "gap.hi");
+    EXPECT_EQ(range_channel("gpu.gap.hi.N.X")->channel, "N.X");
+    EXPECT_EQ(find_channel("gpu.gap.lo.N.X")->type, ChannelType::float32);
     EXPECT_EQ(find_channel("bound.lo.hit.U")->type, ChannelType::float32);
     EXPECT_EQ(expand_channels(Names{"gpu.lo.Z", "undecided"}), (Names{"gpu.lo.Z", "undecided"}));
     for (const char* name :
          {"gpu.lo.A", "gpu.lo.depth", "gpu.lo.hit.status", "gpu.lo.exact.lod.rho",
-          "gpu.lo.gpu.lo.R", "bound.paths.R", "gpu.lo", "gpu.lo.<channel>"})
+          "gpu.lo.gpu.lo.R", "bound.paths.R", "bound.gap.lo.R", "gpu.gap.R", "gpu.gap.lo.A",
+          "gpu.lo", "gpu.lo.<channel>"})
         EXPECT_EQ(find_channel(name), nullptr) << name;
     EXPECT_TRUE(needs_ranges("bound.hi.R"));
     EXPECT_FALSE(needs_ranges("R"));

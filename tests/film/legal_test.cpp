@@ -62,6 +62,19 @@ const std::vector<Case>& cases() {
         {{1, 2, 0}, 9, unconstrained},
         {{1, 2, 0}, nan, unconstrained},
         {{2, 1, 0}, nan, unconstrained},
+        {{1, 9, 2, 1.5f, 8.75f}, 1.25f, ambiguous},
+        {{1, 9, 2, 1.5f, 8.75f}, 1.5f, ambiguous},
+        {{1, 9, 2, 1.5f, 8.75f}, 8.75f, ambiguous},
+        {{1, 9, 2, 1.5f, 8.75f}, 3, fail},
+        {{1, 9, 2, 1.5f, 8.75f}, 9.5f, fail},
+        {{1, 9, 2, 2, 8.5f}, 9, unconstrained},
+        {{1, 9, 2, 2, 8.5f}, 3, fail},
+        {{1, 9, 2, 8.75f, 1.5f}, 3, unconstrained},
+        {{1, 9, 2, 0, 8.75f}, 3, unconstrained},
+        {{1, 9, 2, 1.5f, 9.25f}, 3, unconstrained},
+        {{1, 9, 2, nan, nan}, 3, unconstrained},
+        {{1, 9, 0, 1.5f, 8.75f}, 3, unconstrained},
+        {{1, infinite, 2, 1.5f, 8.75f}, 3, fail},
         {{1, 2, 1}, 2.001f, fail},
         {{1, 2, 1}, 0.999f, fail},
         {{1, 2, 5}, 2.001f, fail},
@@ -113,6 +126,8 @@ Judge planted_judge(FilmError error) {
                 return double{range.hi} - double{range.lo} > 1 ? unconstrained : right;
             case FilmError::legal_gaps_pass:
                 return right == ambiguous ? pass : right;
+            case FilmError::legal_gap_forgotten:
+                return verdict({range.lo, range.hi, range.paths}, value);
             default:
                 return right;
         }
@@ -123,7 +138,8 @@ TEST(Legal, TheVerdictOnAValue) {
     EXPECT_TRUE(judges_each_case(verdict));
     for (const FilmError error : {FilmError::legal_nan_passes, FilmError::legal_ends_excluded,
                                   FilmError::legal_unknown_fails, FilmError::legal_wide_passes,
-                                  FilmError::legal_wide_excuses, FilmError::legal_gaps_pass})
+                                  FilmError::legal_wide_excuses, FilmError::legal_gaps_pass,
+                                  FilmError::legal_gap_forgotten})
         EXPECT_FALSE(judges_each_case(planted_judge(error))) << static_cast<int>(error);
 }
 

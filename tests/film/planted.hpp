@@ -48,6 +48,7 @@ enum class FilmError {
     legal_wide_passes,       ///< a range says nothing, and what lies in it passes
     legal_wide_excuses,      ///< a value outside of a wide range does not fail
     legal_gaps_pass,         ///< several ranges taken for one
+    legal_gap_forgotten,     ///< a value between two ranges taken for one of theirs
     legal_window_shifted,    ///< pixels are matched by their place in the window
     legal_first_ten,         ///< the first ten that fail instead of the worst ten
     srgb_gamma_22,           ///< a plain power of 2.2 instead of the two-part curve

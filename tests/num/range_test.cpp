@@ -357,10 +357,10 @@ TEST(RangeWays, OfSearchesEndTogetherWhereTheyMust) {
     const auto apart = ways_of(0, [&] { return first_step_below_surface(&steps); });
     EXPECT_EQ(apart.size(), 3u);
     for (const bool followed : {false, true}) {
-        range_context().together = true;
+        range_context().together = RangeContext::all_kinds;
         const auto together =
             ways_of(followed ? 0 : -1, [&] { return first_step_below_surface(&steps); });
-        range_context().together = false;
+        range_context().together = 0;
         ASSERT_EQ(together.size(), 1u);
         EXPECT_EQ(together[0].lo, 2);
         EXPECT_EQ(together[0].hi, 4);

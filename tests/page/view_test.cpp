@@ -64,6 +64,13 @@ class View : public testing::Test {
         std::ranges::fill(paths.bits, 1u);
         paths.bits[5] = 0;
         paths.bits[6] = paths.bits[7] = 2;
+        // At pixel 13 a gap holds the value.
+        const std::pair<const char*, float> ends[] = {
+            {"gpu.lo.Q", -1.f}, {"gpu.hi.Q", 20.f}, {"gpu.gap.lo.Q", 12.f}, {"gpu.gap.hi.Q", 15.f}};
+        add("gpu.gap.lo.Q");
+        add("gpu.gap.hi.Q");
+        for (const auto& [name, end] : ends)
+            std::ranges::find(film.planes, name, &Plane::name)->bits[13] = testing_films::bits(end);
         for (const int i : {10, 11, 12})
             other.planes.back().bits[static_cast<std::size_t>(i)] =
                 testing_films::bits(i == 10 ? NAN : -1);

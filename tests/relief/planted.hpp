@@ -36,6 +36,7 @@ enum class Planted {
     seat_forgotten,        ///< the march starts on the polygon, wherever that lies
     steps_counted_once,    ///< the same number of steps in every lane
     nan_is_floor,          ///< a broken map looks like a deep one
+    hit_at_nan,            ///< a hit whose s is no number
     ray_nudged,            ///< K and tangents a ten-thousandth off
     off_the_ray,           ///< the hit's UV not that of its s
     half_a_step_late,      ///< behind the sample that hit

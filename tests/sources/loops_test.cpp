@@ -7,10 +7,12 @@
 namespace quadrel::source_tests {
 namespace {
 
-/// What the words do, and what look-ups and interpolation are on ranges and shaders alone: no text.
+/// What the words do, what look-ups and interpolation are on ranges and shaders alone, and what is
+/// known of rows on ranges without their text: no text.
 bool is_behind_words(const std::string& path) {
     static const std::regex words(
         "relief/trace/search/(beam|course|height_ceiling|near_surface)\\.hpp$|"
+        "relief/(trace|shadow|frame)/(\\w+/)?range_|"
         "texture/(range|shader)/|quad/(range_interpolate|shader_io)\\.hpp$|relief/shader_words");
     return std::regex_search(path, words);
 }

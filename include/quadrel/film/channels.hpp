@@ -1,6 +1,7 @@
 // What can be asked for: every channel of a rendered image.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,10 +35,14 @@ bool is_exact_derivative(const std::string& name);
 /// Whether a full name is one of err.*, for which stages run once more with the judge's hit.
 bool is_error_channel(const std::string& name);
 
-/// A channel gpu.lo.X, gpu.hi.X, gpu.paths.X, bound.lo.X or bound.hi.X, taken apart.
+/// What stands before X in the names of the channels that say what a GPU may give for X.
+inline constexpr std::array gpu_range_prefixes = {"gpu.lo.", "gpu.hi.", "gpu.paths.", "gpu.gap.lo.",
+                                                  "gpu.gap.hi."};
+
+/// A channel with such a name, bound.lo.X or bound.hi.X, taken apart.
 struct RangeChannel {
     std::string set;      ///< gpu or bound
-    std::string part;     ///< lo, hi or paths
+    std::string part;     ///< lo, hi, paths, gap.lo or gap.hi
     std::string channel;  ///< X: the full name of a float channel of stages, or Z
 };
 

@@ -18,7 +18,7 @@ namespace quadrel {
 /// known.
 enum class LegalVerdict : std::int32_t {
     pass,           ///< in its range, which is narrow and one
-    ambiguous,      ///< in its range, which is narrow, but several ranges with gaps between them
+    ambiguous,      ///< in one of several ranges with gaps between them, which are narrow together
     unconstrained,  ///< not outside, but the range is unknown, infinite or wide: it says little
     fail            ///< outside of its range; a NaN that is not permitted; no such pixel
 };
@@ -32,11 +32,15 @@ struct LegalRange {
     float lo = 0, hi = 0;
     std::uint32_t paths =
         0;  ///< disjoint ranges between the ends; 0: nothing is known of the value
+    /// No value lies between these two, the widest gap of the ranges; without effect where they are
+    /// equal, not in order, or NaN.
+    float gap_lo = 0, gap_hi = 0;
 };
 
-/// A reference taken apart. The four films have the same planes, by the names of the channels.
+/// A reference taken apart. The films have the same planes, by the names of the channels.
 struct LegalReference {
     Film values, lo, hi, paths;          ///< X, gpu.lo.X, gpu.hi.X, gpu.paths.X
+    Film gap_lo, gap_hi;                 ///< gpu.gap.lo.X, gpu.gap.hi.X; where absent, gpu.hi.X
     std::vector<std::string> structure;  ///< a line for each channel whose parts are incomplete
     std::vector<std::string> rangeless;  ///< channels of which there is a value alone
 };
@@ -46,7 +50,8 @@ struct LegalReference {
 LegalReference take_apart(const Film& reference, const std::string& file);
 
 struct LegalRules {
-    /// A range is wide beyond this share of the channel's extent (LegalChannelReport::extent).
+    /// A range, less its widest gap, is wide beyond this share of the channel's extent
+    /// (LegalChannelReport::extent).
     double widest = 0.1;
     double most_ambiguous = 0.05, most_unconstrained = 0.01;  ///< shares of a channel's pixels
     std::vector<bool> left_out{};  ///< pixels, row by row, at which nothing is judged; or empty

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
 #include "quadrel/film/value_bits.hpp"
 
 namespace quadrel::cli {
@@ -20,7 +21,7 @@ bool stores_codes(const ComparableImage& image) {
 void keep_decoded(const Film& decoded, bool ranges, Film& reference) {
     std::erase_if(reference.planes, [&](const Plane& plane) {
         if (decoded.find(plane.name) != nullptr) return false;
-        for (const std::string prefix : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
+        for (const std::string prefix : gpu_range_prefixes)
             if (ranges && plane.name.starts_with(prefix))
                 return decoded.find(plane.name.substr(prefix.size())) == nullptr;
         return true;

@@ -8,7 +8,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json range_json(const LegalRange& range) {
-    return {{"lo", number_json(range.lo)}, {"hi", number_json(range.hi)}, {"paths", range.paths}};
+    Json json = {
+        {"lo", number_json(range.lo)}, {"hi", number_json(range.hi)}, {"paths", range.paths}};
+    if (range.gap_lo < range.gap_hi)
+        json["gap"] = {number_json(range.gap_lo), number_json(range.gap_hi)};
+    return json;
 }
 
 Json pixel_json(const LegalChannelReport& channel, const LegalPixel& pixel) {

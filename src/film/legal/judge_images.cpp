@@ -36,7 +36,7 @@ ImageJudgement judge_images(ComparableImage reference, const ComparableImage& te
     LegalReference& parts = judgement.reference;
     reference.film = parts.values;
     std::map<std::string, Encoding> encodings;
-    for (Film* film : {&parts.values, &parts.lo, &parts.hi})
+    for (Film* film : {&parts.values, &parts.lo, &parts.hi, &parts.gap_lo, &parts.gap_hi})
         encodings = encode_film(*film, reference, test, encoding, judgement.test);
     judgement.report = judge(parts, judgement.test, rules);
     for (LegalChannelReport& channel : judgement.report.channels)

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "quadrel/error.hpp"
+#include "quadrel/film/channels.hpp"
 #include "text/suggest.hpp"
 
 namespace quadrel {
@@ -11,7 +12,7 @@ namespace {
 
 /// The channel that a plane of the reference says something of.
 std::string judged_name(const std::string& plane) {
-    for (const std::string prefix : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
+    for (const std::string prefix : gpu_range_prefixes)
         if (plane.starts_with(prefix)) return plane.substr(prefix.size());
     return plane;
 }

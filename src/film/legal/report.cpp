@@ -60,8 +60,11 @@ std::string value_text(ChannelType type, std::uint32_t bits) {
 }
 
 std::string range_text(const LegalRange& range) {
-    return fmt::format("{} to {} in {} range{}", range.lo, range.hi, range.paths,
-                       range.paths == 1 ? "" : "s");
+    const std::string gap = range.gap_lo < range.gap_hi
+                                ? fmt::format(", not {} to {}", range.gap_lo, range.gap_hi)
+                                : "";
+    return fmt::format("{} to {} in {} range{}{}", range.lo, range.hi, range.paths,
+                       range.paths == 1 ? "" : "s", gap);
 }
 
 std::string worst_text(const LegalChannelReport& channel) {

@@ -13,12 +13,15 @@ struct Part {
     const char* prefix;
     ChannelType type;
     Film LegalReference::*film;
+    bool optional = false;  ///< where it is absent, the upper end stands for it
 };
 
 constexpr Part range_parts[] = {
     {"gpu.lo.", ChannelType::float32, &LegalReference::lo},
     {"gpu.hi.", ChannelType::float32, &LegalReference::hi},
     {"gpu.paths.", ChannelType::uint32, &LegalReference::paths},
+    {"gpu.gap.lo.", ChannelType::float32, &LegalReference::gap_lo, true},
+    {"gpu.gap.hi.", ChannelType::float32, &LegalReference::gap_hi, true},
 };
 
 bool is_range(const std::string& name) { return name.starts_with("gpu."); }
@@ -38,6 +41,7 @@ std::string defect(const Film& reference, const std::string& name) {
     if (reference.find(name) == nullptr) return "the reference has its range and no value";
     for (const Part& part : range_parts) {
         const Plane* plane = reference.find(part.prefix + name);
+        if (plane == nullptr && part.optional) continue;
         if (plane == nullptr) return "the reference lacks " + (part.prefix + name);
         if (plane->type != part.type)
             return part.prefix + name + " of the reference: found " +
@@ -50,8 +54,10 @@ std::string defect(const Film& reference, const std::string& name) {
 void add_parts(const Film& reference, const Plane& value, LegalReference& parts) {
     parts.values.planes.push_back(value);
     for (const Part& part : range_parts) {
+        const Plane* const own = reference.find(part.prefix + value.name);
         Plane& plane =
-            (parts.*part.film).planes.emplace_back(*reference.find(part.prefix + value.name));
+            (parts.*part.film)
+                .planes.emplace_back(own ? *own : *reference.find("gpu.hi." + value.name));
         plane.name = value.name;
     }
 }
@@ -64,7 +70,7 @@ LegalReference take_apart(const Film& reference, const std::string& file) {
         throw InputError(file, "", "no channels gpu.lo.*, gpu.hi.*, gpu.paths.*",
                          "a reference that holds what its values may be");
     const Film empty{reference.frame, reference.window, {}};
-    LegalReference parts{empty, empty, empty, empty, {}, {}};
+    LegalReference parts{empty, empty, empty, empty, empty, empty, {}, {}};
     for (const std::string& name : ranged)
         if (const std::string text = defect(reference, name); !text.empty())
             parts.structure.push_back("channel " + name + ": " + text);

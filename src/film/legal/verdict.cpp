@@ -29,17 +29,25 @@ void each_finite(const Plane& plane, const std::vector<bool>& left_out, const Fn
     }
 }
 
+/// Whether there is a gap: both of its ends are numbers within the range, in order.
+bool has_gap(const LegalRange& range) {
+    return range.gap_lo >= range.lo && range.gap_lo < range.gap_hi && range.gap_hi <= range.hi;
+}
+
+/// Of all that is permitted together.
 double width_of(const LegalRange& range) {
     const bool open = std::isnan(range.lo) != std::isnan(range.hi);
     if (open) return std::numeric_limits<double>::infinity();
     if (std::isnan(range.lo) || range.lo == range.hi) return 0;
-    return double{range.hi} - double{range.lo};
+    const double gap = has_gap(range) ? double{range.gap_hi} - double{range.gap_lo} : 0;
+    return double{range.hi} - double{range.lo} - gap;
 }
 
 bool holds(const LegalRange& range, double value) {
     const bool nan_lo = std::isnan(range.lo), nan_hi = std::isnan(range.hi);
     if (std::isnan(value)) return nan_lo || nan_hi;
     if (nan_lo && nan_hi) return false;
+    if (has_gap(range) && value > range.gap_lo && value < range.gap_hi) return false;
     return !(value < range.lo) && !(value > range.hi);  // an end that is NaN is open
 }
 
@@ -74,13 +82,16 @@ double extent_of(const Film& values, const Plane& plane, const std::vector<bool>
 LegalRange range_at(const LegalReference& reference, std::size_t plane, std::size_t i) {
     return {std::bit_cast<float>(reference.lo.planes[plane].bits[i]),
             std::bit_cast<float>(reference.hi.planes[plane].bits[i]),
-            reference.paths.planes[plane].bits[i]};
+            reference.paths.planes[plane].bits[i],
+            std::bit_cast<float>(reference.gap_lo.planes[plane].bits[i]),
+            std::bit_cast<float>(reference.gap_hi.planes[plane].bits[i])};
 }
 
 double distance_from(const LegalRange& range, double value) {
     const double below = range.lo - value, above = value - range.hi;
     if (std::isnan(below) && std::isnan(above)) return std::numeric_limits<double>::infinity();
-    return std::fmax(std::fmax(below, above), 0);
+    const double in_gap = std::fmin(value - range.gap_lo, range.gap_hi - value);
+    return std::fmax(std::fmax(std::fmax(below, above), in_gap), 0);
 }
 
 std::vector<std::size_t> pixels_in(const Film& test, const Window& window) {

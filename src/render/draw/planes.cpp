@@ -17,7 +17,8 @@ std::uint32_t background_bits(const Scene& scene, const ChannelSource& channel) 
     using enum ChannelSource::Kind;
     // Of what nothing covers there is no doubt: its range is its value.
     if (channel.kind == range_paths) return 1;
-    const bool is_range = channel.kind == range_low || channel.kind == range_high;
+    const bool is_range = channel.kind == range_low || channel.kind == range_high ||
+                          channel.kind == gap_low || channel.kind == gap_high;
     if ((channel.kind != value && !is_range) || channel.value != Value::color)
         return uncovered_bits(is_range ? range_channel(channel.name)->channel : channel.name);
     return canonical_bits(std::bit_cast<std::uint32_t>(scene.background[channel.component]));

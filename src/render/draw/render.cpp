@@ -74,7 +74,7 @@ std::vector<std::string> channels_with_ranges(const RenderOptions& options) {
     if (options.limits.empty()) return names;
     const std::vector<std::string> asked = names;
     for (const std::string& name : asked)
-        for (const char* part : {"gpu.lo.", "gpu.hi.", "gpu.paths."})
+        for (const char* part : gpu_range_prefixes)
             if (has_range(name) && std::ranges::count(names, part + name) == 0)
                 names.push_back(part + name);
     return names;

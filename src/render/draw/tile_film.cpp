@@ -32,6 +32,22 @@ bool is_whole(const QuadCoverage& quad, int samples) {
     return std::bit_cast<std::uint64_t>(quad.samples) == all * 0x0001'0001'0001'0001u;
 }
 
+/// The end of a range or of a gap that a channel shows. (Of the opposite the other one.)
+double shown_end(const ChannelSource& source, const FragmentRange& range) {
+    const bool other = source.negated;
+    const double sign = other ? -1 : 1;
+    switch (source.kind) {
+        case ChannelSource::Kind::range_low:
+            return sign * (other ? range.high : range.low);
+        case ChannelSource::Kind::range_high:
+            return sign * (other ? range.low : range.high);
+        case ChannelSource::Kind::gap_low:
+            return sign * (other ? range.gap_high : range.gap_low);
+        default:
+            return sign * (other ? range.gap_low : range.gap_high);
+    }
+}
+
 }  // namespace
 
 std::ptrdiff_t FilmTarget::index(int x, int y) const {
@@ -215,6 +231,8 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
             });
         case Kind::range_low:
         case Kind::range_high:
+        case Kind::gap_low:
+        case Kind::gap_high:
         case Kind::range_paths:
         case Kind::undecided:
         case Kind::pixel_certified:
@@ -227,7 +245,7 @@ void TileFilm::add_plane(const ChannelSource& source, std::uint32_t* plane, cons
     }
 }
 
-/// Ends are rounded outwards.
+/// Ends of ranges are rounded outwards, those of a gap inwards.
 void TileFilm::add_range(const ChannelSource& source, std::uint32_t* plane,
                          const QuadCoverage* quads, const RangeBatch& ranges) const {
     add_fragments(quads, plane, [&](auto& quad, int lane, int) {
@@ -240,10 +258,9 @@ void TileFilm::add_range(const ChannelSource& source, std::uint32_t* plane,
         }
         const FragmentRange& range = ranges.range(source, in_batch);
         if (source.kind == Kind::range_paths) return range.paths;
-        const bool low = source.kind == Kind::range_low;
-        const double end = (low != source.negated) ? range.low : range.high;
-        const double value = source.negated ? -end : end;
-        return float_bits(low ? float_not_above(value) : -float_not_above(-value));
+        const double end = shown_end(source, range);
+        const bool down = source.kind == Kind::range_low || source.kind == Kind::gap_high;
+        return float_bits(down ? float_not_above(end) : -float_not_above(-end));
     });
 }
 

@@ -191,9 +191,12 @@ bool find_range(const std::string& name, ChannelSource& source) {
     }
     const auto range = range_channel(name);
     if (!range) return false;
-    source.kind = range->part == "lo"   ? Kind::range_low
-                  : range->part == "hi" ? Kind::range_high
-                                        : Kind::range_paths;
+    static const std::map<std::string, Kind> kinds = {{"lo", Kind::range_low},
+                                                      {"hi", Kind::range_high},
+                                                      {"gap.lo", Kind::gap_low},
+                                                      {"gap.hi", Kind::gap_high},
+                                                      {"paths", Kind::range_paths}};
+    source.kind = kinds.at(range->part);
     source.range_set = range->set == "gpu" ? RangeSet::gpu : RangeSet::exact;
     if (range->channel == "Z") {
         source.negated = true;

@@ -54,6 +54,8 @@ struct ChannelSource {
         error,        ///< what a row has minus what the judge has: `measure` of `part`
         range_low,    ///< of a value or Z, the least that it may be
         range_high,
+        gap_low,  ///< where the widest gap between such ranges begins
+        gap_high,
         range_paths,       ///< how many ranges the ways of open decisions leave
         undecided,         ///< what decisions were open
         pixel_certified,   ///< certified.pixel, of K by exact arithmetic

@@ -20,7 +20,7 @@ constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 
 constexpr double no_border = std::numeric_limits<double>::infinity();
 
-constexpr FragmentRange unknown{-no_border, no_border, 0};
+constexpr FragmentRange unknown{-no_border, no_border, 0, no_border, no_border};
 
 /// By the pieces that triangles have been cut into, whose vertices the edges belong to.
 void interpolate_exactly(StageCall& call, const Geometry& geometry) {
@@ -70,8 +70,15 @@ FragmentRange joined(std::vector<FragmentRange>& ways) {
     std::ranges::sort(ways, {}, &FragmentRange::low);
     FragmentRange all = ways.front();
     all.paths = 1;
+    all.gap_low = all.gap_high = all.high;
     for (const FragmentRange& way : ways) {
-        if (way.low > all.high) ++all.paths;
+        if (way.low > all.high) {
+            ++all.paths;
+            if (!(way.low - all.high <= all.gap_high - all.gap_low)) {
+                all.gap_low = all.high;
+                all.gap_high = way.low;
+            }
+        }
         all.high = std::max(all.high, way.high);
     }
     return all;
@@ -206,6 +213,7 @@ void RangeBatch::name_place() {
 }
 
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {
+    ++context_->quad;
     std::fill_n(context_->undecided, quad_lanes, 0u);
     hits_.fill({no_range, no_range});
     mark_coverage(coverage);
@@ -302,6 +310,7 @@ void RangeBatch::record(int quad, int lane) {
         FragmentRange range;
         plan_.table->ends(values_[static_cast<std::size_t>(plan_.slots[s])], lane, &range.low,
                           &range.high);
+        range.gap_low = range.gap_high = range.high;
         if (context_->followed < 0)
             result(s, quad_lanes * quad + lane) = range;
         else
@@ -336,17 +345,19 @@ bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int m
 }
 
 /// Where a lane's height map may be read at levels from `from` to `to`. Where that has too many
-/// ways, the sides of its decisions are taken together, but for those between constants.
+/// ways, the sides of decisions are taken together, but for those between constants: first of all
+/// decisions but the search's, whose hits may lie far apart, then of these as well.
 bool RangeBatch::follow_levels(const MaterialPlan& plan, int quad, int lane, double from,
                                double to) {
     context_->level_from = from;
     context_->level_to = to;
-    bool all = follow_ways(plan, quad, lane, most_ways);
-    if (!all) {
-        context_->together = true;
+    bool all = false;
+    for (const std::uint32_t kinds : {0u, ~Undecided::hit, RangeContext::all_kinds}) {
+        context_->together = kinds;
         all = follow_ways(plan, quad, lane, most_ways);
-        context_->together = false;
+        if (all) break;
     }
+    context_->together = 0;
     context_->level_from = -no_border;
     context_->level_to = no_border;
     return all;

@@ -17,6 +17,8 @@ namespace quadrel {
 struct FragmentRange {
     double low = 0, high = 0;
     std::uint32_t paths = 1;  ///< disjoint ranges; 0: more ways than are followed
+    /// The widest gap between them; equal where there is none.
+    double gap_low = 0, gap_high = 0;
 };
 
 /// One thread's.

@@ -42,8 +42,7 @@ testing::AssertionResult all_are_held(double apart, double claimed, judge::Surfa
         fill_stress_rays(rays, map.height, random);
         for (int lane = 0; lane < rays.lanes; ++lane) {
             const judge::Ray ray = judged_ray(rays, lane);
-            const FirstHits hits(map.height.sampled, asked == judge::Surface::block,
-                                 about(ray, claimed));
+            const FirstHits hits(map.height.sampled, asked, about(ray, claimed));
             ++found.ranges;
             if (!hits.known()) continue;
             ++found.known;
@@ -72,6 +71,15 @@ TEST(FirstHits, HoldThoseOfEachRay) {
                 EXPECT_GT(found.several, 0);
             }
         }
+}
+
+TEST(FirstHits, HoldThoseOnTriangles) {
+    for (const judge::Surface surface :
+         {judge::Surface::tri_main, judge::Surface::tri_anti, judge::Surface::tri_min}) {
+        PartsFound found;
+        EXPECT_TRUE(all_are_held(1e-4, 1e-4, surface, surface, found));
+        EXPECT_GT(found.known, found.ranges / 2);
+    }
 }
 
 /// What is said of other rays, or of another surface, does not hold.

@@ -272,6 +272,61 @@ TEST(BumpBlinn, QuadsShareTheirDifferences) {
     EXPECT_GT(differ, quad.lanes / 2);
 }
 
+/// The same quads with lengths in units of 2^-power, stretched along one axis, over steep heights.
+Batch<float> stretched_quads(const Map& map, int power) {
+    Random random(3);
+    Batch<float> batch(64);
+    const float unit = std::ldexp(1.0f, power);
+    batch.material.depth = unit / 64;
+    batch.bind(TextureSlot::height, map.sampled);
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        batch.set(Value::dPdx, lane, dvec3(8192.0 * unit, unit / 4, 0));
+        batch.set(Value::dPdy, lane, dvec3(0, unit, unit / 8));
+        batch.set(Value::dUVdx, lane, dvec2(1.0 / 64, 0));
+        batch.set(Value::dUVdy, lane, dvec2(0, 1.0 / 64));
+        batch.set(Value::hit_uv, lane, dvec2(random.uniform(0, 1), random.uniform(0, 1)));
+        batch.set(Value::frame_normal, lane, dvec3(0, 0.6f, 0.8f));
+        batch.integer(Value::frame_status, lane) = static_cast<int>(Status::hit);
+    }
+    return batch;
+}
+
+/// Neither 4e-12 units a pixel nor 4e12 change a bit.
+testing::AssertionResult blinn_has_no_scale(const StageUnderTest<float>& stage) {
+    Random random(4);
+    const Map map =
+        height_map(16, 16, [&](int, int) { return static_cast<float>(random.uniform(-5e5, 5e5)); });
+    Batch<float> one = stretched_quads(map, 0);
+    stage.run(one);
+    for (const int power : {-60, -38, 38}) {
+        Batch<float> other = stretched_quads(map, power);
+        stage.run(other);
+        const auto same = same_bits(one, other, std::array{Value::N});
+        if (!same) return testing::AssertionFailure() << same.message() << ", 2^" << power;
+    }
+    for (int lane = 0; lane < one.lanes; ++lane) {
+        const double size = length(dvec3(one.vector3(Value::N, lane)));
+        if (!(std::abs(size - 1) < 1e-6)) return testing::AssertionFailure() << size;
+    }
+    return testing::AssertionSuccess();
+}
+
+/// As it was: products of three lengths in the units of the world.
+void blinn_without_scaling(Batch<float>& batch, const Parameters& parameters) {
+    batch.run("bump-blinn", parameters);
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        const vec3<float> N = batch.vector3(Value::frame_normal, lane);
+        const vec3<float> px = batch.vector3(Value::dPdx, lane);
+        const float det = dot(px, cross(batch.vector3(Value::dPdy, lane), N));
+        if (!(det * det > 0)) batch.set(Value::N, lane, N * std::numeric_limits<float>::infinity());
+    }
+}
+
+TEST(BumpBlinn, HasNoScale) {
+    EXPECT_TRUE(blinn_has_no_scale({"bump-blinn"}));
+    EXPECT_FALSE(blinn_has_no_scale({"bump-blinn", {}, {}, blinn_without_scaling}));
+}
+
 // ---- bump-noise ---------------------------------------------------------------------------------
 
 testing::AssertionResult noise_tilts(double gain) {

@@ -136,6 +136,54 @@ TYPED_TEST(TraceOnAnyMap, NanIsReported) {
     }
 }
 
+/// Texels of minus infinity, a number and infinity, unfiltered: where a ray meets them between two
+/// points, the search gives a number.
+template <class T>
+testing::AssertionResult infinities_leave_numbers(const TraceRow& row, const Trace<T>& trace) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    SamplerState nearest = plain_sampler();
+    nearest.mag = nearest.min = Filter::nearest;
+    int hits = 0;
+    for (int i = 0; i < rounds(10); ++i) {
+        Random random(static_cast<std::uint64_t>(i));
+        const Map map = make_map(
+            8, 8, 1,
+            [&](int, int, int) {
+                const float heights[3] = {-infinity, 0.5f, infinity};
+                return heights[random.below(3)];
+            },
+            nearest);
+        Batch<T> batch(64);
+        fill_surface(batch, random);
+        batch.bind(TextureSlot::height, map.sampled);
+        trace.run(batch, row.parameters);
+        for (int lane = 0; lane < batch.lanes; ++lane) {
+            if (status_of(batch, lane) != Status::hit) continue;
+            ++hits;
+            const T s = batch.real(Value::hit_s, lane);
+            if (!(s >= 0 && s <= 1))
+                return testing::AssertionFailure() << "s " << s << ", map " << i;
+        }
+    }
+    return hits > 0 ? testing::AssertionSuccess() : testing::AssertionFailure() << "no hits";
+}
+
+/// Marches that read the height map alone, by its sampler.
+bool reads_points_of_heights(const TraceRow& row) {
+    return row.kind != TraceKind::offset && row.by_points &&
+           std::ranges::all_of(find_stage(row.id)->textures,
+                               [](TextureSlot slot) { return slot == TextureSlot::height; });
+}
+
+TYPED_TEST(TraceOnAnyMap, InfiniteHeightsLeaveNumbers) {
+    for (const TraceRow& row : trace_rows()) {
+        if (!reads_points_of_heights(row)) continue;
+        EXPECT_TRUE((infinities_leave_numbers<TypeParam>(row, {row.id}))) << name_of(row);
+        EXPECT_FALSE((
+            infinities_leave_numbers<TypeParam>(row, flawed<TypeParam>(row, Planted::hit_at_nan))));
+    }
+}
+
 /// Map and rays reflected in u: so is the result. Not to the bit: weights are 1 - t for t.
 template <class T>
 testing::AssertionResult mirrored(const TraceRow& row, const Trace<T>& trace) {

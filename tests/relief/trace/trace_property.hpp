@@ -59,6 +59,9 @@ Trace<T> flawed(const TraceRow& row, Planted planted) {
                 if (planted == Planted::surface_not_reached) move_hit(b, -0.2);
                 if (planted == Planted::off_the_ray) b.real(Value::hit_uv, 3, 1) += T(1e-5);
                 if (planted == Planted::fetch_not_counted) b.integer(Value::hit_fetches, 5) -= 1;
+                if (planted == Planted::hit_at_nan)
+                    for (int lane = 0; lane < b.lanes; ++lane)
+                        b.real(Value::hit_s, lane) = std::numeric_limits<T>::quiet_NaN();
                 if (planted == Planted::nan_is_floor) {
                     b.integer(Value::hit_status, 7) = static_cast<int>(Status::floor);
                 }

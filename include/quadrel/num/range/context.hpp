@@ -38,6 +38,7 @@ struct RangeContext {
 
     ErrorBudget budget;
     std::uint64_t maps = 0;      ///< which textures there are: another number for others
+    std::uint64_t quad = 0;      ///< which quad of which material runs: likewise
     std::int32_t followed = -1;  ///< lane of the quad; none if negative
     std::uint32_t kind = 0;      ///< what a decision that is met now is about
 
@@ -45,7 +46,9 @@ struct RangeContext {
     std::uint32_t joined = 0;
     std::uint32_t undecided[4] = {};  ///< kinds, a lane
     bool too_many = false;            ///< the limits above were not enough
-    bool together = false;            ///< the followed lane takes both sides together, too
+    /// Kinds of decisions of which the followed lane takes both sides together, too.
+    std::uint32_t together = 0;
+    static constexpr std::uint32_t all_kinds = ~0u;
 
     std::int32_t open = 0;          ///< undecided booleans of this run
     std::int8_t answer[most_open];  ///< theirs: -1 none yet
@@ -87,6 +90,8 @@ struct RangeContext {
     bool level_known[4] = {};            ///< whether a lane has asked for a level in this run
     RealInterval lane_level[4] = {};     ///< what it may be as a whole, and
     RealInterval clamped_level[4] = {};  ///< after the sampler's clamps
+
+    bool takes_together() const { return together == all_kinds || (together & kind) != 0; }
 
     bool is_place(std::int32_t group) const {
         return places > 0 && group >= places && group < places + 4;

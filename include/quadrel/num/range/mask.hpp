@@ -25,7 +25,7 @@ struct RangeTruth {
     static RangeTruth undecided(int lane) {
         RangeContext& context = range_context();
         RangeTruth truth(perhaps);
-        if (context.followed != lane || context.together) {
+        if (context.followed != lane || context.takes_together()) {
             truth.comparison = context.new_boolean();
             return truth;
         }
@@ -147,7 +147,7 @@ Result choose_lanes(const RangeMask& m, const Packet& a, const Packet& b, const 
         RangeTruth truth = m.lane[i].known();
         const bool matters = truth.state == RangeTruth::perhaps || truth.state == RangeTruth::open;
         if (matters && same_lane(a.lane[i], b.lane[i])) truth = true;
-        if (context.together && context.followed == i && truth.has_number() &&
+        if (context.takes_together() && context.followed == i && truth.has_number() &&
             apart(a.lane[i], b.lane[i]))
             truth = context.decide(truth.comparison) != truth.negated;
         truth = truth.settled();

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "quadrel/num/derivative.hpp"
+#include "quadrel/relief/frame/store.hpp"
 #include "quadrel/relief/surface/relief_normal.hpp"
 
 namespace quadrel {
@@ -36,13 +37,18 @@ struct BumpBlinn : NormalFromHeights {
         using F = typename Io::Number;
         const F depth = io.template load<Value::relief_depth>();
         const vec3<F> N = io.template load<Value::frame_normal>();
-        const vec3<F> px = io.template load<Value::dPdx>();
-        const vec3<F> R1 = cross(io.template load<Value::dPdy>(), N), R2 = cross(N, px);
+        const vec3<F> dPdx = io.template load<Value::dPdx>(),
+                      dPdy = io.template load<Value::dPdy>();
+        const F scale = ordinary_scale(dPdx, dPdy);
+        const vec3<F> px = dPdx * scale;
+        const vec3<F> R1 = cross(dPdy * scale, N), R2 = cross(N, px);
         const F det = dot(px, R1);
         const vec2<F> rise =
-            (params.differences == 0 ? quad_rise<F>(io) : pixel_rise<F>(io)) * depth;
+            (params.differences == 0 ? quad_rise<F>(io) : pixel_rise<F>(io)) * (depth * scale);
         const vec3<F> gradient = (R1 * rise.x + R2 * rise.y) * sign(det);
-        store_normal(io, normalize(N * abs(det) - gradient), (depth != F(0)) & (det != F(0)));
+        const vec3<F> n = N * abs(det) - gradient;
+        store_normal(io, normalize(n * ordinary_scale(largest_component(n))),
+                     (depth != F(0)) & (det != F(0)));
     }
 
   private:

@@ -62,12 +62,13 @@ inline AxisTexel axis_texel(double i, std::int32_t size, Wrap wrap) {
 /// One level of a two-dimensional map, or of a face of a cube map.
 class LevelTexels {
   public:
-    LevelTexels(const SampledTexture& texture, int level)
+    LevelTexels(const SampledTexture& texture, int level, int face = 0)
         : sampler_(texture.sampler),
-          texels_(texture.view.texels + texture.view.offset[level]),
           channels_(texture.view.channels),
           width_(texture.view.width[level]),
-          height_(texture.view.height[level]) {}
+          height_(texture.view.height[level]),
+          texels_(texture.view.texels + texture.view.offset[level] +
+                  std::int64_t{face} * width_ * height_ * channels_) {}
 
     TexelValue at(double i, double j) const {
         const AxisTexel x = axis_texel(i, width_, sampler_.wrap_u);
@@ -85,8 +86,8 @@ class LevelTexels {
 
   private:
     const SamplerState& sampler_;
-    const float* texels_;
     std::int32_t channels_, width_, height_;
+    const float* texels_;
 };
 
 /// The patch with its lower corner at texel (i, j), over weights in x and y.

@@ -65,13 +65,13 @@ void bisect(const Height& height, const SearchRay<F>& ray, int times, Bracket<F>
 
 /// Where the chord through the two heights of a bracket meets the ray; `weight_above` and
 /// `weight_below` scale the gaps at its ends (1 unless a refinement says otherwise). Inside of the
-/// bracket; its lower end where a height is NaN.
+/// bracket; its lower end where a height is NaN, or the one above is infinite.
 template <Number F>
 F chord(const Bracket<F>& b, F weight_above = F(1), F weight_below = F(1)) {
     const F gap = ((F(1) - b.s_above) - b.h_above) * weight_above;
     const F excess = (b.h_below - (F(1) - b.s_below)) * weight_below;
-    const F sum = gap + excess;
-    const F part = select(sum > F(0), gap / sum, select(is_nan(sum), F(1), F(0)));
+    const F sum = gap + excess, ratio = gap / sum;
+    const F part = select(sum <= F(0), F(0), select(is_nan(ratio), F(1), ratio));
     return min(b.s_above + (b.s_below - b.s_above) * part, b.s_below);
 }
 

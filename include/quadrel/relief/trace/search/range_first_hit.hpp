@@ -8,8 +8,8 @@
 // of float32 beside that, as far as a search may be that finds the hits up to rounding.
 #pragma once
 
-#include "quadrel/quad/promises.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
+#include "quadrel/relief/trace/search/range_parts.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
 #include "quadrel/texture/range/sampler.hpp"
 
@@ -17,26 +17,80 @@ namespace quadrel {
 
 namespace range_detail {
 
-/// More parts of s than this are taken together.
-inline constexpr int most_parts = 8;
-inline constexpr int most_ends = 9;  ///< and past all of them
+/// Positions of rays along an axis, in texels, as s goes from 0 to 1.
+struct RayAxis {
+    RealInterval start, rate;
+    std::int32_t texels;
+    double s_polygon;
+
+    double speed() const { return rate.magnitude() * texels; }
+    double width() const { return (start.width() + rate.width()) * texels; }
+    RealInterval over(double from, double to) const {
+        const RealInterval moved = RealInterval(from, to) - RealInterval(s_polygon);
+        const double off = roundings() * (start.magnitude() + rate.magnitude());
+        return widened(start + rate * moved, off) * RealInterval(texels);
+    }
+
+    /// What positions and heights are off by, relative.
+    static double roundings() { return budget().unit > 0 ? 4 * budget().unit : 0x1p-48; }
+};
+
+/// What a ray's height and the field's are off by.
+inline double height_slack(const RealInterval& height) {
+    return RayAxis::roundings() * (1 + std::min(height.magnitude(), 0x1p20));
+}
+
+/// The heights of the level-0 field in a box, in texels.
+class FieldRange {
+  public:
+    FieldRange(const SampledTexture& map, oracle::Surface surface)
+        : map_(map), texels_(map, 0), surface_(surface) {}
+
+    const LevelTexels& texels() const { return texels_; }
+
+    RealInterval operator()(const RealInterval& x, const RealInterval& y) const {
+        TexelRange range = TexelRange::nothing();
+        const bool seen = surface_ == oracle::Surface::block ? include_nearest(range, texels_, x, y)
+                                                             : include_linear(range, texels_, x, y);
+        if (!seen) return whole_map(map_).channel[0];
+        // A triangle's plane is off the patch by up to a quarter of the patch's twist.
+        const bool bilinear =
+            surface_ == oracle::Surface::bilinear || surface_ == oracle::Surface::block;
+        return bilinear ? range.channel[0] : widened(range.channel[0], twist(x, y) / 4);
+    }
+
+  private:
+    /// The greatest |h00 - h10 - h01 + h11| of the cells that a box meets.
+    double twist(const RealInterval& x, const RealInterval& y) const {
+        double most = 0;
+        for (double j = std::floor(y.lo - 0.5); j <= std::floor(y.hi - 0.5); ++j)
+            for (double i = std::floor(x.lo - 0.5); i <= std::floor(x.hi - 0.5); ++i) {
+                const auto h = [&](double a, double b) { return texels_.at(a, b).channel[0]; };
+                most = std::max(
+                    most, std::fabs((h(i, j) - h(i + 1, j)) - (h(i, j + 1) - h(i + 1, j + 1))));
+            }
+        return most;
+    }
+
+    const SampledTexture& map_;
+    LevelTexels texels_;
+    oracle::Surface surface_;
+};
 
 class FirstHits {
   public:
-    /// `blocks`: each texel a box. Otherwise bilinear patches between centres; level 0 either way.
-    FirstHits(const SampledTexture& map, bool blocks, const oracle::RayRange& rays)
-        : map_(map),
-          texels_(map, 0),
-          blocks_(blocks),
-          x_{rays.u, rays.Ku, texels_.width(), rays.s_polygon},
-          y_{rays.v, rays.Kv, texels_.height(), rays.s_polygon} {
+    FirstHits(const SampledTexture& map, oracle::Surface surface, const oracle::RayRange& rays)
+        : field_(map, surface),
+          blocks_(surface == oracle::Surface::block),
+          x_{rays.u, rays.Ku, field_.texels().width(), rays.s_polygon},
+          y_{rays.v, rays.Kv, field_.texels().height(), rays.s_polygon} {
         const double speed = std::max(x_.speed(), y_.speed());
         const double box = std::max(x_.width(), y_.width());
         known_ = speed < most_texels_crossed && box < most_texels_crossed;
         if (!known_) return;
         shortest_ = std::clamp(std::max(1.0 / 64, box / 8) / speed, 0x1p-20, 0x1p-14);
         const RealInterval start = heights(0, 0);
-        const bool below = start.lo >= 1 + slack(start);
+        const bool below = start.lo >= 1 + height_slack(start);
         if (below) add(0, 0);
         if (!below && !visit(0, 1)) passes_ = true;
     }
@@ -55,39 +109,15 @@ class FirstHits {
         RealInterval height = blocks_ ? heights(s.lo, s.hi) : reached;
         if (blocks_) height.lo = std::max(height.lo, reached.lo);
         if (s.lo == 0) height = hull(height, heights(0, 0));
-        return widened(height, slack(height));
+        return widened(height, height_slack(height));
     }
 
   private:
     static constexpr double most_texels_crossed = 0x1p17;
     static constexpr int most_looks = 1 << 15;
 
-    /// Positions along an axis, in texels.
-    struct Axis {
-        RealInterval start, rate;
-        std::int32_t texels;
-        double s_polygon;
-
-        double speed() const { return rate.magnitude() * texels; }
-        double width() const { return (start.width() + rate.width()) * texels; }
-        RealInterval over(double from, double to) const {
-            const RealInterval moved = RealInterval(from, to) - RealInterval(s_polygon);
-            const double off = roundings() * (start.magnitude() + rate.magnitude());
-            return widened(start + rate * moved, off) * RealInterval(texels);
-        }
-    };
-
-    static double roundings() { return budget().unit > 0 ? 4 * budget().unit : 0x1p-48; }
-    static double slack(const RealInterval& height) {
-        return roundings() * (1 + std::min(height.magnitude(), 0x1p20));
-    }
-
     RealInterval heights(double from, double to) const {
-        const RealInterval x = x_.over(from, to), y = y_.over(from, to);
-        TexelRange range = TexelRange::nothing();
-        const bool seen =
-            blocks_ ? include_nearest(range, texels_, x, y) : include_linear(range, texels_, x, y);
-        return seen ? range.channel[0] : whole_map(map_).channel[0];
+        return field_(x_.over(from, to), y_.over(from, to));
     }
 
     /// Whether all rays have met the field by `to`.
@@ -95,14 +125,14 @@ class FirstHits {
         const RealInterval all = heights(from, to);
         known_ = known_ && std::isfinite(all.width());
         if (!known_) return true;
-        if (all.hi < 1 - to - slack(all)) return false;
+        if (all.hi < 1 - to - height_slack(all)) return false;
         if (to - from > shortest_ && ++looks_ < most_looks) {
             const double middle = from + (to - from) / 2;
             return visit(from, middle) || visit(middle, to);
         }
         add(from, to);
         const RealInterval end = heights(to, to);
-        return end.lo >= 1 - to + (to < 1 ? slack(end) : 0);
+        return end.lo >= 1 - to + (to < 1 ? height_slack(end) : 0);
     }
 
     void add(double from, double to) {
@@ -113,49 +143,26 @@ class FirstHits {
             part_[count_++] = {from, to};
     }
 
-    const SampledTexture& map_;
-    LevelTexels texels_;
+    FieldRange field_;
     bool blocks_, known_ = true, passes_ = false;
-    Axis x_, y_;
+    RayAxis x_, y_;
     double shortest_ = 1;
     RealInterval part_[most_parts];
     int count_ = 0, looks_ = 0;
 };
 
-/// One of `count` in a lane: the followed one takes one after another. -1: all together.
-inline int one_of_parts(int count, int lane) {
-    RangeContext& context = range_context();
-    if (count == 1) return 0;
-    if (context.followed != lane || context.together) {
-        context.join(lane);
-        return -1;
-    }
-    const int last = count - 1;
-    for (int k = 0; k < most_ends; ++k) {
-        if (k == last) break;
-        const std::int32_t comparison = context.leave_open();
-        if (comparison < 0 || context.decide(comparison)) return k;
-    }
-    return last;
-}
-
-/// From one status to another.
-inline RangeInt::Lane statuses(Status first, Status last) {
-    return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(last)};
-}
-
 /// Lane by lane, what a search may have found.
-inline void find_first_hits(const SampledTexture& map, bool blocks, const SearchRay<Ranges>& ray,
-                            int lane, SearchResult<Ranges>& result) {
+inline void find_first_hits(const SampledTexture& map, oracle::Surface surface,
+                            const SearchRay<Ranges>& ray, int lane, SearchResult<Ranges>& result) {
     static_assert(Status::hit < Status::floor);
     const Ranged numbers[4] = {ray.uv.x.lane[lane], ray.uv.y.lane[lane], ray.K.x.lane[lane],
                                ray.K.y.lane[lane]};
     result.s.lane[lane] = Ranged(0.0, 1.0);
     result.h.lane[lane] = Ranged::anything();
-    result.status.lane[lane] = {0, static_cast<std::int32_t>(allowed_end(Value::hit_status)) - 1};
+    result.status.lane[lane] = any_status();
     for (int k = 0; k < 4; ++k)
         if (!numbers[k].is_bounded()) return;
-    const FirstHits hits(map, blocks,
+    const FirstHits hits(map, surface,
                          {numbers[0].range(), numbers[1].range(), numbers[2].range(),
                           numbers[3].range(), ray.s_polygon});
     if (!hits.known()) return;
@@ -189,21 +196,18 @@ inline void find_first_hits(const SampledTexture& map, bool blocks, const Search
 }  // namespace range_detail
 
 /// A row that finds the first hit of a field up to rounding, on ranges.
-template <class Row, bool blocks>
+template <class Row, oracle::Surface surface = oracle::Surface::bilinear>
 struct FirstHitOnRanges : Row {
     template <class Io>
     void operator()(Io& io, const typename Row::Params&) const {
         const SearchRay<Ranges> ray = search_ray(io);
         SearchResult<Ranges> result;
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
-        const auto most = std::numeric_limits<std::int32_t>::max();
-        for (int lane = 0; lane < 4; ++lane) {
+        for (int lane = 0; lane < 4; ++lane)
             if (ray.active.lane[lane].known().state != RangeTruth::no)
-                range_detail::find_first_hits(map, blocks, ray, lane, result);
-            // What a search counts, and how it wraps or doubts, is not followed.
-            result.flags.lane[lane] = {0, static_cast<std::int32_t>(HitFlag::end) - 1};
-            result.steps.lane[lane] = result.fetches.lane[lane] = {0, most};
-        }
+                range_detail::find_first_hits(map, surface, ray, lane, result);
+        result.flags = range_detail::any_flags();
+        result.steps = result.fetches = range_detail::any_count();
         store_search(io, ray, result);
     }
 };
