@@ -1,14 +1,11 @@
 // The command line: parsing, and exceptions to exit codes.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iterator>
+#include <memory>
 #include <new>
-#include <string_view>
 
 #include "cli/common/console.hpp"
-#include "cli/common/examples.hpp"
 #include "cli/common/usage.hpp"
-#include "cli/explain/exit_codes.hpp"
 #include "cli/verbs.hpp"
 #include "file/temporary_registry.hpp"
 #include "text/printable.hpp"
@@ -42,30 +39,14 @@ int run(const Action& action, const SpelledVerb& verb) {
     }
 }
 
-struct Verb {
-    std::string_view name;
-    void (*add)(CLI::App&, Action&);
-};
-
-constexpr Verb verbs[] = {
-    {"render", add_render}, {"compare", add_compare}, {"list", add_list},
-    {"info", add_info},     {"probe", add_probe},     {"sheet", add_sheet},
-    {"mips", add_mips},     {"bake", add_bake},       {"explain", add_explain},
-    {"sweep", add_sweep},   {"advise", add_advise},   {"errors", add_errors},
-    {"export", add_export}, {"view", add_view}};
-
 /// All verbs, since help and a mistake name them; but where the command line begins with one, that
-/// alone: to describe the options of all takes most of the time of starting.
-void add_verbs(CLI::App& app, Action& action, const std::vector<std::string>& arguments) {
-    const auto named = std::find_if(std::begin(verbs), std::end(verbs), [&](const Verb& verb) {
-        return !arguments.empty() && verb.name == arguments.front();
-    });
-    const bool version = arguments == std::vector<std::string>{"--version"};
-    if (named != std::end(verbs))
-        named->add(app, action);
-    else if (!version)
-        for (const Verb& verb : verbs) verb.add(app, action);
-    add_examples(app);
+/// alone.
+std::unique_ptr<CLI::App> program_for(const std::vector<std::string>& arguments, Action& action) {
+    if (arguments == std::vector<std::string>{"--version"})
+        return make_program(action, VerbsAdded::none);
+    if (!arguments.empty() && is_verb(arguments.front()))
+        return make_program(action, VerbsAdded::one, arguments.front());
+    return make_program(action, VerbsAdded::all);
 }
 
 /// Parses, and returns what to do then: the verb, or to print help.
@@ -85,17 +66,13 @@ Action parse(CLI::App& app, const Action& action, const SpelledVerb& verb,
 }
 
 int parse_and_run(int argc, char** argv) {
-    CLI::App app("CPU reference rasterizer for relief mapping", "quadrel");
-    app.set_version_flag("-V,--version", "quadrel " QUADREL_VERSION);
-    app.require_subcommand(1);
-    app.footer(exit_code_help());
     Action action;
     const std::vector<std::string> arguments =
-        with_help_words({argv + std::min(argc, 1), argv + argc});
-    add_verbs(app, action, arguments);
-    const SpelledVerb verb = spelled_verb(app, arguments);
+        with_joined_addresses(with_help_words({argv + std::min(argc, 1), argv + argc}));
+    const std::unique_ptr<CLI::App> app = program_for(arguments, action);
+    const SpelledVerb verb = spelled_verb(*app, arguments);
     if (verb.unknown) return complain(unknown_verb_message(verb), ExitCode::usage);
-    return run([&] { return parse(app, action, verb, arguments)(); }, verb);
+    return run([&] { return parse(*app, action, verb, arguments)(); }, verb);
 }
 
 }  // namespace

@@ -18,10 +18,13 @@
 #include "cli/common/validators.hpp"
 #include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
+#include "cli/watch/watch.hpp"
 #include "file/output_group.hpp"
 #include "film/preview_sink.hpp"
 #include "io/exr/encode.hpp"
 #include "io/exr/file_sink.hpp"
+#include "io/exr/image_parts.hpp"
+#include "io/tev/sink.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
@@ -31,9 +34,9 @@ namespace quadrel::cli {
 namespace {
 
 struct RenderArguments {
-    std::string scene, output, preview, stats, channels, size, window;
+    std::string scene, output, preview, stats, channels, size, window, task, tev;
     std::vector<std::string> overrides, plugins, injected;
-    bool explain = false, no_skip = false;
+    bool explain = false, no_skip = false, watch = false;
     std::optional<int> integral_samples;
     std::optional<double> integral_error;
     bool streams() const { return output == "-"; }  ///< the EXR goes to standard output
@@ -44,7 +47,10 @@ struct RenderArguments {
 /// The output's name unless it is given: the scene's, in the current directory.
 std::filesystem::path output_name(const RenderArguments& arguments) {
     if (!arguments.output.empty()) return arguments.output;
-    return std::filesystem::path(arguments.scene).stem().string() + ".exr";
+    const std::string name = std::filesystem::path(arguments.scene).stem().string();
+    if (arguments.task.empty()) return name + ".exr";
+    const Task task = parse_task(arguments.task);
+    return fmt::format("{}.{}-of-{}.exr", name, task.number, task.of);
 }
 
 void tell_hint(const std::optional<std::string>& hint) {
@@ -87,6 +93,10 @@ void check_kinds(const RenderArguments& arguments) {
         throw UsageError("--preview and --stats: found -, expected a file; -o - is possible");
     if (arguments.streams() && !arguments.explain && isatty(STDOUT_FILENO) != 0)
         throw UsageError("-o -: expected standard output to be a file or a pipe, not a terminal");
+    if (arguments.watch && (arguments.explain || arguments.streams() || !arguments.stats.empty() ||
+                            !arguments.task.empty() || !arguments.injected.empty()))
+        throw UsageError(
+            "--watch: expected no --explain, --stats, --task, --inject or -o - beside it");
 }
 
 void add_outputs(CommandFiles& files, const RenderArguments& arguments) {
@@ -107,6 +117,37 @@ void check_window(const RenderOptions& options, const Scene& scene) {
                     options.window->x1, options.window->y1, scene.width, scene.height));
 }
 
+/// A render that is one part of an image: its rows, and what tells it from others.
+struct RenderedPart {
+    ImagePart part;
+    std::string hash;
+};
+
+/// Narrows the window to the part's rows. Nothing where the image is drawn whole.
+std::optional<RenderedPart> take_part(const RenderArguments& arguments, const Scene& scene,
+                                      RenderOptions& options) {
+    if (arguments.task.empty()) return std::nullopt;
+    const Task task = parse_task(arguments.task);
+    const Window frame{0, 0, scene.width, scene.height};
+    RenderedPart rendered{{task.number, task.of, options.window.value_or(frame)}, ""};
+    options.window = part_window(rendered.part);
+    const auto named = render_attributes(scene, options);
+    rendered.hash = part_hash(rendered.part, frame, {named.begin(), named.end()},
+                              expand_channels(options.channels), arguments.compression);
+    return rendered;
+}
+
+/// Whether the part is there from before; other outputs are drawn anew.
+bool is_finished(const RenderArguments& arguments, const std::optional<RenderedPart>& part) {
+    if (!part || arguments.explain || arguments.streams()) return false;
+    if (!arguments.preview.empty() || !arguments.stats.empty()) return false;
+    if (!is_finished_part(output_name(arguments), part->hash)) return false;
+    tell(fmt::format("quadrel: {} is finished: part {}/{}, hash {}",
+                     output_name(arguments).string(), part->part.number, part->part.of,
+                     part->hash.substr(0, 16)));
+    return true;
+}
+
 void render_with_bar(const Scene& scene, RenderOptions& options, const BandSinkMaker& make) {
     ProgressBar bar;
     options.progress = [&bar](double share) { bar.show(share); };
@@ -124,6 +165,11 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
     out.commit();
 }
 
+/// What viewers call the image.
+std::string image_name(const RenderArguments& arguments) {
+    return arguments.streams() ? arguments.scene : output_name(arguments).string();
+}
+
 /// The EXR: a file, or bytes that wait in `streamed` for standard output.
 std::unique_ptr<BandSink> exr_sink(const RenderArguments& arguments, const Film& layout,
                                    const Attributes& attributes, std::string& streamed) {
@@ -132,15 +178,18 @@ std::unique_ptr<BandSink> exr_sink(const RenderArguments& arguments, const Film&
     return exr_band_sink(layout, attributes, arguments.compression, append_to(streamed));
 }
 
-void render_outputs(const RenderArguments& arguments, const Scene& scene, RenderOptions& options) {
-    Attributes attributes;
-    for (const auto& [name, value] : render_attributes(scene, options)) attributes[name] = value;
+void render_outputs(const RenderArguments& arguments, const Scene& scene, RenderOptions& options,
+                    const std::optional<RenderedPart>& part, TevConnection* tev) {
+    const auto named = render_attributes(scene, options);
+    Attributes attributes(named.begin(), named.end());
+    if (part) name_part(part->part, part->hash, attributes);
     std::string streamed;
     OutputGroup outputs;
     render_with_bar(scene, options, [&](const Film& layout) {
         std::vector<std::unique_ptr<BandSink>> sinks;
         sinks.push_back(exr_sink(arguments, layout, attributes, streamed));
         if (!arguments.preview.empty()) sinks.push_back(png_file_sink(arguments.preview, layout));
+        if (tev != nullptr) sinks.push_back(tev_sink(*tev, image_name(arguments), layout));
         return join_sinks(std::move(sinks));
     });
     if (!arguments.stats.empty()) write_text(arguments.stats, to_json(*options.stats));
@@ -151,6 +200,44 @@ void render_outputs(const RenderArguments& arguments, const Scene& scene, Render
     outputs.commit();
     if (!arguments.streams()) say_written(output_name(arguments));
     if (!arguments.preview.empty()) say_written(arguments.preview);
+}
+
+/// The scene as it is now, `files` being what was read for it.
+Scene load_watched(const RenderArguments& arguments, const RenderOptions& options,
+                   std::vector<std::filesystem::path>& files) {
+    CommandFiles now;
+    add_outputs(now, arguments);
+    try {
+        Scene scene = load_scene(arguments.scene, with_size(arguments.overrides, arguments.size));
+        files = now.inputs();
+        now.check();
+        say_notes(scene.notes);
+        check_window(options, scene);
+        return scene;
+    } catch (const InputError&) {
+        files = now.inputs();
+        throw;
+    }
+}
+
+/// Does not return: draws until the process is ended.
+ExitCode watch_scene(const RenderArguments& arguments, const RenderOptions& options,
+                     TevConnection* tev) {
+    WatchedRender render;
+    render.load = [&](std::vector<std::filesystem::path>& files) {
+        return load_watched(arguments, options, files);
+    };
+    render.options = options;
+    render.output = output_name(arguments);
+    render.preview = arguments.preview;
+    render.compression = arguments.compression;
+    render.tev = tev;
+    watch(render);
+}
+
+void say_lost(const TevConnection* tev) {
+    if (tev != nullptr && !tev->lost().empty())
+        say("quadrel: warning: tev was sent nothing more: " + tev->lost());
 }
 
 void say_summary(const RenderSummary& summary) {
@@ -171,15 +258,21 @@ ExitCode run_render(const RenderArguments& arguments) {
     check_window(options, scene);
     options.injected = read_injections(arguments.injected);
     files.check();
+    const std::optional<RenderedPart> part = take_part(arguments, scene, options);
     if (arguments.explain) {
         print(explain(scene, options));
         return ExitCode::ok;
     }
+    if (is_finished(arguments, part)) return ExitCode::ok;
+    std::optional<TevConnection> tev;
+    if (!arguments.tev.empty()) tev.emplace(arguments.tev);
+    if (arguments.watch) return watch_scene(arguments, options, tev ? &*tev : nullptr);
     RenderStats stats;
     if (!arguments.stats.empty()) options.stats = &stats;
     RenderSummary summary;
     options.summary = &summary;
-    render_outputs(arguments, scene, options);
+    render_outputs(arguments, scene, options, part, tev ? &*tev : nullptr);
+    say_lost(tev ? &*tev : nullptr);
     say_summary(summary);
     return ExitCode::ok;
 }
@@ -208,6 +301,17 @@ void add_values(CLI::App& verb, RenderArguments& a) {
     verb.add_option("--window", a.window,
                     "render this part only: half-open, pixels from the top-left")
         ->type_name("X0,Y0,X1,Y1");
+    verb.add_option("--task", a.task,
+                    "only the I-th of N parts, rows of tiles, for join to put together; one that "
+                    "is there already is not drawn again")
+        ->type_name("I/N");
+    verb.add_flag("--watch", a.watch,
+                  "draw again whenever the scene or one of its files changes, and only what the "
+                  "change touches, until Ctrl-C");
+    verb.add_flag(std::string("--tev{") + tev_address + "}", a.tev,
+                  "also send tiles to the viewer tev as they are drawn; --tev=HOST:PORT where it "
+                  "is not at " +
+                      std::string(tev_address));
     verb.add_flag("--explain", a.explain, "print the plan and render nothing");
     add_compression_option(verb, a.compression);
     verb.add_option("--stats", a.stats, "also write what the render did and took, as JSON")

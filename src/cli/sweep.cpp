@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 
+#include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
 #include "cli/common/plugins.hpp"
@@ -21,27 +21,6 @@ struct SweepArguments {
     std::vector<std::string> merged, plugins;
     bool table = false;
 };
-
-struct Task {
-    int number = 1, of = 1;
-};
-
-bool read_whole_number(std::string_view text, int& number) {
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && stop == text.data() + text.size() && number >= 1;
-}
-
-Task parse_task(const std::string& text) {
-    Task task;
-    if (text.empty()) return task;
-    const std::size_t slash = text.find('/');
-    if (slash == std::string::npos ||
-        !read_whole_number(std::string_view(text).substr(0, slash), task.number) ||
-        !read_whole_number(std::string_view(text).substr(slash + 1), task.of) ||
-        task.number > task.of)
-        throw UsageError("--task: found \"" + text + "\", expected I/N with 1 <= I <= N, as 3/8");
-    return task;
-}
 
 void check_arguments(const SweepArguments& arguments) {
     if (arguments.plan.empty() == arguments.merged.empty())

@@ -4,6 +4,8 @@
 
 #include <CLI/App.hpp>
 #include <functional>
+#include <memory>
+#include <string_view>
 
 #include "quadrel/error.hpp"
 
@@ -26,5 +28,18 @@ void add_sweep(CLI::App& app, Action& action);
 void add_advise(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
+void add_join(CLI::App& app, Action& action);
+void add_man(CLI::App& app, Action& action);
+void add_completion(CLI::App& app, Action& action);
+
+bool is_verb(std::string_view name);
+
+/// Describing the options of all verbs takes most of the time of starting.
+enum class VerbsAdded { none, one, all };
+
+/// The program with its verbs, or with `only` one of them, to be parsed with or to be described.
+/// `action` must outlive it.
+std::unique_ptr<CLI::App> make_program(Action& action, VerbsAdded added,
+                                       std::string_view only = "");
 
 }  // namespace quadrel::cli

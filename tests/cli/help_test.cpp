@@ -17,9 +17,9 @@ using testing::AssertionSuccess;
 using testing_films::TemporaryFolder;
 using Words = std::vector<std::string>;
 
-constexpr const char* verbs[] = {"render", "compare", "list",   "info", "explain",
-                                 "probe",  "sheet",   "mips",   "bake", "sweep",
-                                 "advise", "errors",  "export", "view"};
+constexpr const char* verbs[] = {"render", "compare", "list", "info",  "explain",   "probe",
+                                 "sheet",  "mips",    "bake", "sweep", "advise",    "errors",
+                                 "export", "view",    "join", "man",   "completion"};
 
 Words split(const std::string& line) {
     std::istringstream stream(line);
@@ -57,6 +57,7 @@ AssertionResult makes_sense(Words words) {
     if (!set_option(words, "--size", "8x8") && draws) words.insert(words.end(), {"--size", "8x8"});
     set_option(words, "--window", "0,0,8,8");
     set_option(words, "--integrate", "16");
+    set_option(words, "--task", "1/1");
     const Outcome outcome = run(words, folder.path());
     if (outcome.code == 0 || outcome.code == 3) return AssertionSuccess();
     return AssertionFailure() << outcome.code << " " << outcome.err;

@@ -86,6 +86,16 @@ Pixel parse_pixel(const std::string& option, const std::string& text) {
     return {*x, *y};
 }
 
+Task parse_task(const std::string& text) {
+    if (text.empty()) return {};
+    const std::vector<std::string> parts = split(text, '/');
+    const auto number = parse_side(parts[0]);
+    const auto of = parts.size() == 2 ? parse_side(parts[1]) : std::nullopt;
+    if (!number || !of || *number < 1 || *number > *of)
+        reject("--task", text, "I/N with 1 <= I <= N, as 3/8");
+    return {*number, *of};
+}
+
 std::vector<std::string> with_size(std::vector<std::string> overrides, const std::string& size) {
     if (size.empty()) return overrides;
     const auto [width, height] = parse_size("--size", size);

@@ -28,6 +28,14 @@ struct Pixel {
 /// "x,y", image coordinates. Throws UsageError.
 Pixel parse_pixel(const std::string& option, const std::string& text);
 
+/// One of several jobs that share a work.
+struct Task {
+    int number = 1, of = 1;
+};
+
+/// "I/N" with 1 <= I <= N; empty is 1/1. Throws UsageError.
+Task parse_task(const std::string& text);
+
 /// `overrides` with --size ("" for none) as the last, so that it wins over -D. Throws UsageError.
 std::vector<std::string> with_size(std::vector<std::string> overrides, const std::string& size);
 

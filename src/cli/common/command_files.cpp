@@ -24,6 +24,12 @@ std::optional<FileIdentity> identity_of_output(const std::filesystem::path& file
 
 }  // namespace
 
+std::vector<std::filesystem::path> CommandFiles::inputs() const {
+    std::vector<std::filesystem::path> names;
+    for (const InputFile& input : inputs_.files()) names.push_back(input.name);
+    return names;
+}
+
 void CommandFiles::add_output(const std::string& option, const std::filesystem::path& file) {
     // Standard output is render's alone, which does not name it here.
     if (file == "-") throw UsageError(option + ": found -, expected the name of a file");

@@ -14,6 +14,8 @@ class CommandFiles {
   public:
     /// An input that is not read before the check.
     void add_input(const std::filesystem::path& file) { note_input(file); }
+    /// All inputs so far.
+    std::vector<std::filesystem::path> inputs() const;
     /// `option` as in messages, such as "-o". An empty name is none.
     void add_output(const std::string& option, const std::filesystem::path& file);
     /// Standard output, which may have been led into a file.

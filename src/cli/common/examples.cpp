@@ -14,6 +14,8 @@ constexpr Example all[] = {
      "each pixel the mean over its area, for judging mip levels"},
     {"render", "bricks-45 --inject hit.uv=gpu.exr --channels N,R,G,B -o later.exr",
      "normals and colour from a GPU's own hits"},
+    {"render", "bricks-45 --size 65536x65536 --task 3/64 -o part-3.exr",
+     "one part of a frame that many machines draw"},
     {"compare", "bricks.exr port.exr --abs 1e-4 --heatmap difference.png",
      "allow a small error, and show where there is more"},
     {"compare", "bricks.exr port.png --channels R,G,B --encode srgb8 --ulp 1",
@@ -63,6 +65,12 @@ constexpr Example all[] = {
     {"view", "bricks.exr -o view.html", "a page to look at every value, in any browser"},
     {"view", "bricks.exr port.exr --channels R,G,B,hit,N -o view.html",
      "two images side by side, and where they differ"},
+    {"join", "part-*.exr -o bricks.exr", "what render --task has drawn, as one image"},
+    {"join", "part-1.exr part-2.exr -o bricks.exr --compression piz", "likewise, of two parts"},
+    {"man", "render", "to be read by `quadrel man render | man -l -`"},
+    {"man", "-o man", "all pages, as man looks for them: `man -M man quadrel`"},
+    {"completion", "bash", "to be read by `source <(quadrel completion bash)`"},
+    {"completion", "words -- render bricks", "what a shell is told of a line"},
 };
 
 }  // namespace

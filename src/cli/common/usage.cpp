@@ -133,9 +133,23 @@ std::vector<std::string> with_help_words(std::vector<std::string> arguments) {
     return arguments;
 }
 
+std::vector<std::string> with_joined_addresses(std::vector<std::string> arguments) {
+    for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+        const std::string& next = arguments[i + 1];
+        const std::size_t colon = next.rfind(':');
+        const bool port = colon != std::string::npos && colon + 1 < next.size() &&
+                          next.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+        if (arguments[i] != "--tev" || !port) continue;
+        arguments[i] += "=" + next;
+        arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+    return arguments;
+}
+
 void refuse_empty_arguments(const CLI::App& verb) {
     for (const CLI::Option* option : verb.get_options()) {
         const std::string type = option->get_type_name();
+        if (type == "WORDS") continue;  // of a line that is being typed
         for (const std::string& text : option->results())
             if (text.empty())
                 throw UsageError(option_name(*option) + ": found an empty text, expected " +

@@ -26,6 +26,10 @@ std::string unknown_verb_message(const SpelledVerb& verb);
 /// "help VERB" as "VERB --help", "help" as "--help", "version" as "--version".
 std::vector<std::string> with_help_words(std::vector<std::string> arguments);
 
+/// "--tev HOST:PORT" as "--tev=HOST:PORT", since that option may stand without a value, in front of
+/// a scene.
+std::vector<std::string> with_joined_addresses(std::vector<std::string> arguments);
+
 /// Throws UsageError for an option, or an argument that has to be there, that is the empty text: no
 /// name, and not the same as none.
 void refuse_empty_arguments(const CLI::App& verb);

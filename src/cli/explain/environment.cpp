@@ -1,0 +1,23 @@
+#include "cli/explain/environment.hpp"
+
+namespace quadrel::cli {
+namespace {
+
+constexpr EnvironmentText variables[] = {
+    {"QUADREL_DATA",
+     "folder of `scenes`, `textures` and `meshes`, asked before `../share/quadrel` beside "
+     "the program and the folder that it was built from"},
+    {"QUADREL_MODULES",
+     "folder of the kernels and of the reader of images other than EXR, asked before "
+     "`modules` and `../lib/quadrel` beside the program"},
+    {"QUADREL_CACHE_MIB",
+     "size of the cache of baked maps, 0 switches it off; `XDG_CACHE_HOME` is where it "
+     "lies"},
+    {"NO_COLOR", "no colours on a terminal, as on a dumb one (`TERM=dumb`)"},
+};
+
+}  // namespace
+
+std::span<const EnvironmentText> environment_variables() { return variables; }
+
+}  // namespace quadrel::cli
