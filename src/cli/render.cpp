@@ -240,8 +240,10 @@ void say_lost(const TevConnection* tev) {
         say("quadrel: warning: tev was sent nothing more: " + tev->lost());
 }
 
-void say_summary(const RenderSummary& summary) {
+/// A part of an image may well be empty.
+void say_summary(const RenderSummary& summary, bool is_part) {
     if (isatty(STDERR_FILENO) != 0) tell(summary_line(summary));
+    if (is_part) return;
     if (const auto warning = nothing_in_view(summary)) say("quadrel: warning: " + *warning);
 }
 
@@ -273,7 +275,7 @@ ExitCode run_render(const RenderArguments& arguments) {
     options.summary = &summary;
     render_outputs(arguments, scene, options, part, tev ? &*tev : nullptr);
     say_lost(tev ? &*tev : nullptr);
-    say_summary(summary);
+    say_summary(summary, part.has_value());
     return ExitCode::ok;
 }
 

@@ -91,16 +91,18 @@ void add_verb_examples(const std::string& verb, RoffPage& page) {
 
 void add_see_also(const std::vector<std::string>& pages, RoffPage& page) {
     page.section("See also");
-    std::string lines = ".PP\n";
+    std::string lines;
     for (std::size_t i = 0; i < pages.size(); ++i)
         lines += ".BR " + pages[i] + (i + 1 < pages.size() ? "," : "") + "\n";
     page.raw(lines);
 }
 
-/// What stands in a verb's help in front of its examples.
+/// What stands in a verb's help in front of its examples, without what has a section of its own.
 std::string details_of(const CLI::App& verb) {
-    const std::string footer = verb.get_footer();
+    const std::string footer = verb.get_footer(), codes = exit_code_help();
     std::string details = footer.substr(0, footer.find("Examples:"));
+    if (const std::size_t found = details.find(codes); found != details.npos)
+        details.erase(found, codes.size());
     while (details.ends_with('\n')) details.pop_back();
     return details;
 }
@@ -115,7 +117,7 @@ ManualPage verb_page(const CLI::App& verb) {
     page.section("Synopsis");
     const auto kinds = verb.get_subcommands(nullptr);
     if (kinds.empty()) page.raw(synopsis(verb) + "\n");
-    for (const CLI::App* const kind : kinds) page.raw(".PP\n" + synopsis(*kind) + "\n");
+    for (const CLI::App* const kind : kinds) page.raw(synopsis(*kind) + "\n");
     page.section("Options");
     add_arguments(verb, page);
     for (const CLI::App* const kind : kinds) {

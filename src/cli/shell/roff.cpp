@@ -69,8 +69,20 @@ void RoffPage::section(std::string_view name) {
 
 void RoffPage::subsection(std::string_view name) { text_ += ".SS \"" + roff_text(name) + "\"\n"; }
 
+/// A heading begins a paragraph by itself.
+void RoffPage::begin_paragraph() {
+    const std::size_t end = text_.rfind('\n', text_.size() - 2);
+    if (text_.compare(end + 1, 2, ".S") != 0) text_ += ".PP\n";
+}
+
+void RoffPage::raw(const std::string& lines) {
+    begin_paragraph();
+    text_ += lines;
+}
+
 void RoffPage::paragraph(std::string_view text) {
-    text_ += ".PP\n" + as_line(roff_text(text)) + "\n";
+    begin_paragraph();
+    text_ += as_line(roff_text(text)) + "\n";
 }
 
 void RoffPage::item(const std::string& term, std::string_view text) {
@@ -78,7 +90,8 @@ void RoffPage::item(const std::string& term, std::string_view text) {
 }
 
 void RoffPage::listing(std::string_view lines) {
-    text_ += ".PP\n.nf\n";
+    begin_paragraph();
+    text_ += ".nf\n";
     while (!lines.empty()) {
         const std::size_t end = std::min(lines.find('\n'), lines.size());
         const std::string line = roff_text(lines.substr(0, end));

@@ -24,12 +24,14 @@ class RoffPage {
     void item(const std::string& term, std::string_view text);
     /// Lines as they are, in a fixed pitch.
     void listing(std::string_view lines);
-    /// Roff as it is.
-    void raw(const std::string& lines) { text_ += lines; }
+    /// A paragraph that is roff already.
+    void raw(const std::string& lines);
 
     const std::string& text() const { return text_; }
 
   private:
+    void begin_paragraph();
+
     std::string text_;
 };
 

@@ -97,7 +97,7 @@ function __quadrel_words
             set -l name (string split -m 1 \t -- $file)[1]
             set -l ending (string match -r '\.[^./]*$' -- $name)
             if string match -q '*/' -- $name; or test -z "$endings"; or contains -- "$ending" $endings
-                echo $kept$name
+                echo "$kept$name"
             end
         end
     end

@@ -1,6 +1,7 @@
 #include "cli/shell/values.hpp"
 
 #include <CLI/CLI.hpp>
+#include <set>
 
 #include "cli/bake_layers.hpp"
 #include "cli/common/arguments.hpp"
@@ -35,13 +36,13 @@ void add_definitions(const TypedLine& line, Candidates& to) {
 /// Every channel, and the groups that their names begin with.
 std::vector<Candidate> channel_words() {
     std::vector<Candidate> words;
+    std::set<std::string> groups;
     for (const ChannelInfo& channel : channel_table()) {
         if (channel.name.find('<') != std::string::npos) continue;
         const std::size_t dot = channel.name.rfind('.');
         const std::string group = channel.name.substr(0, dot);
-        if (dot != std::string::npos && find_channel(group) == nullptr &&
-            (words.empty() || !words.back().word.starts_with(group + ".")))
-            words.push_back({group, "group of channels"});
+        const bool is_group = dot != std::string::npos && find_channel(group) == nullptr;
+        if (is_group && groups.insert(group).second) words.push_back({group, "group of channels"});
         words.push_back({channel.name, channel.meaning});
     }
     return words;
@@ -55,7 +56,7 @@ void add_channels(const TypedLine& line, Candidates& to) {
         to.add(line.before + kept + channel.word, channel.meaning);
 }
 
-/// "CHANNEL=" in front of a number; `files`: of a file.
+/// "CHANNEL=", in front of a number or a file.
 void add_channel_names(const TypedLine& line, Candidates& to) {
     for (const Candidate& channel : channel_words())
         to.add(line.before + channel.word + "=", channel.meaning);

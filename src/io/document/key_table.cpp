@@ -182,6 +182,9 @@ constexpr SceneKey keys[] = {
      "`flat`: one normal a triangle"},
     {"mesh", "flip_v", "boolean", "true for OBJ, false for glTF", "files: v becomes 1 - v"},
     {"mesh", "uv_set", "integer in 0..63", "0", "glTF files: the n of `TEXCOORD_n`"},
+    {"mesh", "materials", "boolean", "true",
+     "glTF files: what the file says of its material stands in for what the scene's material "
+     "leaves out"},
     {"mesh", "refine", "`curvature`, or a `refine`", "none",
      "more triangles, before `flat` makes facets of them", Below::object, "refine"},
     {"mesh", "displace", "a `displace`", "none",

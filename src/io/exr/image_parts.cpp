@@ -1,5 +1,7 @@
 #include "io/exr/image_parts.hpp"
 
+#include <OpenEXR/ImfChannelList.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>

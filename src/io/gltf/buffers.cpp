@@ -95,6 +95,12 @@ void load_gltf_buffers(GltfFile& file, const nlohmann::json& json,
     }
 }
 
+std::optional<std::filesystem::path> gltf_uri_path(const std::string& uri,
+                                                   const std::filesystem::path& folder) {
+    if (is_data(uri)) return std::nullopt;
+    return path_of(uri, folder);
+}
+
 std::vector<std::filesystem::path> gltf_buffer_paths(const nlohmann::json& json,
                                                      const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;

@@ -121,4 +121,9 @@ MaterialUvs material_uvs(const GltfFile& file, int material, int set) {
     return uvs;
 }
 
+std::optional<UvTransform> texture_uvs(const GltfFile& file, const nlohmann::json& texture,
+                                       const std::string& key, int set) {
+    return TextureReader(file, set).transform(texture, key);
+}
+
 }  // namespace quadrel

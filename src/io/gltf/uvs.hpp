@@ -3,6 +3,8 @@
 
 #include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
+#include <string>
 
 #include "io/gltf/accessor.hpp"
 
@@ -33,5 +35,9 @@ struct MaterialUvs {
 /// reads the set, of base colour, normal, occlusion, emission, metal and roughness, and those of
 /// extensions. A mesh has one set of coordinates for all. Throws InputError.
 MaterialUvs material_uvs(const GltfFile& file, int material, int set);
+
+/// Of one texture's description at `key`, if it reads the set. Throws InputError.
+std::optional<UvTransform> texture_uvs(const GltfFile& file, const nlohmann::json& texture,
+                                       const std::string& key, int set);
 
 }  // namespace quadrel

@@ -7,6 +7,7 @@
 #include "io/document/replaced.hpp"
 #include "io/glib/commands.hpp"
 #include "io/glib/scene.hpp"
+#include "io/scene/file_materials.hpp"
 #include "io/scene/find_scene.hpp"
 #include "io/scene/objects.hpp"
 #include "io/scene/read.hpp"
@@ -29,6 +30,7 @@ SceneDocument open_document(const std::filesystem::path& file,
     for (const std::string& assignment : overrides) apply_override(document, assignment);
     notes = drop_replaced_parameters(before, document);
     check_scene_keys(document);
+    for (std::string& line : take_file_materials(document)) notes.push_back(std::move(line));
     name_choices(document);
     return document;
 }

@@ -85,6 +85,12 @@ Mesh read_file_mesh(Fields& fields, std::vector<std::string>& notes) {
     if (fields.has("flip_v")) options.flip_v = fields.get("flip_v").boolean();
     fields.read("uv_set", options.uv_set, 0, most_uv_set);
     MeshFile read = read_mesh_file(path, options);
+    bool materials = true;
+    if (fields.has("materials")) materials = fields.get("materials").boolean();
+    // Of those another line tells (file_materials.hpp).
+    if (materials)
+        std::erase_if(read.ignored,
+                      [](const std::string& name) { return name.starts_with("materials"); });
     if (!read.ignored.empty())
         notes.push_back(
             file_note(path.string(), fmt::format("ignored: {}", fmt::join(read.ignored, ", "))));

@@ -61,7 +61,7 @@ TEST_F(Manual, EachVerbsOptionsAndExamplesAreThere) {
         const std::string help = run({verb, "--help"}).out;
         static const std::regex option("\n  (-[^ ]+)");
         for (std::sregex_iterator it(help.begin(), help.end(), option), end; it != end; ++it)
-            EXPECT_NE(page.find((*it)[1].str().substr(0, (*it)[1].str().find(','))),
+            EXPECT_NE(page.find((*it)[1].str().substr(0, (*it)[1].str().find_first_of(",{"))),
                       std::string::npos)
                 << verb << " " << (*it)[1];
         EXPECT_NE(page.find("quadrel " + std::string(verb) + " "), std::string::npos);
