@@ -8,7 +8,7 @@
 #include "cli/common/hints.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/verbs.hpp"
-#include "io/exr/image_parts.hpp"
+#include "io/parts/join.hpp"
 
 namespace quadrel::cli {
 namespace {

@@ -23,7 +23,7 @@
 #include "film/preview_sink.hpp"
 #include "io/exr/encode.hpp"
 #include "io/exr/file_sink.hpp"
-#include "io/exr/image_parts.hpp"
+#include "io/parts/image_part.hpp"
 #include "io/tev/sink.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/scene/load.hpp"

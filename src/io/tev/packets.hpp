@@ -1,5 +1,6 @@
-// Messages of tev's network protocol, as src/Ipc.cpp of https://github.com/Tom94/tev assembles them
-// (release 2.x): little-endian; the length of the whole in front; texts end with a zero.
+// Messages of the viewer tev's network protocol, as its own sources (Ipc,
+// https://github.com/Tom94/tev) assemble them: little-endian; the length of the whole in front;
+// texts end with a zero.
 #pragma once
 
 #include <string>

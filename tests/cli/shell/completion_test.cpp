@@ -144,7 +144,7 @@ TEST(Completion, OffersStagesAndTheirParameters) {
     traces.insert("material.relief.trace=none");
     EXPECT_EQ(offer({"render", "bricks-45", "-D", "material.relief.trace="}).names(), traces);
     // Of the stage that is chosen, by the line or by the scene.
-    const Words line = {"render", "bricks-45",       "-D", "material.relief.trace=cone-cell",
+    const Words line = {"render", "bricks-45",       "-D", "material.relief.trace=linear",
                         "-D",     "material.relief."};
     EXPECT_TRUE(offer(line).has("material.relief.steps="));
     EXPECT_FALSE(offer(line).has("material.relief.mode="));

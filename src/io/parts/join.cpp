@@ -1,26 +1,24 @@
-#include "io/exr/image_parts.hpp"
+#include "io/parts/join.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
-#include "io/exr/attributes.hpp"
 #include "io/exr/file_sink.hpp"
 #include "io/exr/open.hpp"
+#include "io/parts/image_part.hpp"
 #include "quadrel/error.hpp"
-#include "text/hash.hpp"
 #include "text/printable.hpp"
 
 namespace quadrel {
 namespace {
 
+// Where messages say that something is wrong.
 constexpr const char* part_key = "quadrel:part";
 constexpr const char* whole_key = "quadrel:partOf";
-constexpr const char* hash_key = "quadrel:partHash";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& key,
                          const std::string& found, const std::string& expected) {
@@ -28,20 +26,8 @@ constexpr const char* hash_key = "quadrel:partHash";
     throw InputError(file.string(), key, shortened(found, most), shortened(expected, most));
 }
 
-std::string window_text(const Window& window) {
+std::string corners_text(const Window& window) {
     return fmt::format("{},{},{},{}", window.x0, window.y0, window.x1, window.y1);
-}
-
-std::optional<ImagePart> part_of(const Attributes& attributes) {
-    const auto part = attributes.find(part_key), whole = attributes.find(whole_key);
-    if (part == attributes.end() || whole == attributes.end()) return std::nullopt;
-    ImagePart read;
-    Window& window = read.whole;
-    if (std::sscanf(part->second.c_str(), "%d/%d", &read.number, &read.of) != 2 ||
-        std::sscanf(whole->second.c_str(), "%d,%d,%d,%d", &window.x0, &window.y0, &window.x1,
-                    &window.y1) != 4)
-        return std::nullopt;
-    return read;
 }
 
 /// What a file says of itself.
@@ -53,10 +39,6 @@ struct PartFile {
     Attributes attributes;  ///< of the whole image
     ExrCompression compression = ExrCompression::zip;
 };
-
-Window window_of(const Imath::Box2i& box) {
-    return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
-}
 
 ExrCompression compression_of_header(const Imf::Header& header) {
     switch (header.compression()) {
@@ -78,14 +60,15 @@ PartFile open_part(const std::filesystem::path& file) {
     const ExrHeaders headers = read_exr_headers(bytes, "");
     const ExrChoice choice = choose_exr(headers, {}, file, "");
     const Imf::Header& header = headers.parts[static_cast<std::size_t>(choice.part)];
-    PartFile opened{file, {}, window_of(header.dataWindow()), {}, read_attributes(header)};
+    const ExrPartInfo info = exr_parts(file)[static_cast<std::size_t>(choice.part)];
+    PartFile opened{file, {}, info.window, {}, info.attributes};
     const std::optional<ImagePart> part = part_of(opened.attributes);
     if (!part) refuse(file, part_key, "none", "a part of an image, as render --task writes them");
     opened.part = *part;
-    for (const char* const key : {part_key, whole_key, hash_key}) opened.attributes.erase(key);
+    opened.attributes = without_part(std::move(opened.attributes));
     std::erase_if(opened.attributes,
                   [](const auto& attribute) { return !attribute.first.starts_with("quadrel:"); });
-    opened.layout.frame = window_of(header.displayWindow());
+    opened.layout.frame = info.frame;
     opened.layout.window = part->whole;
     for (auto at = header.channels().begin(); at != header.channels().end(); ++at)
         opened.layout.planes.push_back(
@@ -97,13 +80,9 @@ PartFile open_part(const std::filesystem::path& file) {
 }
 
 void check_rows(const PartFile& part) {
-    const bool counts = part.part.number >= 1 && part.part.number <= part.part.of;
-    if (!counts || part.part.whole.width() < 1 || part.part.whole.height() < 1)
-        refuse(part.file, part_key, fmt::format("{}/{}", part.part.number, part.part.of),
-               "I/N with 1 <= I <= N");
     const Window expected = part_window(part.part);
     if (part.window != expected)
-        refuse(part.file, "dataWindow", window_text(part.window), window_text(expected));
+        refuse(part.file, "dataWindow", corners_text(part.window), corners_text(expected));
 }
 
 /// "R (float), id.object (uint)".
@@ -142,9 +121,9 @@ void check_same_image(const PartFile& part, const PartFile& first) {
         return found == attributes.end() ? std::string("none") : found->second;
     };
     if (!key.empty()) check(key, value(part.attributes), value(first.attributes));
-    check("displayWindow", window_text(part.layout.frame), window_text(first.layout.frame));
+    check("displayWindow", corners_text(part.layout.frame), corners_text(first.layout.frame));
     check("channels", channels_text(part.layout), channels_text(first.layout));
-    check(whole_key, window_text(part.part.whole), window_text(first.part.whole));
+    check(whole_key, corners_text(part.part.whole), corners_text(first.part.whole));
     check(part_key, fmt::format("one of {}", part.part.of),
           fmt::format("one of {}", first.part.of));
 }
@@ -165,56 +144,6 @@ void check_complete(const std::vector<PartFile>& parts) {
 }
 
 }  // namespace
-
-Window part_window(const ImagePart& part) {
-    const Window& whole = part.whole;
-    const int rows = (whole.height() + part_rows - 1) / part_rows;
-    if (part.of > rows)
-        throw UsageError(fmt::format(
-            "--task: found {}/{}, expected at most {} parts: so many rows of tiles of {} pixels",
-            part.number, part.of, rows, part_rows));
-    const auto edge = [&](int number) {
-        const auto row = static_cast<int>(std::int64_t{number} * rows / part.of);
-        return std::min(whole.y0 + row * part_rows, whole.y1);
-    };
-    return {whole.x0, edge(part.number - 1), whole.x1, edge(part.number)};
-}
-
-std::string part_hash(const ImagePart& part, const Window& frame, const Attributes& attributes,
-                      const std::vector<std::string>& channels, ExrCompression compression) {
-    Sha256 hash;
-    const auto add = [&](const std::string& text) {
-        hash.update(std::to_string(text.size()) + ":" + text);
-    };
-    add(fmt::format("{}/{} {} {} {}", part.number, part.of, window_text(part.whole),
-                    window_text(frame), static_cast<int>(compression)));
-    for (const auto& [name, value] : attributes) {
-        add(name);
-        add(value);
-    }
-    for (const std::string& channel : channels) add(channel);
-    return hash.hex();
-}
-
-void name_part(const ImagePart& part, const std::string& hash, Attributes& attributes) {
-    attributes[part_key] = fmt::format("{}/{}", part.number, part.of);
-    attributes[whole_key] = window_text(part.whole);
-    attributes[hash_key] = hash;
-}
-
-bool is_finished_part(const std::filesystem::path& file, const std::string& hash) {
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(file, none)) return false;
-    try {
-        const Attributes attributes = exr_parts(file).front().attributes;
-        const auto found = attributes.find(hash_key);
-        if (found == attributes.end() || found->second != hash) return false;
-        read_exr_in_bands(file, {}, [](const Film&) {});
-        return true;
-    } catch (const InputError&) {
-        return false;  // damaged: to be drawn anew
-    }
-}
 
 JoinedParts::JoinedParts(const std::vector<std::filesystem::path>& files) {
     std::vector<PartFile> parts;

@@ -1,8 +1,7 @@
-// An image in files, each with some of its rows: what machines draw apart and `join` puts together.
+// A file with some rows of an image: which ones, and of what image.
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,30 +30,13 @@ std::string part_hash(const ImagePart& part, const Window& frame, const Attribut
 /// Says in the attributes of a file which part it is.
 void name_part(const ImagePart& part, const std::string& hash, Attributes& attributes);
 
+/// The part that a file says it is; nothing where it says none.
+std::optional<ImagePart> part_of(const Attributes& attributes);
+
+/// Without what name_part has added.
+Attributes without_part(Attributes attributes);
+
 /// Whether the file is a part of that hash, whole and readable to its last pixel.
 bool is_finished_part(const std::filesystem::path& file, const std::string& hash);
-
-/// The files of one image, which fit together.
-class JoinedParts {
-  public:
-    /// Reads headers. Throws InputError for what is no part, for parts of images that differ in
-    /// anything but their rows, and where one is missing or there twice.
-    explicit JoinedParts(const std::vector<std::filesystem::path>& files);
-
-    ExrCompression compression() const { return compression_; }
-    const Film& layout() const { return layout_; }  ///< planes without values
-
-    /// Writes the file that the render of the whole image writes, some rows at a time; `progress`
-    /// is called with 0 to 1. Throws InputError where a part is damaged, OutputError.
-    void write(const std::filesystem::path& output, ExrCompression compression,
-               const std::function<void(double)>& progress) const;
-
-  private:
-    std::vector<std::filesystem::path> files_;  ///< from the top down
-    std::vector<Window> windows_;
-    Film layout_;
-    Attributes attributes_;
-    ExrCompression compression_ = ExrCompression::zip;
-};
 
 }  // namespace quadrel
