@@ -19,8 +19,7 @@ endif()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 # All that is installed has been built.
-run(${CPACK} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/package
-    -D CPACK_INSTALL_CMAKE_PROJECTS=${BUILD}\\;Quadrel\\;ALL\\;/)
+run(${CPACK} --config ${BUILD}/CPackConfig.cmake -G DEB -B ${WORK}/package)
 file(GLOB package ${WORK}/package/quadrel_*.deb)
 run(dpkg-deb --field ${package} Depends)
 if(NOT output MATCHES "libopenexr" OR NOT output MATCHES "libc6")
@@ -38,8 +37,6 @@ file(COPY ${package} DESTINATION ${root}/tmp)
 get_filename_component(name ${package} NAME)
 file(WRITE ${root}/tmp/try.sh "set -eu
 export DEBIAN_FRONTEND=noninteractive
-mount -t proc proc /proc 2>/dev/null || true
-find / -xdev -path /proc -prune -o -path /tmp -prune -o -path /var -prune -o -print | sort > /tmp/before
 apt-get update -qq
 apt-get install -qq -y --no-install-recommends /tmp/${name} >/tmp/install.log
 cd /tmp
@@ -52,10 +49,10 @@ test -e /usr/share/fish/vendor_completions.d/quadrel.fish
 quadrel completion words -- render thesis-tea | grep -q '^thesis-teapot'
 apt-get purge -qq -y quadrel >/dev/null
 ! command -v quadrel
-! find / -xdev -path /tmp -prune -o -path /proc -prune -o -path /var -prune -o -name '*quadrel*' -print | grep .
+! find /etc /usr /opt /srv -name '*quadrel*' | grep .
 echo 'the package works'
 ")
-run(unshare --mount chroot ${root} sh /tmp/try.sh)
+run(unshare --mount sh -c "mount --rbind /proc ${root}/proc && chroot ${root} sh /tmp/try.sh")
 if(NOT output MATCHES "the package works")
   message(FATAL_ERROR "${output}")
 endif()
