@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "cli/common/console.hpp"
 #include "cli/common/quiet.hpp"
@@ -87,6 +88,9 @@ class WatchedImage {
         if (shown_ != film_.window) render_.tev->send(tev_create_image(name, film_));
         shown_ = film_.window;
         send_to_tev(*render_.tev, name, film_, pixels, film_.window);
+        const bool lost = !render_.tev->lost().empty();
+        if (lost && !std::exchange(told_lost_, true))
+            say("quadrel: warning: tev is sent nothing more: " + render_.tev->lost());
     }
 
     std::string text_of(const ImageChange& change, Clock::time_point begin) const {
@@ -106,6 +110,7 @@ class WatchedImage {
     std::vector<std::filesystem::path> files_;
     Film film_;
     std::optional<Window> shown_;
+    bool told_lost_ = false;
 };
 
 std::string names_text(const std::set<std::filesystem::path>& files) {
