@@ -8,6 +8,8 @@ namespace quadrel::recorded {
 
 const std::vector<Refusal>& refusals() {
     static constexpr const char* by_proof = "proves what it finds, by intervals and rationals";
+    static constexpr const char* of_shells =
+        "reads faces of tetrahedra, which no folder of a scene has";
     static const std::vector<Refusal> all = {
         {"interpolate", "quad", "the rasterizer's: a shader's inputs are interpolated"},
         {"lod", "quad", "the samplers': a shader asks them (textureQueryLod)"},
@@ -18,7 +20,11 @@ const std::vector<Refusal>& refusals() {
         {"oracle-tri-anti", "trace", by_proof},
         {"oracle-tri-min", "trace", by_proof},
         {"shadow-oracle", "shadow", by_proof},
-        {"ao-oracle", "occlusion", by_proof}};
+        {"ao-oracle", "occlusion", by_proof},
+        {"frame-shell", "frame", of_shells},
+        {"prism-exact", "trace", of_shells},
+        {"prism-pom", "trace", of_shells},
+        {"oracle-none", "oracle", of_shells}};
     return all;
 }
 

@@ -157,8 +157,10 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
         make_stage(*find_stage(grades_depth(material) ? "depth-graded" : "depth-constant")));
     stages.push_back(chosen(material.frame, "frame"));
     PlannedStage trace = chosen(material.trace, "trace");
-    auto judge = judge_of(trace);
-    if (judge && !draws_shell(material)) stages.push_back(*std::move(judge));
+    if (draws_shell(material))
+        stages.push_back(make_stage(*find_stage("oracle-none")));
+    else if (auto judge = judge_of(trace))
+        stages.push_back(*std::move(judge));
     stages.push_back(std::move(trace));
     if (has_clip_stage(material)) stages.push_back(chosen(material.clip, "clip"));
     stages.push_back(make_stage(*find_stage("displace")));

@@ -134,7 +134,6 @@ RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>
         check_height(scene, material, plan.discard.back());
         check_layers(scene, material, plan.materials.back());
         check_layers(scene, material, plan.discard.back());
-        check_judge_of_shell(scene, material, plan.materials.back());
         plan.uniforms.push_back(material_uniforms(material));
         if (observes_heights(channels) && material.textures.count("height") != 0)
             plan.materials.back().textures.set(height_slot);

@@ -1,15 +1,13 @@
 #include "render/plan/shell_check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
-#include "quadrel/relief/rooms.hpp"
 #include "render/draw/shell.hpp"
+#include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel {
@@ -82,16 +80,6 @@ void check_shell(const Scene& scene, const Material& material) {
             scene.meshes[object.mesh].normals.empty())
             refuse.at(material.frame, "frame", "frame-shell on a mesh without vertex normals",
                       "normals, along which a shell is built");
-}
-
-void check_judge_of_shell(const Scene& scene, const Material& material, const MaterialPlan& plan) {
-    if (!draws_shell(material)) return;
-    for (const Value v : oracle_outputs)
-        if (plan.values[static_cast<std::size_t>(v)])
-            Refusal(scene, material)
-                .at(material.frame, "frame", "frame-shell",
-                    fmt::format("another frame for {}, which is of rays through polygons",
-                                info(v).name));
 }
 
 }  // namespace quadrel

@@ -95,16 +95,16 @@ void store_prism(const Io& io, const PrismRay<F>& ray, const SearchResult<F>& fo
     const Mask<F> meets = found.status == status_packet<F>(Status::hit);
     const Mask<F> wrapped = (floor(uv.x) != floor(from.x)) | (floor(uv.y) != floor(from.y));
     const Mask<F> starts_below = meets & (t == F(0)) & (found.h > ray.height_at(F(0)));
-    const Int<F> none(0);
-    const Int<F> flags = found.flags | select(starts_below, Int<F>(HitFlag::start_below), none) |
-                         select(wrapped & meets, Int<F>(HitFlag::wrapped), none) |
+    const Int<F> unset(0);
+    const Int<F> flags = found.flags | select(starts_below, Int<F>(HitFlag::start_below), unset) |
+                         select(wrapped & meets, Int<F>(HitFlag::wrapped), unset) |
                          nan_look_up_flag(uv);
     io.template store<Value::hit_uv>(select(framed, uv, from));
     io.template store<Value::hit_s>(clamp(ray.s_at(t), F(0), F(1)));
     io.template store<Value::hit_h>(found.h);
     io.template store<Value::hit_depth>(ray.length * t);
     io.template store<Value::hit_status>(select(framed, found.status, ray.uv.frame_status));
-    io.template store<Value::hit_flags>(ray.uv.frame_flags | select(framed, flags, none));
+    io.template store<Value::hit_flags>(ray.uv.frame_flags | select(framed, flags, unset));
     io.template store<Value::hit_steps>(found.steps);
     io.template store<Value::hit_fetches>(found.fetches);
 }
