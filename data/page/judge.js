@@ -50,7 +50,8 @@ function verdictOf(reference, drawn) {
       worst[i] = Math.max(worst[i], found);
       if (!isUnequal(own, of.value, i)) equal += 1;
     }
-    return { name: of.name, counts, equal, farthest: counts[3] ? worstOutside([of], 1)[0].most : 0 };
+    /* The hashes tell whether the page has what it was given. */
+    return { name: of.name, ends: [of.ranges.low, of.ranges.high].map(({ bits }) => hexOf(hashOf(bits))), counts, equal, farthest: counts[3] ? worstOutside([of], 1)[0].most : 0 };
   });
   for (const i of far) worst[i] = 3;
   const counts = classNames.map(() => 0);

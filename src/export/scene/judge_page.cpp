@@ -101,7 +101,6 @@ struct RangedChannels {
 RangedChannels ranged_channels(const Scene& scene, const std::vector<ExportedChannel>& channels,
                                const std::string& limits) {
     RangedChannels ranged;
-    budget_of_limits(limits);  // throws for what is none
     for (const ExportedChannel& channel : channels) {
         if (!has_range(channel.name)) continue;
         try {
@@ -188,6 +187,7 @@ std::string judge_page(const Scene& scene, const JudgePage& options) {
     if (scene.samples > 1)
         throw UsageError(fmt::format(
             "--page: found {} samples a pixel, expected one (-D samples=1)", scene.samples));
+    if (!options.limits.empty()) budget_of_limits(options.limits);  // throws for what is none
     SceneExport plain = options.scene;
     plain.language = page_language;
     plain.reference = true;

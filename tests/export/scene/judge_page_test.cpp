@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "browser.hpp"
 #include "effort.hpp"
 #include "export/scene/content.hpp"
 #include "io/document/json.hpp"
+#include "page/range_codes.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/scene/load.hpp"
 #include "random.hpp"
@@ -27,13 +29,16 @@ constexpr const char* no_gpu =
     "--disable-gpu --disable-software-rasterizer --disable-3d-apis --virtual-time-budget=20000 "
     "--dump-dom";
 
-/// A few pixels as those of a large picture, in few steps, so that ranges are soon found; the light
-/// grazes. Of the browser's own software renderer, whose vertices are snapped to sixteenths.
+/// A few pixels as those of a large picture, in few steps and with a small map of colours, so that
+/// ranges are soon found and pages soon made; the light grazes. Of the browser's own software
+/// renderer, whose vertices are snapped to sixteenths.
 Scene small_scene() {
-    return load_scene("bricks-45",
-                      {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2",
-                       "hardware=chromium", "material.relief.steps=8",
-                       "material.relief.shadow=shadow-none", "lights[0].position=[10,-1,0]"});
+    return load_scene(
+        "bricks-45",
+        {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2", "hardware=chromium",
+         "material.relief.steps=8", "material.relief.shadow=shadow-none",
+         "lights[0].position=[10,-1,0]", "material.gloss=null",
+         "textures.bricks-color.file=" QUADREL_DATA_DIR "/textures/calibration.exr"});
 }
 constexpr const char* limits = "gl,snapping=0.0625";
 
@@ -208,6 +213,48 @@ double page_size(int side) {
     Film film = content.expected;
     add_ragged_ranges(film);
     return static_cast<double>(judge_page_of(content, std::move(film), options, "").size()) / 1e6;
+}
+
+/// FNV-1a over the words, as the page computes it.
+std::string hash_of(const std::vector<float>& values) {
+    std::uint32_t hash = 2166136261u;
+    for (const float value : values) hash = (hash ^ testing_films::bits(value)) * 16777619u;
+    return fmt::format("{:#010x}", hash);
+}
+
+std::vector<float> floats_in(const Film& film, const std::string& name) {
+    const Plane& plane = *film.find(name);
+    std::vector<float> values(plane.bits.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = plane.as_float(i);
+    return values;
+}
+
+/// The end that a page is to have.
+std::string kept_end(const Film& film, const std::string& name, page::RangeEnd end) {
+    const bool low = end == page::RangeEnd::low;
+    const std::vector<float> values = floats_in(film, name),
+                             bounds = floats_in(film, (low ? "gpu.lo." : "gpu.hi.") + name);
+    return hash_of(page::bounds_of_codes(values, page::range_codes(values, bounds, end), end));
+}
+
+TEST_F(JudgePageInABrowser, HasTheEndsOfRangesThatItWasGiven) {
+    const Scene scene = small_scene();
+    JudgePage options;
+    options.scene.language = "glsl-es";
+    options.scene.channels = {"uv", "N", "A"};
+    const ExportContent content = export_content(scene, options.scene);
+    Film film = content.expected;
+    add_ragged_ranges(film);
+    film.find("gpu.lo.N.X")->bits[3] = testing_films::bits(-INFINITY);
+    film.find("gpu.hi.N.X")->bits[3] = canonical_nan;
+    const Judged judged(judge_page_of(content, film, options, ""), "");
+    ASSERT_EQ(judged.error(), "");
+    ASSERT_EQ(judged.verdict()["rows"].size(), 5u);
+    for (const Json& row : judged.verdict()["rows"]) {
+        const std::string name = row["name"];
+        EXPECT_EQ(row["ends"][0], kept_end(film, name, page::RangeEnd::low)) << name;
+        EXPECT_EQ(row["ends"][1], kept_end(film, name, page::RangeEnd::high)) << name;
+    }
 }
 
 /// QUADREL_PAGE_SIDE=512: ctest -C Slow -R page_size
