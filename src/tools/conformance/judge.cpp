@@ -90,6 +90,13 @@ class Judge {
         return part_of(found_, earlier_, window_around(pixels, found_.window));
     }
 
+    /// What the group's stages make of an image of the values before, at these pixels.
+    Film made_of(const Group& group, const Film& image,
+                 const std::vector<std::size_t>& pixels) const {
+        return reruns_.made_of(group.channels, earlier_, image,
+                               squares_around(pixels, found_.window, image.window));
+    }
+
     GroupReport judge(const Group& group) {
         GroupReport report{group.name, {}, {}, {}};
         std::vector<std::size_t> pixels;
@@ -105,8 +112,7 @@ class Judge {
             return report;
         }
         if (!pixels.empty())
-            own_ = earlier_.empty() ? reference_
-                                    : reruns_.made_of(group.channels, earlier_, given(pixels));
+            own_ = earlier_.empty() ? reference_ : made_of(group, given(pixels), pixels);
         std::set<std::size_t> departed(pixels.begin(), pixels.end());
         if (!pixels.empty()) take_inherited(group, pixels, report);
         for (const std::size_t i : pixels) departed.erase(i);
@@ -279,9 +285,9 @@ class Judge {
         }
         const Film image = given(pixels);
         for (const Perturbation& perturbation : perturbations)
-            include(reruns_.made_of(group.channels, earlier_,
-                                    perturbed(image, group.kind, perturbation, options_.texel)),
-                    perturbation);
+            include(
+                made_of(group, perturbed(image, group.kind, perturbation, options_.texel), pixels),
+                perturbation);
         std::size_t next = 0;
         take(pixels, report, Verdict::perturbed, [&](std::size_t i) {
             const std::size_t p = next++;

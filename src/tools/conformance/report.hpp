@@ -16,8 +16,8 @@ struct Report {
 
 /// Shares of pixels that each verdict may have, of all in a group; more is a failure.
 struct Bounds {
-    double perturbed = 1, legal = 1, open = 1, left = 1, coverage = 0.02, divergent = 1,
-           unordered = 1, defect = 1;
+    double perturbed = 0.1, legal = 1, open = 0.05, left = 1, coverage = 0.02, divergent = 0.05,
+           unordered = 0.05, defect = 0.5;
 };
 
 /// Whether nothing is unexplained, and no class is larger than its bound.

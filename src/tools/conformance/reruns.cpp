@@ -4,11 +4,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel::conformance {
+namespace {
+
+/// The values of a window, which both films hold.
+void copy_rows(const Film& film, const Plane& from, const Window& window, const Film& into,
+               Plane& to) {
+    for (int y = window.y0; y < window.y1; ++y)
+        std::copy_n(from.bits.begin() + static_cast<std::ptrdiff_t>(film.index(window.x0, y)),
+                    window.width(),
+                    to.bits.begin() + static_cast<std::ptrdiff_t>(into.index(window.x0, y)));
+}
+
+}  // namespace
 
 Film Reruns::reference(const std::vector<std::string>& channels) const {
     RenderOptions options;
@@ -30,8 +44,21 @@ RenderOptions Reruns::options(const std::vector<std::string>& channels,
 }
 
 Film Reruns::made_of(const std::vector<std::string>& channels,
-                     const std::vector<std::string>& names, const Film& image) const {
-    return render(scene_, options(channels, names, image));
+                     const std::vector<std::string>& names, const Film& image,
+                     const std::vector<Window>& parts) const {
+    const RenderOptions with_image = options(channels, names, image);
+    PreparedRender prepared = prepare_render(scene_, with_image, select_kernels(with_image));
+    Film whole{image.frame, image.window, {}};
+    for (const Window& window : parts) {
+        prepared.window = window;
+        const Film part = draw(prepared, with_image);
+        for (const Plane& plane : part.planes) {
+            Plane* const known = whole.find(plane.name);
+            copy_rows(part, plane, window, whole,
+                      known != nullptr ? *known : whole.add(plane.name, plane.type));
+        }
+    }
+    return whole;
 }
 
 void Reruns::ranges(const std::vector<std::string>& channels, const std::vector<std::string>& names,
@@ -55,13 +82,23 @@ Film part_of(const Film& film, const std::vector<std::string>& names, const Wind
     for (const std::string& name : all) {
         const Plane* const from = film.find(name);
         if (from == nullptr || part.find(name) != nullptr) continue;
-        Plane& to = part.add(name, from->type);
-        for (int y = window.y0; y < window.y1; ++y)
-            std::copy_n(from->bits.begin() + static_cast<std::ptrdiff_t>(film.index(window.x0, y)),
-                        window.width(),
-                        to.bits.begin() + static_cast<std::ptrdiff_t>(part.index(window.x0, y)));
+        copy_rows(film, *from, window, part, part.add(name, from->type));
     }
     return part;
+}
+
+std::vector<Window> squares_around(const std::vector<std::size_t>& pixels, const Window& frame,
+                                   const Window& window) {
+    constexpr int side = 16;
+    std::set<std::pair<int, int>> squares;
+    for (const std::size_t i : pixels)
+        squares.insert({static_cast<int>(i) / frame.width() / side,
+                        static_cast<int>(i) % frame.width() / side});
+    std::vector<Window> windows;
+    for (const auto& [y, x] : squares)
+        windows.push_back(
+            intersection({side * x, side * y, side * x + side, side * y + side}, window));
+    return windows;
 }
 
 Window window_around(const std::vector<std::size_t>& pixels, const Window& frame) {

@@ -20,9 +20,10 @@ class Reruns {
     /// The whole frame as the scene has it.
     Film reference(const std::vector<std::string>& channels) const;
 
-    /// What stages make of the values `names` of an image; in its window.
+    /// What stages make of the values `names` of an image: a film of its window, drawn in parts of
+    /// it, elsewhere 0.
     Film made_of(const std::vector<std::string>& channels, const std::vector<std::string>& names,
-                 const Film& image) const;
+                 const Film& image, const std::vector<Window>& parts) const;
 
     /// The same as ranges that `limits` permits: `take` gets a film of each of the windows, which
     /// lie in that of the image. Throws UsageError where a stage has none.
@@ -40,6 +41,10 @@ class Reruns {
 
 /// Planes of these names and A, in a window of the frame.
 Film part_of(const Film& film, const std::vector<std::string>& names, const Window& window);
+
+/// Squares of whole quads, 16 pixels a side, that hold these pixels of a window's frame.
+std::vector<Window> squares_around(const std::vector<std::size_t>& pixels, const Window& frame,
+                                   const Window& window);
 
 /// The smallest window of whole quads that holds these pixels of a frame, and one quad more on each
 /// side.
