@@ -329,6 +329,49 @@ TEST(CurvedRows, HitsAreHandedTheFrameWhereTheyAre) {
     EXPECT_FALSE(turns_to_the_sphere({"curved-quadric", {}, straight}, 3e-3, shallow, false));
 }
 
+/// Over a sphere of one height nothing is in the way of light: what is lit is what the sphere's own
+/// horizon leaves, at the hit and not at the fragment.
+testing::AssertionResult is_lit_to_the_horizon(const CurvedRow& row, const std::string& shadow,
+                                               const SphereOptions& options) {
+    int lit = 0, dark = 0;
+    for (int seed = 0; seed < rounds(8); ++seed) {
+        SphereRays rays(0.4f, options, Random(static_cast<std::uint64_t>(seed) + 55));
+        Batch<float> given = rays.batch;
+        row.run(rays.batch, {{"steps", 128}, {"binary_steps", 20}});
+        rays.batch.run("displace");
+        rays.batch.run(shadow);
+        for (int lane = 0; lane < rays.batch.lanes; ++lane) {
+            if (rays.status(lane) != Status::hit) continue;
+            const SphereRay ray(given, lane, rays.spheres);
+            const dvec3 hit(rays.batch.vector3(Value::hit_P, lane));
+            const double above = dot(normalize(dvec3(10) - hit), normalize(hit - ray.centre));
+            if (std::abs(above) < 0.02) continue;
+            const bool is_lit = rays.batch.real(Value::shadow_visibility, lane) > 0;
+            ++(is_lit ? lit : dark);
+            if (is_lit != (above > 0))
+                return testing::AssertionFailure() << row.id << ", " << shadow << ": " << above;
+        }
+    }
+    if (lit < rounds(40) || dark < rounds(40))
+        return testing::AssertionFailure() << lit << " lit, " << dark << " dark";
+    return testing::AssertionSuccess();
+}
+
+TEST(CurvedRows, HitsAreShadowedWhereTheyAre) {
+    const auto straight = [](Batch<float>& b) {
+        each(b, [&](int lane) {
+            for (int c = 0; c < 3; ++c)
+                b.real(Value::frame_normal, lane, c) = b.real(Value::vertex_normal, lane, c) / 0.7f;
+        });
+    };
+    for (const char* shadow : {"shadow-exact", "shadow-march-thesis"}) {
+        EXPECT_TRUE(is_lit_to_the_horizon({"prism-free"}, shadow, grazing));
+        EXPECT_FALSE(is_lit_to_the_horizon({"prism-free", {}, straight}, shadow, grazing));
+        EXPECT_TRUE(is_lit_to_the_horizon({"curved-quadric"}, shadow,
+                                          {.least_r = 0.05, .most_r = 0.3, .depth = 0.002}));
+    }
+}
+
 // ---- Of any heights -----------------------------------------------------------------------------
 
 /// No sample of a row's path before its hit is in the relief: its own points are followed a
