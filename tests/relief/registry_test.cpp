@@ -272,6 +272,8 @@ int lanes_that_may_differ(const StageInfo& stage, int lanes) {
     const bool creeps = id.find("cone") != std::string::npos || id.find("sphere-") == 0;
     // Hundreds of accumulated steps, the shorter the flatter the view.
     if (id == "steep-constant-xy@published") return lanes / 8;
+    // Looks up to 50 world units away, hundreds of tiles.
+    if (id == "curved-quadric@published") return lanes / 25;
     if (id == "thesis-sphere" || id == "rmq-leap" || creeps) return lanes / 25;
     return decides(stage) ? lanes / 100 : 0;
 }

@@ -38,6 +38,10 @@ class MadeInputs {
         Map& map = maps[static_cast<std::size_t>(slot)];
         if (slot == TextureSlot::layers) {
             map = random_layers();
+        } else if (slot == TextureSlot::layer_normals_x || slot == TextureSlot::layer_normals_y) {
+            // Of a sequence of their own: the others' inputs stay what they were.
+            Random normals(static_cast<std::uint64_t>(slot) + 78);
+            map = random_map(normals, 4);
         } else if (slot >= first_baked_slot) {
             map.texture = baked(slot);
             map.sampled.view = map.texture->view();

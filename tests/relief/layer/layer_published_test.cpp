@@ -165,7 +165,7 @@ struct QuadDepth {
     }
 };
 
-/// Four depths in order, and their normals.
+/// Thin solids, inside out in places, and their normals.
 struct LayerInputs : Inputs {
     Map layers, x, y;
 
@@ -175,8 +175,12 @@ struct LayerInputs : Inputs {
         layers = make_map(
             64, 64, 4,
             [&](int column, int row, int c) {
-                const float shift = wobble.sampled.view.texels[4 * (64 * row + column) + c];
-                return 0.1f + 0.22f * static_cast<float>(c) + 0.2f * shift;
+                const auto w = [&](int channel) {
+                    return wobble.sampled.view.texels[4 * (64 * row + column) + channel];
+                };
+                const int front = c / 2 * 2;
+                const float depth = 0.2f + 0.2f * static_cast<float>(front) + 0.2f * w(front);
+                return c == front ? depth : depth + 0.15f * (w(c) - 0.4f);
             },
             wobble.sampled.sampler);
         x = mip_map(random, 4);

@@ -34,7 +34,7 @@ struct LightCells : CellSearch<F> {
                 clamp(this->ray.y.start - to_float<F>(this->j), F(0), F(1))) {}
 
     static SearchRay<F> upwards(const LightRay<F>& light) {
-        return {light.uv, light.K, F(1), 0, light.active, Int<F>(0), Int<F>(0)};
+        return {light.uv, light.K, F(1), Scalar<F>(0), light.active, Int<F>(0), Int<F>(0)};
     }
 };
 

@@ -11,14 +11,15 @@
 //     z = (s_polygon - s) D,   rho = (I + z M)^-1 p,        UV rate at height z over the polygon
 //     n = N_u rho.u + N_v rho.v,                            how the normal turns
 //     e += n g,   g -= n . e,   p += J n g D,               the ray in the turned frame
-//     uv += rho,  s += g,                                   each by the mean of before and behind
+//     uv += rho,  s += g
 //
-// times its length; at the polygon p is K, g is 1 and e the ray's direction over r. Exact where the
-// surface is flat, of second order in a step where its curvature is constant. As many steps as
-// asked for lead to where the curve of second order would leave; twice as many are made, then the
-// search ends as CAP. Relief above the polygon (seat) is climbed to by as many steps backwards,
-// without look-ups. The bracket of the last step is halved as the straight piece that it is. What
-// shades and shadows the hit is handed the frame that has turned by all n on the way.
+// times its length, all of it as half of such a step has left it (the midpoint rule); at the
+// polygon p is K, g is 1 and e the ray's direction over r. Exact where the surface is flat, of
+// second order in a step where its curvature is constant. As many steps as asked for lead to where
+// the curve of second order would leave; twice as many are made, then the search ends as CAP.
+// Relief above the polygon (seat) is climbed to by as many steps backwards, without look-ups. The
+// bracket of the last step is halved as the straight piece that it is. What shades and shadows the
+// hit is handed the frame that has turned by all n on the way.
 #pragma once
 
 #include "quadrel/num/derivative.hpp"
@@ -77,12 +78,18 @@ class BentRay {
 
     /// A step of `length` in the lanes of `mask`.
     void advance(Mask<F> mask, F length) {
-        const vec3<F> n = turned(rate(p_, here.s)) * length;
-        const vec3<F> e = e_ + n * g_;
-        const F g = g_ - dot(n, (e_ + e) * F(0.5f));
-        const vec2<F> p = p_ + across(n) * (g_ * depth_);
-        const vec2<F> uv = here.uv + rate((p_ + p) * F(0.5f), here.s) * length;
-        const F s = here.s + (g_ + g) * F(0.5f) * length;
+        const F half = length * F(0.5f);
+        const vec3<F> n_half = turned(rate(p_, here.s)) * half;
+        const vec3<F> e_half = e_ + n_half * g_;
+        const vec2<F> p_half = p_ + across(n_half) * (g_ * depth_);
+        const F g_half = g_ - dot(n_half, e_);
+        const vec2<F> rho = rate(p_half, here.s + g_ * half);
+        const vec3<F> n = turned(rho) * length;
+        const vec3<F> e = e_ + n * g_half;
+        const vec2<F> p = p_ + across(n) * (g_half * depth_);
+        const F g = g_ - dot(n, e_half);
+        const vec2<F> uv = here.uv + rho * length;
+        const F s = here.s + g_half * length;
         here.uv = select(mask, uv, here.uv);
         here.s = select(mask, s, here.s);
         here.sigma = select(mask, here.sigma + length, here.sigma);
