@@ -15,6 +15,7 @@
 #include "render/draw/primitive_frame.hpp"
 #include "render/draw/primitive_vertices.hpp"
 #include "render/draw/vertex_stage.hpp"
+#include "scene/billboard.hpp"
 #include "scene/degrees.hpp"
 
 namespace quadrel {
@@ -77,7 +78,8 @@ AssembledTriangle whole_of(AssembledTriangle piece) {
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
                      Interpolation form, const GeometryParts& parts, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
-    const Mesh& mesh = scene.meshes[object.mesh];
+    Mesh card;
+    const Mesh& mesh = drawn_mesh(scene, object, card);
     const Material& material = scene.materials[object.material];
     const glm::mat4 model_view = scene.camera.view * object.transform;
     const ShadedVertices vertices =
@@ -124,20 +126,6 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
                     plane_setup(form, whole ? submitted : piece.screen, scene.samples));
         }
     }
-}
-
-/// The point that a projection sees from, homogeneous: where clip x, y and w all vanish.
-glm::dvec4 centre_of_projection(const glm::mat4& projection) {
-    const auto row = [&](int r) {
-        return glm::dvec4(projection[0][r], projection[1][r], projection[2][r], projection[3][r]);
-    };
-    const glm::dvec4 x = row(0), y = row(1), w = row(3);
-    // The generalised cross product of three rows, by cofactors.
-    const auto minor = [&](int i, int j, int k) {
-        return x[i] * (y[j] * w[k] - y[k] * w[j]) - x[j] * (y[i] * w[k] - y[k] * w[i]) +
-               x[k] * (y[i] * w[j] - y[j] * w[i]);
-    };
-    return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
 }
 
 void set_eye(const Scene& scene, FrameUniforms& frame) {
