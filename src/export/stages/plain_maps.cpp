@@ -35,9 +35,12 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::normal:
         case TextureSlot::environment:
         case TextureSlot::layers:
+        case TextureSlot::layers_2:
+        case TextureSlot::layers_3:
         case TextureSlot::layer_bounds:
         case TextureSlot::quad_cone:
         case TextureSlot::aniso_cone:
+        case TextureSlot::prewarp:
             return 4;
         default:
             return 2;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Word<Cull> cull_words[] = {
     {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
-constexpr const char* texture_slots[] = {"color",    "height", "gloss",
-                                         "emissive", "normal", "layers"};
+constexpr const char* texture_slots[] = {"color",  "height", "gloss",    "emissive",
+                                         "normal", "layers", "layers_2", "layers_3"};
 
 void read_parameters(Fields& fields, StageChoice& stage) {
     for (const std::string& name : fields.rest()) {

@@ -7,10 +7,11 @@
 #include "quadrel/relief/trace/layer/dual_depth_published.hpp"
 #include "quadrel/relief/trace/layer/multilayer.hpp"
 #include "quadrel/relief/trace/layer/multilayer_exact.hpp"
+#include "quadrel/relief/trace/layer/true_impostor.hpp"
 
 namespace quadrel {
 
-using LayerStages =
-    StageList<DualDepth, DualDepthPublished, DualDepthExact, Multilayer, MultilayerExact>;
+using LayerStages = StageList<DualDepth, DualDepthPublished, DualDepthExact, Multilayer,
+                              MultilayerExact, TrueImpostor>;
 
 }  // namespace quadrel
