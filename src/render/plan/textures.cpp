@@ -9,6 +9,7 @@
 #include "file/file_store.hpp"
 #include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/error.hpp"
+#include "render/prewarp/prewarp.hpp"
 #include "text/first_error.hpp"
 #include "text/shell_word.hpp"
 #include "texture/swizzle.hpp"
@@ -191,9 +192,11 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
         const auto i = static_cast<std::size_t>(need.slot);
-        out.owned[i] = need.slot >= first_baked_slot
-                           ? bake_need(scene, need, *loaded[n], cache, baking)
-                           : loaded[n];
+        out.owned[i] =
+            need.slot == TextureSlot::prewarp
+                ? prewarp_for_view(scene, need.material, *loaded[n], need.reference.sampler, cache)
+            : need.slot >= first_baked_slot ? bake_need(scene, need, *loaded[n], cache, baking)
+                                            : loaded[n];
         out.sampled[i] = {out.owned[i]->view(), need.reference.sampler};
     }
     return textures;
