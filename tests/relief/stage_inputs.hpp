@@ -73,7 +73,8 @@ class MadeInputs {
     }
     /// What a warped image may hold: places, and here and there nothing. Over the square from
     /// (-1, -1) to (2, 2).
-    Map random_prewarp() {
+    static Map random_prewarp() {
+        Random texel(78);
         Map map;
         TextureView view{};
         view.channels = 4;
@@ -85,9 +86,8 @@ class MadeInputs {
             std::make_shared<Texture>(view, TexelFormat::float32, "random prewarp");
         float* const texels = texture->level_texels(0, 0);
         for (int i = 0; i < 24 * 32; ++i) {
-            for (int c = 0; c < 3; ++c)
-                texels[4 * i + c] = static_cast<float>(random.uniform(0, 1));
-            texels[4 * i + 3] = random.chance(0.8) ? 1.0f : 0.0f;
+            for (int c = 0; c < 3; ++c) texels[4 * i + c] = static_cast<float>(texel.uniform(0, 1));
+            texels[4 * i + 3] = texel.chance(0.8) ? 1.0f : 0.0f;
         }
         const float area[] = {-1, -1, 1.0f / 3, 1.0f / 3};
         std::copy_n(area, 4, texels + 4 * 24 * 32);

@@ -56,11 +56,14 @@ class LineWarp {
     template <class Put>
     void fill(const Moving& from, const Moving& to, int way, std::size_t places,
               const Put& put) const {
+        // Rounding takes no place from a texel that stays where it is.
+        constexpr double slack = 1e-6;
         const double a = way * from.*place_, b = way * to.*place_;
         if (!(b > a)) return;
         const double most = way > 0 ? static_cast<double>(places) - 1 : 0;
         const double least = way > 0 ? 0 : 1 - static_cast<double>(places);
-        for (double at = std::max(std::ceil(a), least); at <= std::min(b, most); ++at)
+        for (double at = std::max(std::ceil(a - slack), least); at <= std::min(b + slack, most);
+             ++at)
             put(static_cast<std::size_t>(way * at), between(from, to, (at - a) / (b - a)));
     }
 

@@ -30,7 +30,7 @@ Material impostor_material() {
     Material material = plain_material("ring");
     material.frame.id = "frame-impostor";
     material.trace.id = "true-impostor";
-    material.trace.parameters["steps"] = 256;
+    material.trace.parameters["steps"] = 128;
     material.surface.id = "h2n-impostor";
     material.frag_depth = stage("frag-depth", "materials.ring.relief.frag_depth");
     material.depth = static_cast<float>(ring_layers().thickness / ring_layers().tile);
@@ -43,7 +43,7 @@ Material impostor_material() {
 
 /// Rings that go through each other, as cards or as they are.
 Scene rings(const glm::dvec3& eye, bool cards) {
-    Scene scene = empty_scene(96, 72);
+    Scene scene = empty_scene(64, 48);
     set_perspective_camera(scene, eye, {});
     scene.lights = {directional_light({1, 2, 3})};
     scene.materials = {cards ? impostor_material() : plain_material("ring")};
@@ -80,8 +80,8 @@ testing::AssertionResult shows_the_meshes(const Renderer& renderer) {
                     cosine += value(meshes, axis, x, y) * value(found, axis, x, y);
                 turned += cosine < 0.8f;
             }
-        if (covered < 900 || outline > covered / 12 || other > covered / 40 ||
-            apart > covered / 40 || turned > covered / 8)
+        if (covered < 180 || outline > covered / 30 || other > covered / 40 ||
+            apart > covered / 40 || turned > covered / 20)
             return testing::AssertionFailure()
                    << covered << " pixels, " << outline << " at outlines, " << other
                    << " of another, " << apart << " at another distance, " << turned << " turned";
