@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -16,6 +17,8 @@ Row::Row(const std::string& row) : text(row) {
     if (find_stage(id) == nullptr) throw UsageError("no search is named \"" + id + "\"");
     if (stage().reads_vertices)
         throw UsageError("\"" + id + "\" makes its ray of a mesh's vertices: here are none");
+    if (std::ranges::count(stage().textures, TextureSlot::prewarp) != 0)
+        throw UsageError("\"" + id + "\" reads a map that is made for a view: here is none");
     for (std::string word; words >> word;) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos) throw UsageError("\"" + word + "\" is not name=value");

@@ -225,6 +225,10 @@ void add_mesh(CLI::App& verb, LayerArguments& a) {
     verb.add_option("--margin", a.margin,
                     "depth-layers: tiles left free on the mesh's longer side, [0, 0.5)")
         ->capture_default_str();
+    verb.add_option("--solids", a.solids,
+                    "depth-layers: solids behind each other, 1 to 6; from the third on as layers "
+                    "\"second\" and \"third\" of the file")
+        ->capture_default_str();
 }
 
 void add_outputs(CLI::App& verb, BakeArguments& a) {

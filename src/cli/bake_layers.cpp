@@ -46,7 +46,11 @@ DepthLayerOptions make_layer_options(const LayerArguments& arguments) {
     if (!(arguments.margin >= 0 && arguments.margin < 0.5))
         throw UsageError(
             fmt::format("--margin: found {}, expected a number in [0, 0.5)", arguments.margin));
-    return {size.width, size.height, parse_direction(arguments.towards), arguments.margin};
+    if (arguments.solids < 1 || arguments.solids > most_solids)
+        throw UsageError(
+            fmt::format("--solids: found {}, expected 1 to {}", arguments.solids, most_solids));
+    return {size.width, size.height, parse_direction(arguments.towards), arguments.margin,
+            arguments.solids};
 }
 
 }  // namespace
@@ -63,14 +67,17 @@ ExitCode bake_layers(const LayerArguments& arguments) {
     write_exr(arguments.output, layers.film, attributes_of(layers),
               {arguments.compression, arguments.threads});
     if (layers.deeper > 0)
-        tell(
-            fmt::format("quadrel: {} texels have more than two solids behind each other: the "
-                        "nearest two are kept",
-                        layers.deeper));
+        tell(fmt::format(
+            "quadrel: {} texels have more than {} behind each other: the nearest are "
+            "kept",
+            layers.deeper,
+            options.solids == 1 ? "one solid" : fmt::format("{} solids", options.solids)));
     tell(
         fmt::format("quadrel: one tile is {:g} long, the relief {:g} deep: "
                     "\"depth\": {{\"thickness\": {:g}, \"tile\": {:g}}}",
                     layers.tile, layers.thickness, layers.thickness, layers.tile));
+    tell(fmt::format("quadrel: its middle is at ({:g}, {:g}, {:g})", layers.middle.x + 0.0,
+                     layers.middle.y + 0.0, layers.middle.z + 0.0));
     say_written(arguments.output);
     return ExitCode::ok;
 }

@@ -14,6 +14,7 @@ inline constexpr const char* depth_layers_kind = "depth-layers";
 struct LayerArguments {
     std::string mesh, output, size = "256x256", towards = "0,0,-1";
     double margin = 1.0 / 16;
+    int solids = 2;
     ExrCompression compression = ExrCompression::zip;
     int threads = 0;
 };

@@ -120,6 +120,12 @@ void TextureCache::keep(const std::string& name, std::shared_ptr<const Texture> 
     kept_.insert_or_assign(name, std::move(texture));
 }
 
+std::shared_ptr<const Texture> TextureCache::kept(const std::string& name) {
+    const std::lock_guard lock(mutex_);
+    const auto found = kept_.find(name);
+    return found == kept_.end() ? nullptr : found->second;
+}
+
 void TextureCache::clear() {
     const std::lock_guard lock(mutex_);
     kept_.clear();

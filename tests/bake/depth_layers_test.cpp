@@ -197,6 +197,58 @@ TEST(DepthLayers, HoldTheVolumeOfTheMesh) {
     }
 }
 
+/// A pile of so many cubes, each a solid of its own.
+Mesh pile(int cubes) {
+    Mesh mesh;
+    for (int k = 0; k < cubes; ++k) {
+        const Mesh cube = make_cube(0.5);
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const glm::vec3& p : cube.positions)
+            mesh.positions.push_back(p + glm::vec3(0.02f * static_cast<float>(k), 0, k));
+        for (const auto& [a, b, c] : cube.triangles)
+            mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+    return mesh;
+}
+
+/// Channels of fewer solids are those of more, and what is behind is counted.
+testing::AssertionResult keeps_the_nearest(const Peel& peel) {
+    DepthLayerOptions options;
+    options.width = options.height = 24;
+    options.solids = most_solids;
+    const DepthLayers all = peel(pile(6), options);
+    if (all.film.planes.size() != 12 || all.deeper != 0)
+        return testing::AssertionFailure() << all.deeper << " texels are deeper";
+    for (int c = 0; c + 1 < 12; ++c)
+        if (!(depth_of(all, 12, 12, c) < depth_of(all, 12, 12, c + 1)))
+            return testing::AssertionFailure() << "channel " << c;
+    for (int solids = 1; solids < most_solids; ++solids) {
+        options.solids = solids;
+        const DepthLayers fewer = peel(pile(6), options);
+        if (fewer.deeper == 0 || fewer.film.planes.size() != std::size_t(solids + 1) / 2 * 4)
+            return testing::AssertionFailure() << "of " << solids;
+        for (std::size_t c = 0; c < 2 * std::size_t(solids); ++c)
+            if (fewer.film.planes[c] != all.film.planes[c])
+                return testing::AssertionFailure() << "channel " << c << " of " << solids;
+        if (solids % 2 == 1 && depth_of(fewer, 12, 12, 2 * solids) != 1)
+            return testing::AssertionFailure() << "something behind the last of " << solids;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(DepthLayers, KeepUpToSixSolids) {
+    EXPECT_TRUE(keeps_the_nearest(peel_depth_layers));
+    EXPECT_FALSE(keeps_the_nearest([](const Mesh& mesh, DepthLayerOptions options) {
+        options.solids = std::min(options.solids, 5);
+        return peel_depth_layers(mesh, options);
+    })) << "one less";
+    EXPECT_FALSE(keeps_the_nearest([](const Mesh& mesh, const DepthLayerOptions& options) {
+        DepthLayers layers = peel_depth_layers(mesh, options);
+        if (options.solids < 4) std::swap(layers.film.planes[0].bits, layers.film.planes[1].bits);
+        return layers;
+    })) << "others than the nearest";
+}
+
 /// Sorted everywhere, and closed beside solids in their middle.
 TEST(DepthLayers, AreSortedAndClosed) {
     const DepthLayers layers = peel_depth_layers(upright_torus(), {64, 64, {0, 0, -1}, 1.0 / 16});

@@ -234,6 +234,8 @@ TEST(Bake, ComplainsInOneLine) {
         {{"bake", "--kind", "depth-layers", "--mesh", whole, "--towards", "0,0", "-o", out}, 2},
         {{"bake", "--kind", "depth-layers", "--mesh", whole, "--towards", "0,0,0", "-o", out}, 2},
         {{"bake", "--kind", "depth-layers", "--mesh", whole, "--margin", "0.5", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--solids", "7", "-o", out}, 2},
+        {{"bake", "--kind", "depth-layers", "--mesh", whole, "--solids", "0", "-o", out}, 2},
         {{"bake", "--kind", "depth-layers", "--mesh", whole, "--size", "20000x2", "-o", out}, 2},
         {{"bake", "--kind", "depth-layers", "--mesh", open, "-o", out}, 3},
         {{"bake", "--kind", "depth-layers", "--mesh", "none.obj", "-o", out}, 3},

@@ -8,7 +8,10 @@
 #include <filesystem>
 
 #include "data/planted.hpp"
+#include "quadrel/bake/depth_layers.hpp"
+#include "quadrel/film/exr.hpp"
 #include "quadrel/num/srgb.hpp"
+#include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/texture/image.hpp"
 
 namespace quadrel::test {
@@ -190,6 +193,28 @@ TEST(Textures, SkyHasNoEdges) {
     EXPECT_TRUE(seamless(load_sky(Planted::none)));
     EXPECT_FALSE(seamless(load_sky(Planted::faces_swapped)));
     EXPECT_FALSE(seamless(load_sky(Planted::face_turned)));
+}
+
+/// What the mesh gives on any machine.
+testing::AssertionResult has_the_depths_of_the_mesh(const std::string& mesh, int solids) {
+    DepthLayerOptions options;
+    options.width = options.height = 96;
+    options.solids = solids;
+    const DepthLayers made =
+        peel_depth_layers(load_mesh(directory.parent_path() / "meshes" / mesh), options);
+    const Film kept = read_exr(directory / "spring_layers.exr").film;
+    if (made.deeper != 0) return testing::AssertionFailure() << made.deeper << " texels are deeper";
+    for (const Plane& plane : kept.planes) {
+        const Plane* const other = made.film.find(plane.name);
+        if (other == nullptr || other->bits != plane.bits)
+            return testing::AssertionFailure() << plane.name;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(Textures, SpringLayersAreThoseOfTheMesh) {
+    EXPECT_TRUE(has_the_depths_of_the_mesh("spring.obj", 6));
+    EXPECT_FALSE(has_the_depths_of_the_mesh("spring.obj", 4)) << "four solids";
 }
 
 }  // namespace

@@ -208,11 +208,11 @@ inline int texture_size(sampler of, int level, int axis) {
 // ---- Uniforms -----------------------------------------------------------------------------------
 
 inline sampler height_map_nearest, height_map, color_map, gloss_map, emissive_map, normal_map,
-    environment_map, layers_map, layer_normals_x_map, layer_normals_y_map, max_mip_map, min_max_map,
-    texel_max_map, cone_map, cone_robust_map, cone_quick_map, cone_rabbid_map, cone_cell_map,
-    relaxed_cone_map, relaxed_cone_exact_map, quad_cone_map, aniso_cone_map, distance_map,
-    distance_exact_map, horizon_map, horizon_sampled_map, rmq_map, layer_bounds_map, ddm_map,
-    gdm_map, vdm_map;
+    environment_map, layers_map, layers_2_map, layers_3_map, layer_normals_x_map,
+    layer_normals_y_map, max_mip_map, min_max_map, texel_max_map, cone_map, cone_robust_map,
+    cone_quick_map, cone_rabbid_map, cone_cell_map, relaxed_cone_map, relaxed_cone_exact_map,
+    quad_cone_map, aniso_cone_map, distance_map, distance_exact_map, horizon_map,
+    horizon_sampled_map, rmq_map, layer_bounds_map, ddm_map, gdm_map, vdm_map, prewarp_map;
 /// In the order of TextureSlot.
 inline sampler* const samplers[] = {&height_map,
                                     &color_map,
@@ -221,6 +221,8 @@ inline sampler* const samplers[] = {&height_map,
                                     &normal_map,
                                     &environment_map,
                                     &layers_map,
+                                    &layers_2_map,
+                                    &layers_3_map,
                                     &layer_normals_x_map,
                                     &layer_normals_y_map,
                                     &max_mip_map,
@@ -243,7 +245,8 @@ inline sampler* const samplers[] = {&height_map,
                                     &layer_bounds_map,
                                     &ddm_map,
                                     &gdm_map,
-                                    &vdm_map};
+                                    &vdm_map,
+                                    &prewarp_map};
 static_assert(std::size(samplers) == static_cast<std::size_t>(texture_slot_count));
 
 inline vec3 eye, light0_position, light0_ambient, light0_diffuse, light0_specular, light1_position,

@@ -36,12 +36,15 @@ class MadeInputs {
 
     void bind(TextureSlot slot) {
         Map& map = maps[static_cast<std::size_t>(slot)];
-        if (slot == TextureSlot::layers) {
+        if (source_of(slot) == slot && slot >= TextureSlot::layers &&
+            slot <= TextureSlot::layers_3) {
             map = random_layers();
         } else if (slot == TextureSlot::layer_normals_x || slot == TextureSlot::layer_normals_y) {
             // Of a sequence of their own: the others' inputs stay what they were.
             Random normals(static_cast<std::uint64_t>(slot) + 78);
             map = random_map(normals, 4);
+        } else if (slot == TextureSlot::prewarp) {
+            map = random_prewarp();
         } else if (slot >= first_baked_slot) {
             map.texture = baked(slot);
             map.sampled.view = map.texture->view();
@@ -71,6 +74,30 @@ class MadeInputs {
                 return texel[static_cast<std::size_t>(c)];
             },
             plain_sampler());
+    }
+    /// What a warped image may hold: places, and here and there nothing. Over the square from
+    /// (-1, -1) to (2, 2).
+    static Map random_prewarp() {
+        Random texel(78);
+        Map map;
+        TextureView view{};
+        view.channels = 4;
+        view.faces = 1;
+        view.levels = 1;
+        view.width[0] = 24;
+        view.height[0] = 33;
+        const auto texture =
+            std::make_shared<Texture>(view, TexelFormat::float32, "random prewarp");
+        float* const texels = texture->level_texels(0, 0);
+        for (int i = 0; i < 24 * 32; ++i) {
+            for (int c = 0; c < 3; ++c) texels[4 * i + c] = static_cast<float>(texel.uniform(0, 1));
+            texels[4 * i + 3] = texel.chance(0.8) ? 1.0f : 0.0f;
+        }
+        const float area[] = {-1, -1, 1.0f / 3, 1.0f / 3};
+        std::copy_n(area, 4, texels + 4 * 24 * 32);
+        map.texture = texture;
+        map.sampled.view = texture->view();
+        return map;
     }
     void run_chain() {
         for (const char* id :

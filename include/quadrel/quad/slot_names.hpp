@@ -17,6 +17,8 @@ inline constexpr std::array<std::string_view, texture_slot_count> texture_slot_n
     "normal",
     "environment",
     "layers",
+    "layers_2",
+    "layers_3",
     "layer_normals_x",
     "layer_normals_y",
     "max-mip",
@@ -39,6 +41,7 @@ inline constexpr std::array<std::string_view, texture_slot_count> texture_slot_n
     "layer-bounds",
     "ddm",
     "gdm",
-    "vdm"};
+    "vdm",
+    "prewarp"};
 
 }  // namespace quadrel

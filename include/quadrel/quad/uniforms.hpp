@@ -21,6 +21,8 @@ enum class TextureSlot : std::int32_t {
     normal,
     environment,
     layers,
+    layers_2,
+    layers_3,
     layer_normals_x,
     layer_normals_y,
     max_mip,
@@ -44,10 +46,11 @@ enum class TextureSlot : std::int32_t {
     ddm,
     gdm,
     vdm,
+    prewarp,
     count
 };
 
-/// Slots from this one on hold baked maps.
+/// Slots from this one on hold baked maps; `prewarp` one that is made for a view.
 inline constexpr auto first_baked_slot = TextureSlot::max_mip;
 
 /// What the map of a slot is made of: a slot that scenes name.

@@ -35,6 +35,10 @@ Mesh make_torus(double inner_radius = 0.5, double outer_radius = 1, int sides = 
 /// (data/meshes/teapot.txt) are not found.
 Mesh make_teapot(int tessellation = 10, double size = 1);
 
+/// A card that turns to the camera of each render: the square of uv, of side `size`, that covers a
+/// sphere of `radius` whatever the view.
+Mesh make_billboard(double size, double radius);
+
 /// `mesh` with three vertices of its own for every triangle and the triangles' normals. Triangles
 /// without area get the normal (0, 0, 1).
 Mesh flat_shaded(const Mesh& mesh);

@@ -60,6 +60,8 @@ class TextureCache {
 
     /// Keeps a texture that was made elsewhere, in place of what was kept under this name.
     void keep(const std::string& name, std::shared_ptr<const Texture> texture);
+    /// What is kept under a name, or null.
+    std::shared_ptr<const Texture> kept(const std::string& name);
     /// Keeps nothing any more. Textures that somebody else holds are still found.
     void clear();
 

@@ -51,10 +51,11 @@ struct Solid {
     double middle() const { return (double(front) + double(back)) / 2; }
 };
 
-using TexelSolids = std::array<Solid, 2>;
+/// Those that are kept come first.
+using TexelSolids = std::array<Solid, most_solids>;
 
-/// The two nearest solids of a texel; whether there are more.
-bool solids_of(const std::vector<Crossing>& crossings, TexelSolids& solids) {
+/// The `kept` nearest solids of a texel; whether there are more.
+bool solids_of(const std::vector<Crossing>& crossings, std::size_t kept, TexelSolids& solids) {
     int winding = 0;
     std::size_t count = 0;
     double front = 0;
@@ -65,23 +66,26 @@ bool solids_of(const std::vector<Crossing>& crossings, TexelSolids& solids) {
         if (before == 0 || winding != 0) continue;
         const Solid solid{static_cast<float>(front), static_cast<float>(crossing.depth)};
         if (!solid.is_there()) continue;
-        if (count < solids.size()) solids[count] = solid;
+        if (count < kept) solids[count] = solid;
         ++count;
     }
-    return count > solids.size();
+    return count > kept;
 }
 
 /// Where pairs that a texel lacks are closed: in the middle of those of its neighbours.
 class Closing {
   public:
-    Closing(const std::vector<TexelSolids>& texels, int width, int height)
-        : texels_(texels), width_(width), height_(height) {}
+    Closing(const std::vector<TexelSolids>& texels, const DepthLayerOptions& options)
+        : texels_(texels),
+          width_(options.width),
+          height_(options.height),
+          pairs_(static_cast<std::size_t>(options.solids)) {}
 
     /// Sorted, as the pairs before and behind are.
     TexelSolids closed(int i, int j) const {
         TexelSolids solids = at(i, j);
         float above = 0;
-        for (std::size_t pair = 0; pair < solids.size(); ++pair) {
+        for (std::size_t pair = 0; pair < pairs_; ++pair) {
             Solid& solid = solids[pair];
             if (!solid.is_there())
                 solid.front = solid.back = std::max(above, middle_beside(i, j, pair));
@@ -109,20 +113,27 @@ class Closing {
 
     const std::vector<TexelSolids>& texels_;
     int width_, height_;
+    std::size_t pairs_;
 };
 
-Film film_of(const std::vector<TexelSolids>& texels, int width, int height) {
+/// Maps of two solids each; a last one that is alone has nothing behind it.
+Film film_of(const std::vector<TexelSolids>& texels, const DepthLayerOptions& options) {
+    constexpr const char* prefixes[] = {"", "second.", "third."};
     Film film;
-    film.frame = film.window = {0, 0, width, height};
-    for (const char* name : {"R", "G", "B", "A"}) film.add(name, ChannelType::float32);
-    const Closing closing(texels, width, height);
-    for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) {
+    film.frame = film.window = {0, 0, options.width, options.height};
+    const int maps = (options.solids + 1) / 2;
+    for (int map = 0; map < maps; ++map)
+        for (const char* name : {"R", "G", "B", "A"})
+            film.add(std::string(prefixes[map]) + name, ChannelType::float32);
+    const Closing closing(texels, options);
+    for (int j = 0; j < options.height; ++j)
+        for (int i = 0; i < options.width; ++i) {
             const TexelSolids solids = closing.closed(i, j);
-            const float depths[] = {solids[0].front, solids[0].back, solids[1].front,
-                                    solids[1].back};
-            for (std::size_t c = 0; c < 4; ++c)
-                film.planes[c].bits[film.index(i, j)] = std::bit_cast<std::uint32_t>(depths[c]);
+            for (std::size_t c = 0; c < film.planes.size(); ++c) {
+                const Solid& solid = solids[c / 2];
+                film.planes[c].bits[film.index(i, j)] =
+                    std::bit_cast<std::uint32_t>(c % 2 == 0 ? solid.front : solid.back);
+            }
         }
     return film;
 }
@@ -146,6 +157,8 @@ DepthLayers peel_depth_layers(const Mesh& mesh, const DepthLayerOptions& options
     DepthLayers layers;
     layers.tile = longer / (1 - 2 * options.margin);
     layers.thickness = size.z;
+    const glm::dvec3 middle = (box.low + box.high) * 0.5;
+    layers.middle = axes.right * middle.x + axes.up * middle.y + axes.towards * middle.z;
     for (glm::dvec3& p : projected.positions) {
         const glm::dvec3 from = p - box.low;
         p = {((from.x - size.x / 2) / layers.tile + 0.5) * options.width,
@@ -154,15 +167,18 @@ DepthLayers peel_depth_layers(const Mesh& mesh, const DepthLayerOptions& options
     const auto crossings = texel_crossings(projected, options.width, options.height);
     std::vector<TexelSolids> texels(crossings.size());
     for (std::size_t t = 0; t < crossings.size(); ++t)
-        layers.deeper += solids_of(crossings[t], texels[t]);
-    layers.film = film_of(texels, options.width, options.height);
+        layers.deeper +=
+            solids_of(crossings[t], static_cast<std::size_t>(options.solids), texels[t]);
+    layers.film = film_of(texels, options);
     return layers;
 }
 
 Attributes attributes_of(const DepthLayers& layers) {
     return {{"quadrel:bake.kind", "depth-layers"},
             {"quadrel:bake.tile", fmt::format("{}", layers.tile)},
-            {"quadrel:bake.thickness", fmt::format("{}", layers.thickness)}};
+            {"quadrel:bake.thickness", fmt::format("{}", layers.thickness)},
+            {"quadrel:bake.middle",
+             fmt::format("{} {} {}", layers.middle.x, layers.middle.y, layers.middle.z)}};
 }
 
 }  // namespace quadrel

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "render/draw/vertex_stage.hpp"
+#include "scene/billboard.hpp"
 
 namespace quadrel {
 namespace {
@@ -28,7 +29,8 @@ class Builder {
     void add(std::size_t object) {
         Draw draw{object, static_cast<std::uint32_t>(buffers_.indices.size())};
         const Object& of = scene_.objects[object];
-        const Mesh& mesh = scene_.meshes[of.mesh];
+        Mesh card;
+        const Mesh& mesh = drawn_mesh(scene_, of, card);
         const Material& material = scene_.materials[of.material];
         const glm::mat4 model_view = scene_.camera.view * of.transform;
         const ShadedVertices shaded =

@@ -37,9 +37,12 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::layers:
         case TextureSlot::layer_normals_x:
         case TextureSlot::layer_normals_y:
+        case TextureSlot::layers_2:
+        case TextureSlot::layers_3:
         case TextureSlot::layer_bounds:
         case TextureSlot::quad_cone:
         case TextureSlot::aniso_cone:
+        case TextureSlot::prewarp:
             return 4;
         default:
             return 2;

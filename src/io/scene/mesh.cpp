@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/scene/read.hpp"
 #include "quadrel/scene/mesh_file.hpp"
 #include "quadrel/scene/refine.hpp"
@@ -73,10 +75,23 @@ Mesh read_teapot(Fields& fields) {
     return make_teapot(tessellation, size);
 }
 
+Mesh read_billboard(Fields& fields) {
+    double size = 2;
+    fields.read("size", size, above_zero);
+    double radius = std::sqrt(3.0) / 2 * size;
+    fields.read("radius", radius, above_zero);
+    for (const char* key : {"normals", "refine", "displace"})
+        if (fields.has(key))
+            fields.get(key).fail(fmt::format("\"{}\" of a billboard", key),
+                                 "none: its card is made for each view");
+    return make_billboard(size, radius);
+}
+
 using ReadShape = Mesh (*)(Fields&);
 constexpr Word<ReadShape> shape_words[] = {
-    {"quad", read_quad},     {"cube", read_cube},   {"icosahedron", read_icosahedron},
-    {"sphere", read_sphere}, {"torus", read_torus}, {"teapot", read_teapot}};
+    {"quad", read_quad},          {"cube", read_cube},   {"icosahedron", read_icosahedron},
+    {"sphere", read_sphere},      {"torus", read_torus}, {"teapot", read_teapot},
+    {"billboard", read_billboard}};
 
 Mesh read_file_mesh(Fields& fields, std::vector<std::string>& notes) {
     const SceneValue file = fields.get("file");

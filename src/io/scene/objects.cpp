@@ -53,8 +53,8 @@ class ObjectReader {
     }
 
     void check_mesh_name(const SceneValue& value) const {
-        std::vector<std::string> known = {"quad",   "cube",  "icosahedron",
-                                          "sphere", "torus", "teapot"};
+        std::vector<std::string> known = {"quad",  "cube",   "icosahedron", "sphere",
+                                          "torus", "teapot", "billboard"};
         for (const auto& word : known)
             if (word == value.string()) return;
         for (const auto& [name, index] : named_)

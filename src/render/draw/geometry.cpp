@@ -16,6 +16,7 @@
 #include "render/draw/primitive_vertices.hpp"
 #include "render/draw/shell.hpp"
 #include "render/draw/vertex_stage.hpp"
+#include "scene/billboard.hpp"
 #include "scene/degrees.hpp"
 
 namespace quadrel {
@@ -149,7 +150,8 @@ void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFram
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
                      Interpolation form, const GeometryParts& parts, Geometry& geometry) {
     const Object& object = scene.objects[object_index];
-    const Mesh& mesh = scene.meshes[object.mesh];
+    Mesh card;
+    const Mesh& mesh = drawn_mesh(scene, object, card);
     const Material& material = scene.materials[object.material];
     const glm::mat4 model_view = scene.camera.view * object.transform;
     const ShadedVertices vertices =
@@ -180,20 +182,6 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
         };
         assemble_corners(drawn_object, t, index, add_rows, pieces, geometry);
     }
-}
-
-/// The point that a projection sees from, homogeneous: where clip x, y and w all vanish.
-glm::dvec4 centre_of_projection(const glm::mat4& projection) {
-    const auto row = [&](int r) {
-        return glm::dvec4(projection[0][r], projection[1][r], projection[2][r], projection[3][r]);
-    };
-    const glm::dvec4 x = row(0), y = row(1), w = row(3);
-    // The generalised cross product of three rows, by cofactors.
-    const auto minor = [&](int i, int j, int k) {
-        return x[i] * (y[j] * w[k] - y[k] * w[j]) - x[j] * (y[i] * w[k] - y[k] * w[i]) +
-               x[k] * (y[i] * w[j] - y[j] * w[i]);
-    };
-    return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
 }
 
 void set_eye(const Scene& scene, FrameUniforms& frame) {

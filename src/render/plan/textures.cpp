@@ -10,6 +10,7 @@
 #include "file/file_store.hpp"
 #include "quadrel/bake/baked_texture.hpp"
 #include "quadrel/error.hpp"
+#include "render/prewarp/prewarp.hpp"
 #include "text/first_error.hpp"
 #include "text/shell_word.hpp"
 #include "texture/swizzle.hpp"
@@ -219,11 +220,14 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
         const auto i = static_cast<std::size_t>(need.slot);
-        if (need.slot == TextureSlot::layers && need.reference.swizzle.empty())
+        if (need.slot >= TextureSlot::layers && need.slot <= TextureSlot::layers_3 &&
+            need.reference.swizzle.empty())
             check_layer_order(scene, need, *loaded[n], cache);
-        out.owned[i] = need.slot >= first_baked_slot
-                           ? bake_need(scene, need, *loaded[n], cache, baking)
-                           : loaded[n];
+        out.owned[i] =
+            need.slot == TextureSlot::prewarp
+                ? prewarp_for_view(scene, need.material, *loaded[n], need.reference.sampler, cache)
+            : need.slot >= first_baked_slot ? bake_need(scene, need, *loaded[n], cache, baking)
+                                            : loaded[n];
         out.sampled[i] = {out.owned[i]->view(), need.reference.sampler};
     }
     return textures;

@@ -43,6 +43,8 @@ class Key {
 void add_mesh(const Mesh& mesh, Key& key) {
     key.add_all(mesh.positions).add_all(mesh.normals).add_all(mesh.uvs);
     key.add_all(mesh.tangents).add_all(mesh.triangles);
+    key.add(mesh.billboard.has_value());
+    if (mesh.billboard) key.add(mesh.billboard->size).add(mesh.billboard->radius);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "quadrel/relief/frame/cot_published.hpp"
 #include "quadrel/relief/frame/face.hpp"
 #include "quadrel/relief/frame/gram.hpp"
+#include "quadrel/relief/frame/impostor.hpp"
 #include "quadrel/relief/frame/inverse_tbn.hpp"
 #include "quadrel/relief/frame/inverse_tbn_published.hpp"
 #include "quadrel/relief/frame/mikkt.hpp"
@@ -18,6 +19,7 @@ namespace quadrel {
 
 using FrameStages =
     StageList<FrameNone, FrameThesis, FrameGram, FrameFace, FrameVertex, FrameVertexPublished,
-              FrameMikkt, FrameCot, FrameCotPublished, FrameInverseTbn, FrameInverseTbnPublished>;
+              FrameMikkt, FrameCot, FrameCotPublished, FrameInverseTbn, FrameInverseTbnPublished,
+              FrameImpostor>;
 
 }  // namespace quadrel

@@ -9,6 +9,7 @@
 #include "quadrel/relief/surface/h2n_4tap_published.hpp"
 #include "quadrel/relief/surface/h2n_gather.hpp"
 #include "quadrel/relief/surface/h2n_gather_published.hpp"
+#include "quadrel/relief/surface/h2n_impostor.hpp"
 #include "quadrel/relief/surface/h2n_layers.hpp"
 #include "quadrel/relief/surface/h2n_patch.hpp"
 #include "quadrel/relief/surface/h2n_sobel.hpp"
@@ -28,8 +29,9 @@ namespace quadrel {
 
 using SurfaceStages =
     StageList<SurfaceNone, H2nThesis, H2nThesisPublished, H2nGather, H2nGatherPublished, H2n4Tap,
-              H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, H2nLayers, BumpBlinn,
-              BumpNoise, BumpNoisePublished, NormalMap, NormalMapFlightGear, NormalSmoothMcGuire,
-              NormalMcGuirePublished, NormalWelshPublished, NormalLayers, NormalLayersPublished>;
+              H2n4TapPublished, H2nSobel, H2nSobelPublished, H2nPatch, H2nLayers, H2nImpostor,
+              BumpBlinn, BumpNoise, BumpNoisePublished, NormalMap, NormalMapFlightGear,
+              NormalSmoothMcGuire, NormalMcGuirePublished, NormalWelshPublished, NormalLayers,
+              NormalLayersPublished>;
 
 }  // namespace quadrel

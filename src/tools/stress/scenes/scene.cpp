@@ -41,6 +41,8 @@ std::vector<std::string> stage_ids(const std::string& room, bool judges) {
     for (const StageInfo& stage : all_stages()) {
         const std::string id(stage.text.id);
         if (stage.text.room != room || is_of_shells(id)) continue;
+        // Of one plane, and not of so much of it: scenes here are of anything.
+        if (std::ranges::count(stage.textures, TextureSlot::prewarp) != 0) continue;
         if (judges || id.find("oracle") == std::string::npos) ids.push_back(id);
     }
     return ids;

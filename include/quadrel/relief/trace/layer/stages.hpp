@@ -8,10 +8,11 @@
 #include "quadrel/relief/trace/layer/multilayer.hpp"
 #include "quadrel/relief/trace/layer/multilayer_exact.hpp"
 #include "quadrel/relief/trace/layer/multilayer_published.hpp"
+#include "quadrel/relief/trace/layer/true_impostor.hpp"
 
 namespace quadrel {
 
 using LayerStages = StageList<DualDepth, DualDepthPublished, DualDepthExact, Multilayer,
-                              MultilayerPublished, MultilayerExact>;
+                              MultilayerPublished, MultilayerExact, TrueImpostor>;
 
 }  // namespace quadrel
