@@ -219,7 +219,8 @@ WalkPart bisected(const SearchRay<Ranges>& ray, const Look& cone, int times, con
     const Aside aside;
     const double first = walk.from.lo, width = walk.s.hi - first;
     const double left = std::ldexp(width, -times) + 0x1p-40;
-    const int pieces = std::clamp(static_cast<int>(width / (0.25 * left)), 1, most_pieces);
+    const int pieces =
+        static_cast<int>(std::clamp(width / (0.25 * left), 1.0, double(most_pieces)));
     WalkPart result{{walk.s.hi, walk.s.lo}, walk.from, walk.height};
     // The point above that is nearest, so far: the last step began at one.
     double above = walk.from.hi;
