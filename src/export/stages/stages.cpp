@@ -24,7 +24,7 @@ const std::vector<Refusal>& refusals() {
         {"frame-shell", "frame", of_shells},
         {"prism-exact", "trace", of_shells},
         {"prism-pom", "trace", of_shells},
-        {"oracle-none", "oracle", of_shells}};
+        {"oracle-none", "oracle", "has nothing to say"}};
     return all;
 }
 
