@@ -38,8 +38,8 @@ struct DepthLayers {
 /// Which triangles a ray meets is decided exactly, for corners rounded to 2^-24 of a texel, each
 /// crossing once, however it hits an edge or a corner: so a ray goes out as often as in. Depths are
 /// rounded once. Solid is what any of its surfaces encloses (winding number not 0). Where a texel
-/// has fewer solids than are kept, the pairs that are left over are without thickness: beside texels
-/// that have them, in the middle of these, so that interpolation closes solids between texel
+/// has fewer solids than are kept, the pairs that are left over are without thickness: beside
+/// texels that have them, in the middle of these, so that interpolation closes solids between texel
 /// centres; elsewhere at the bottom.
 ///
 /// Throws InputError, with the mesh's name, for a mesh that is not closed (every edge must be as

@@ -17,9 +17,8 @@
 
 namespace quadrel {
 
-using FrameStages =
-    StageList<FrameNone, FrameThesis, FrameGram, FrameFace, FrameVertex, FrameVertexPublished,
-              FrameMikkt, FrameCot, FrameCotPublished, FrameInverseTbn, FrameInverseTbnPublished,
-              FrameImpostor>;
+using FrameStages = StageList<FrameNone, FrameThesis, FrameGram, FrameFace, FrameVertex,
+                              FrameVertexPublished, FrameMikkt, FrameCot, FrameCotPublished,
+                              FrameInverseTbn, FrameInverseTbnPublished, FrameImpostor>;
 
 }  // namespace quadrel
