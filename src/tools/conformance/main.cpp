@@ -78,6 +78,9 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
     } catch (const UsageError& error) {
         report.refusal = error.what();
         return report;
+    } catch (const std::runtime_error& error) {  // and not "there is no OpenGL"
+        report.failure = error.what();
+        return report;
     }
     JudgeOptions options = judging;
     options.texel = texel_size(drawn->scene);
