@@ -14,7 +14,7 @@ const Varying* find_varying(const std::string& name) {
         {"vertex_tangent", Type::vec3, false, "tangent", "tangent"},
         {"tangent_sign", Type::real, false, "handedness", "handedness"},
         {"vertex_bitangent", Type::vec3, false, "bitangent", "bitangent"},
-        {"quadric", Type::vec2, false, "quadric", "quadric"},
+        {"quadric", Type::vec2, false, "curvature", "curvature"},
         {"face_J_u", Type::vec3, true, "gradient_u", "gradient_u"},
         {"face_J_v", Type::vec3, true, "gradient_v", "gradient_v"},
     };
@@ -37,7 +37,7 @@ const std::vector<Named>& vertex_attributes() {
                                            {"clip_position", Type::vec4},
                                            {"eye_normal", Type::vec3},
                                            {"mapped_coordinates", Type::vec2},
-                                           {"quadric", Type::vec2}};
+                                           {"curvature", Type::vec2}};
     return all;
 }
 

@@ -20,7 +20,7 @@ class Builder {
         for (VertexAttribute attribute : all_vertex_attributes()) {
             if (std::find(names.begin(), names.end(), attribute.name) == names.end()) continue;
             attribute.offset = offset;
-            fits_quadrics_ |= std::string_view(attribute.name) == "quadric";
+            fits_quadrics_ |= std::string_view(attribute.name) == "curvature";
             offset += attribute.components * static_cast<int>(sizeof(float));
             buffers_.attributes.push_back(attribute);
         }
@@ -120,7 +120,7 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"clip_position", 10, 4, 0, "projection * eye_position"},
         {"eye_normal", 11, 3, 0, "normal_matrix * normal, or face_normal in meshes without"},
         {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"},
-        {"quadric", 13, 2, 0, "of the corner, fitted to the mesh in eye space"}};
+        {"curvature", 13, 2, 0, "quadric of the corner, fitted to the mesh in eye space"}};
     return all;
 }
 

@@ -55,7 +55,7 @@ Floats shaded(const VertexBuffers& buffers, std::uint32_t index, const UniformVa
     const Floats uv{of.at("texture_coordinates")[0], of.at("texture_coordinates")[1], 0};
     for (int row = 0; row < 2; ++row) all.push_back(affine(material.at("texture_matrix"), row, uv));
     for (const char* name : {"face_normal", "tangent", "handedness", "bitangent", "gradient_u",
-                             "gradient_v", "quadric"})
+                             "gradient_v", "curvature"})
         all.insert(all.end(), of.at(name).begin(), of.at(name).end());
     return all;
 }
