@@ -122,7 +122,7 @@ struct PrimitiveFrame {
 };
 
 /// What vertex programs read of a triangle (vertex_program.hpp), in an array of its own: the
-/// vertices as they were submitted, whatever clipping made of them, in object space.
+/// vertices as submitted, whatever clipping makes of them, in object space. A ShellFace in shells.
 struct PrimitiveVertices {
     float position[3][3];
     float normal[3][3];    ///< the mesh's own, as it has them; the face's, unit, of flat meshes
