@@ -7,7 +7,6 @@
 #include <span>
 
 #include "cli/explain/markdown.hpp"
-#include "cli/explain/parameter_text.hpp"
 #include "file/read_file.hpp"
 #include "io/document/json.hpp"
 #include "io/document/keys.hpp"
@@ -15,6 +14,7 @@
 #include "io/scene/find_scene.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/presets.hpp"
+#include "render/lists/parameter_text.hpp"
 
 namespace quadrel::cli {
 namespace {
