@@ -83,6 +83,7 @@ struct ShaderFrame {
 
 /// What a recording is of.
 struct ShaderScene {
+    static_assert(texture_slot_count <= ShaderTextures::most, "textures are known by their slots");
     ShaderTextures textures;
     MaterialUniforms material{};
     ShaderFrame frame;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float shell_depth = 0.2f;
 /// Pixels along a side of the pictures that take longest.
-constexpr int picture_size = test::sanitized ? 40 : 112;
+constexpr int silhouette_size = test::sanitized ? 40 : 112;
 
 /// Everywhere the same height.
 TextureReference level_texture(double level) {
@@ -58,7 +58,7 @@ const glm::dmat4 wound = rotation(25, {1, 2, 0.5});
 /// A level surface in the shell covers what the shell's bottom does and no more than its top, and
 /// lies between both; no ray begins below it by more than what a ray's place in a pixel can be off.
 testing::AssertionResult has_no_cracks(double level, double seat, double lower = 0) {
-    Scene scene = shell_scene(make_sphere(1, 16, 10), level_texture(level), picture_size, wound);
+    Scene scene = shell_scene(make_sphere(1, 16, 10), level_texture(level), silhouette_size, wound);
     scene.materials[0].seat = static_cast<float>(seat);
     const Film film = take(render, scene, {"A", "Z", "hit.s", "hit.h"});
     // The chords of the level's own triangles lie above those of any lower level.
@@ -220,7 +220,7 @@ double bumpy_surface(const glm::dvec2& uv) {
 /// Every hit lies where the displaced mesh has its texture coordinates, but for what
 /// shell_face.hpp says of tetrahedra. `planted` is added to the heights.
 testing::AssertionResult hits_are_on_the_displaced_mesh(const Mesh& mesh, double planted = 0) {
-    Scene scene = shell_scene(mesh, bumpy_texture(), picture_size, wound);
+    Scene scene = shell_scene(mesh, bumpy_texture(), silhouette_size, wound);
     scene.materials[0].trace.parameters["surface"] = 1;
     const Film film =
         take(render, scene, {"A", "hit.U", "hit.V", "hit.P", "hit.s", "hit.h", "hit.flags", "id"});
@@ -268,8 +268,8 @@ testing::AssertionResult hits_are_on_the_displaced_mesh(const Mesh& mesh, double
                        << 1 - value(film, "hit.s", x, y) << ", flags "
                        << bits(film, "hit.flags", x, y);
         }
-    return seen > picture_size * picture_size / 8 ? testing::AssertionSuccess()
-                                                  : testing::AssertionFailure() << seen;
+    return seen > silhouette_size * silhouette_size / 8 ? testing::AssertionSuccess()
+                                                        : testing::AssertionFailure() << seen;
 }
 
 TEST(Silhouettes, HitsAreOnTheDisplacedMesh) {
@@ -287,7 +287,7 @@ struct Departure {
 };
 
 Departure departure_from_mesh(const Mesh& mesh, CellSplit split, int slices) {
-    Scene scene = shell_scene(mesh, bumpy_texture(), picture_size, wound);
+    Scene scene = shell_scene(mesh, bumpy_texture(), silhouette_size, wound);
     scene.materials[0].trace.parameters["surface"] = 1;
     const Film film = take(render, scene, shape_channels);
     scene.materials = {plain_material("plain", {1, 1, 1})};

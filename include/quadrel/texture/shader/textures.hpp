@@ -19,7 +19,7 @@ struct ShaderTexture {
 
 class ShaderTextures {
   public:
-    static constexpr int most = 32;
+    static constexpr int most = 64;
 
     /// `texture` is known by its texels' address, which is nobody's.
     void bind(int slot, const std::string& name, const TextureView& view,
