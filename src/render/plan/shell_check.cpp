@@ -6,6 +6,7 @@
 
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "quadrel/relief/shell/stages.hpp"
 #include "render/draw/shell.hpp"
 #include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
@@ -19,7 +20,10 @@ std::string id_or_default(const Material& material, const StageChoice& choice,
     return std::string(default_stage(room, height_source(material)));
 }
 
-bool searches_shells(std::string_view trace) { return trace.starts_with("prism-"); }
+template <class... S>
+bool lists(StageList<S...>, std::string_view id) {
+    return ((id == S::text.id) || ...);
+}
 
 /// Whether a normal is made with the face's, which in a shell is that of a tetrahedron's side.
 /// Those of normal maps ask it for the side that is seen, and nothing more.
@@ -52,14 +56,16 @@ class Refusal {
 
 }  // namespace
 
+bool is_of_shells(std::string_view stage) { return lists(ShellStages(), stage); }
+
 void check_shell(const Scene& scene, const Material& material) {
     const Refusal refuse(scene, material);
     const std::string trace = id_or_default(material, material.trace, "trace");
     const std::string surface = id_or_default(material, material.surface, "surface");
     const bool shell = draws_shell(material);
-    if (searches_shells(trace) != shell)
+    if (is_of_shells(trace) != shell)
         refuse.at(material.trace, "trace", trace,
-                  shell ? "a search of shells, prism-*: the frame is frame-shell"
+                  shell ? "a search of shells, prism-exact or prism-pom: the frame is frame-shell"
                         : "\"frame\": \"frame-shell\" beside it, or a search of heights");
     if (!shell) return;
     if (material.depth_in_tiles)

@@ -6,6 +6,7 @@
 
 #include "quadrel/num/math.hpp"
 #include "quadrel/relief/registry.hpp"
+#include "render/plan/shell_check.hpp"
 #include "stress/scenes/random_mesh.hpp"
 
 namespace quadrel::stress {

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "quadrel/relief/registry.hpp"
+#include "render/plan/shell_check.hpp"
 
 namespace quadrel::stress {
 namespace {
@@ -30,10 +31,6 @@ void write_scene(const std::filesystem::path& folder, const StressScene& scene) 
     write_text(folder / "scene.json", text);
     if (!scene.mesh.empty()) write_text(folder / scene.mesh_file(), scene.mesh);
     write_named_maps(folder, text);
-}
-
-bool is_of_shells(std::string_view stage) {
-    return stage.starts_with("prism-") || stage == "frame-shell";
 }
 
 std::vector<std::string> stage_ids(const std::string& room, bool judges) {

@@ -29,10 +29,6 @@ struct StressScene {
 /// Writes scene.json, its mesh and the maps that it names into a folder, to be rendered from there.
 void write_scene(const std::filesystem::path& folder, const StressScene& scene);
 
-/// Whether a stage draws shells over meshes: frame and search go together there, and with no
-/// others.
-bool is_of_shells(std::string_view stage);
-
 /// The ids of a room that scenes may choose from, in the registry's order, without those of oracles
 /// if `judges` is false, and without those of shells.
 std::vector<std::string> stage_ids(const std::string& room, bool judges = true);
