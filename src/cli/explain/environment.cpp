@@ -6,10 +6,11 @@ namespace {
 constexpr EnvironmentText variables[] = {
     {"QUADREL_DATA",
      "folder of `scenes`, `textures` and `meshes`, asked before `../share/quadrel` beside "
-     "the program and the folder that it was built from"},
+     "the program (of a Python module, `share/quadrel` in its folder and those above it) and "
+     "the folder that it was built from"},
     {"QUADREL_MODULES",
      "folder of the kernels and of the reader of images other than EXR, asked before "
-     "`modules` and `../lib/quadrel` beside the program"},
+     "`modules` and `../lib/quadrel` beside the program (`lib/quadrel` likewise)"},
     {"QUADREL_CACHE_MIB",
      "size of the cache of baked maps, 0 switches it off; `XDG_CACHE_HOME` is where it "
      "lies"},

@@ -384,8 +384,8 @@ TEST(LayersExact, WhatIsNoNumberSaysSo) {
     }
 }
 
-/// Whether a ray keeps to a border between cells, begins on one, or is at a corner: where a front
-/// and a back meet there, a rounding decides whether it comes through the cell at all.
+/// Whether a ray keeps to a border between cells, begins close before one, or is at a corner: where
+/// a front and a back meet there, a rounding decides whether it comes through the cell at all.
 bool is_at_rim(const oracle::LayerField& field, const oracle::Ray& ray, oracle::Real s) {
     const oracle::LayerRay<oracle::Real> along(field.layer(0), ray);
     const auto is_on_border = [s](oracle::Real start, oracle::Real rate) {
@@ -393,7 +393,7 @@ bool is_at_rim(const oracle::LayerField& field, const oracle::Ray& ray, oracle::
         return std::fabs(at - std::round(at)) < 1e-5L;
     };
     const bool on_x = is_on_border(along.x, along.dx), on_y = is_on_border(along.y, along.dy);
-    const bool begins = s < 1e-5L;
+    const bool begins = s > 0 && s < 1e-5L;
     return (on_x && (on_y || begins || along.dx == 0)) || (on_y && (begins || along.dy == 0));
 }
 

@@ -5,6 +5,7 @@
 #include "quadrel/relief/trace/search/step_count.hpp"
 #include "quadrel/stats.hpp"
 #include "render/films.hpp"
+#include "render/plan/shell_check.hpp"
 #include "render/scenes.hpp"
 
 namespace quadrel::render_tests {
@@ -99,7 +100,7 @@ TEST(BoundedWork, EverySearchEnds) {
         Scene scene = long_rays(long_way(id));
         Material& material = scene.materials[0];
         material.trace = with_largest_counts(id, "trace");
-        if (id.starts_with("prism-")) {  // they search shells
+        if (is_of_shells(id)) {
             material.frame = stage("frame-shell", "frame");
             material.surface = stage("h2n-patch", "surface");
         }

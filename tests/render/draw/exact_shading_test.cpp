@@ -151,13 +151,19 @@ TEST(ExactShading, ErrorsFallWithThePixel) {
     EXPECT_FALSE(errors_of_shading_fall(with_exchanged("exact.dmirroreddx.X", "derr.dNdx.X")));
 }
 
+/// Each behind the one before.
+TextureReference layers_of_noise() {
+    return texture(write_texture("layers_of_noise.exr", map_texels,
+                                 [](int x, int y, int c) { return (c + noise(x, y, 7)) / 4; }));
+}
+
 /// Whatever surface a scene has, and heights of noise, or none.
 TEST(ExactShading, ServesEverySurface) {
     for (const StageInfo& info : all_stages()) {
         if (std::string_view(info.text.room) != "surface") continue;
         Scene scene = bumpy_sphere(12, info.text.id);
-        for (const char* map : {"normal", "layers"})
-            scene.materials[0].textures[map] = noise_texture();
+        scene.materials[0].textures["normal"] = noise_texture();
+        scene.materials[0].textures["layers"] = layers_of_noise();
         EXPECT_NO_THROW(take_shading(render, scene, "float")) << info.text.id;
     }
     Scene noisy = bumpy_sphere(24, "h2n-patch");
