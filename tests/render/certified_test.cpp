@@ -4,6 +4,7 @@
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/stats.hpp"
+#include "render/draw/shell.hpp"
 #include "render/films.hpp"
 #include "render/hash_file.hpp"
 #include "render/planted.hpp"
@@ -52,6 +53,8 @@ TEST(Certified, EverySceneWhoseHeightsAreAMap) {
         const Scene scene = load_scene(name, {size_override("14x11")});
         Film film = judged(scene);
         EXPECT_TRUE(is_certified(scene, film)) << name;
+        if (std::ranges::any_of(scene.materials, draws_shell))
+            continue;  // of which nothing is proven
         with_heights += has_heights(scene);
         for (std::uint32_t& bits : film.find("certified")->bits) bits = 0;
         EXPECT_TRUE(!has_heights(scene) || !is_certified(scene, film)) << name;

@@ -118,7 +118,7 @@ TEST(Stress, AnySceneCanBeHadAlone) {
 TEST(Stress, NumbersAreTheSameEverywhere) {
     const auto scene = nlohmann::json::parse(run_stress("--seed 1 --only 3").out);
     EXPECT_EQ(scene["size"].dump() + scene["conventions"].get<std::string>(), "[28,17]vulkan");
-    EXPECT_EQ(scene["materials"]["stress"]["relief"]["trace"], "parallax-slope-nz");
+    EXPECT_EQ(scene["materials"]["stress"]["relief"]["trace"], "steep-maxmip");
 }
 
 TEST(Stress, NonsenseIsRefused) {

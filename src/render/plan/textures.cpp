@@ -211,9 +211,12 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
     std::vector<std::shared_ptr<const Texture>> loaded;
     std::vector<MaterialTextures> textures(slots.size());
     FirstError error;
+    // On its own: where it runs within tasks that are cancelled, as by an error of one of them, it
+    // would be left out without a word.
+    tbb::task_group_context alone(tbb::task_group_context::isolated);
     tbb::parallel_invoke(
         [&] { error.run(0, [&] { loaded = load_all(needs, cache); }); },
-        [&] { error.run(1, [&] { load_environment(scene, slots, cache, textures); }); });
+        [&] { error.run(1, [&] { load_environment(scene, slots, cache, textures); }); }, alone);
     error.rethrow();
     cache.files().forget();
     for (std::size_t n = 0; n < needs.size(); ++n) {

@@ -40,7 +40,8 @@ class SmallScenes {
         Scene scene = load_scene(name, overrides);
         for (Material& material : scene.materials)
             for (auto& [slot, texture] : material.textures) {
-                texture.file = slot == "layers" ? layers_ : map_;
+                texture.file =
+                    slot == "layers" || slot == "layers_2" || slot == "layers_3" ? layers_ : map_;
                 texture.selection = {};
                 texture.srgb = false;
                 if (texture.swizzle == "alpha-or-first") texture.swizzle = "a";

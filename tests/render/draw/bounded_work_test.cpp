@@ -81,8 +81,9 @@ RayWork work_of(const Scene& scene) {
     options.touched = true;
     options.channels = {"A", "hit.status", "hit.steps", "shadow.visibility"};
     const Film film = render(scene, options);
-    EXPECT_EQ(stats.covered_lanes, 4u);
-    return {static_cast<double>(stats.trace_steps + stats.shadow_steps) / 4,
+    EXPECT_GE(stats.covered_lanes, 1u);  // of four, less those that passed everything
+    const double lanes = std::max<double>(static_cast<double>(stats.covered_lanes), 1);
+    return {static_cast<double>(stats.trace_steps + stats.shadow_steps) / lanes,
             film.find("hit.status")->bits[0]};
 }
 
@@ -104,8 +105,9 @@ TEST(BoundedWork, EverySearchEnds) {
             material.frame = stage("frame-shell", "frame");
             material.surface = stage("h2n-patch", "surface");
         }
+        SCOPED_TRACE(id);
         const RayWork work = work_of(scene);
-        EXPECT_LE(work.steps, most_steps_of_a_ray) << id;
+        EXPECT_LE(work.steps, most_steps_of_a_ray);
         most = std::max(most, work.steps);
     }
     EXPECT_GT(most, 65536);  // the rays are as long as they are meant to be
