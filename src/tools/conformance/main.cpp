@@ -30,7 +30,7 @@ namespace quadrel::conformance {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> rows, maps{"obstacles", "bricks", "dunes"};
+    std::vector<std::string> rows, except, maps{"obstacles", "bricks", "dunes"};
     std::vector<int> angles{0, 45, 75, 85};
     int size = 256;
     int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -222,12 +222,16 @@ void check(Arguments& arguments) {
     if (arguments.all == !arguments.rows.empty())
         throw UsageError(arguments.all ? "--all and rows: expected one of them"
                                        : "what is to be judged: rows, or --all");
-    for (const std::string& row : arguments.rows)
-        if (std::ranges::count(known, row) == 0)
-            throw UsageError("no row is called " + printable(row) +
-                             "; quadrel list scenes names them, as rows/linear");
+    for (const std::vector<std::string>& named : {arguments.rows, arguments.except})
+        for (const std::string& row : named)
+            if (std::ranges::count(known, row) == 0)
+                throw UsageError("no row is called " + printable(row) +
+                                 "; quadrel list scenes names them, as rows/linear");
     for (const std::string& map : arguments.maps) find_map(map);
     if (arguments.all) arguments.rows = known;
+    std::erase_if(arguments.rows, [&](const std::string& row) {
+        return std::ranges::count(arguments.except, row) != 0;
+    });
 }
 
 bool run(Arguments& arguments) {
@@ -245,6 +249,7 @@ void add_options(CLI::App& app, Arguments& a) {
     const CLI::Range share(0.0, 1.0);
     app.add_option("rows", a.rows, "installed scenes of one row each, as linear");
     app.add_flag("--all", a.all, "all rows");
+    app.add_option("--except", a.except, "rows that are not judged");
     app.add_option("--maps", a.maps, "obstacles, bricks, dunes")
         ->delimiter(',')
         ->capture_default_str();
