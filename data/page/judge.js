@@ -64,11 +64,12 @@ function verdictOf(reference, drawn) {
            first: far.length ? "A" : rows.find((row) => row.counts[3] > 0)?.name };
 }
 
-function verdictLine({ rows, counts, pixels, unranged, first }) {
+// `snapsCoarser`: the GPU places corners by fewer bits than the ranges take for granted, as it may.
+function verdictLine({ rows, counts, pixels, unranged, first }, snapsCoarser) {
   const apart = unranged.filter(({ unequal }) => unequal).length;
   if (!rows.length) return apart ? `No ranges are embedded; ${apart} of ${counted(unranged.length, "channel")} ${apart === 1 ? "differs" : "differ"}.` : "Equal, bit for bit.";
   const judged = pixels - counts[4];
-  return counts[3] ? `${counted(counts[3], "pixel")} of ${judged} ${counts[3] === 1 ? "leaves its" : "leave their"} legal range, first in ${first}.` :
+  return counts[3] ? `${counted(counts[3], "pixel")} of ${judged} ${counts[3] === 1 ? "leaves its" : "leave their"} legal range, first in ${first}${snapsCoarser ? ": perhaps as this GPU snaps corners coarser than the ranges know, which it may (below)" : ""}.` :
     `None of ${judged} pixels leaves its legal range.`;
 }
 function channelButton(name) {
@@ -133,7 +134,7 @@ async function drawAndJudge() {
     sources.push(drawn);
     const verdict = verdictOf(reference, drawn);
     document.body.dataset.verdict = JSON.stringify({ ...verdict, renderer: drawing.renderer });
-    showJudge(verdictLine(verdict), verdict.counts[3] ? "bad" : "good",
+    showJudge(verdictLine(verdict, drawing.snapsCoarser), verdict.counts[3] ? "bad" : "good",
       html("p", { className: "lead" }, `${drawing.renderer}; ${passes === 1 ? "one pass" : `${passes} passes`}${took < 1 ? "" : `, drawn and read in ${took < 1000 ? `${Math.round(took)} ms` : `${(took / 1000).toFixed(1)} s`}`}.`),
       verdictTable(verdict), ...listOf(notesOf(drawing, verdict)), html("div", { className: "row wishes" }, ...judgeControls()));
   } catch (error) {

@@ -30,7 +30,8 @@ class Drawing {
     this.filtersFloats = Boolean(gl.getExtension("OES_texture_float_linear"));
     this.mirrorsOnce = gl.getExtension("EXT_texture_mirror_clamp_to_edge");
     const subPixelBits = gl.getParameter(gl.SUBPIXEL_BITS), { limits } = scene;
-    if (limits && subPixelBits < 8 && !limits.includes("snapping="))
+    this.snapsCoarser = Boolean(limits) && subPixelBits < 8 && !limits.includes("snapping=");
+    if (this.snapsCoarser)
       this.notes.push(`This GPU knows ${subPixelBits} bits below a pixel (SUBPIXEL_BITS), which is permitted, where the ranges take 8 for granted: export with --limits ${limits},snapping=${2 ** -subPixelBits}.`);
     this.allEmulated = wishes.samplers === "emulated";
     this.setConventions();

@@ -47,6 +47,7 @@ void add_join(CLI::App& app, Action& action) {
         ->type_name("OUT.exr")
         ->required();
     add_compression_option(*verb, a->compression);
+    verb->get_option("--compression")->default_str("that of the parts");
     add_quiet_option(*verb);
     verb->callback([a, verb, &action] {
         a->compression_given = verb->count("--compression") > 0;

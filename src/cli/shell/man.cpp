@@ -32,7 +32,8 @@ ExitCode print_page(const std::string& name) {
         }
         names.push_back(page.name);
     }
-    throw UsageError("found \"" + name + "\", expected " + one_of("quadrel-" + name, names));
+    throw UsageError("found \"" + name + "\", expected " + one_of("quadrel-" + name, names) +
+                     ", or the name of a verb alone");
 }
 
 ExitCode write_pages(const std::filesystem::path& folder) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -34,10 +35,6 @@ const json& element(const json& root, const char* list, const json& index) {
     if (!all.is_array() || !index.is_number_unsigned()) return none;
     const auto i = index.get<std::size_t>();
     return i < all.size() ? all[i] : none;
-}
-
-double number_or(const json& value, double absent) {
-    return value.is_number() ? value.get<double>() : absent;
 }
 
 /// Materials of the triangles that are drawn; -1 for none.
@@ -102,8 +99,39 @@ class MaterialReader {
         read_.left.push_back(fmt::format("{} ({})", what, why));
     }
 
-    /// A scene's texture; nothing where it cannot be one, which is said then.
-    std::optional<Json> texture(const json& described, const char* what, bool srgb) {
+    /// The member `key` of `object`, which lies at `path` in the material ("" for itself).
+    double number(const json& object, const std::string& path, const char* key, double absent,
+                  double most = 1) const {
+        const json& value = member_of(object, key);
+        return value.is_null() ? absent : checked(value, path + key, most);
+    }
+    double checked(const json& value, const std::string& path, double most = 1) const {
+        if (!value.is_number() || !(value.get<double>() >= 0 && value.get<double>() <= most))
+            file_.fail(key_ + "." + path, value.dump(),
+                       most == 1 ? "a number in [0, 1]" : "a number >= 0");
+        return value.get<double>();
+    }
+    /// A colour, or what stands for it where there is none.
+    std::vector<double> numbers(const json& object, const std::string& path, const char* key,
+                                std::vector<double> absent, double most = 1) const {
+        const json& values = member_of(object, key);
+        if (values.is_null()) return absent;
+        if (!values.is_array() || values.size() != absent.size())
+            file_.fail(key_ + "." + path + key, values.dump(),
+                       fmt::format("{} numbers", absent.size()));
+        for (std::size_t i = 0; i < absent.size(); ++i)
+            absent[i] = checked(values[i], fmt::format("{}{}[{}]", path, key, i), most);
+        return absent;
+    }
+
+    /// A scene's texture; nothing where it cannot be one, which is said then. `path` leads to it.
+    std::optional<Json> texture(const json& described, const std::string& path, const char* what,
+                                bool srgb) {
+        const json& index = member_of(described, "index");
+        const std::size_t count = member_of(file_.json, "textures").size();
+        if (!index.is_number_unsigned() || index.get<std::size_t>() >= count)
+            file_.fail(key_ + "." + path + ".index", index.is_null() ? "none" : index.dump(),
+                       fmt::format("one of the file's {} textures", count));
         const auto uvs = texture_uvs(file_, described, key_, uv_set_);
         if (!uvs) {
             leave(what, "another set of texture coordinates");
@@ -113,21 +141,21 @@ class MaterialReader {
             leave(what, "another texture transform");
             return std::nullopt;
         }
-        const json& found = element(file_.json, "textures", member_of(described, "index"));
+        const json& found = element(file_.json, "textures", index);
         const json& uri =
             member_of(element(file_.json, "images", member_of(found, "source")), "uri");
-        const auto path = uri.is_string() ? gltf_uri_path(uri.get<std::string>(), folder_)
-                                          : std::optional<std::filesystem::path>();
-        if (!path) {
+        const auto image = uri.is_string() ? gltf_uri_path(uri.get<std::string>(), folder_)
+                                           : std::optional<std::filesystem::path>();
+        if (!image) {
             leave(what, "an image within the file");
             return std::nullopt;
         }
         std::error_code none;
-        if (!std::filesystem::is_regular_file(*path, none)) {
-            leave(what, "no file " + path->string());
+        if (!std::filesystem::is_regular_file(*image, none)) {
+            leave(what, "no file " + image->string());
             return std::nullopt;
         }
-        return texture_of(*path, element(file_.json, "samplers", member_of(found, "sampler")),
+        return texture_of(*image, element(file_.json, "samplers", member_of(found, "sampler")),
                           srgb);
     }
 
@@ -143,20 +171,14 @@ class MaterialReader {
         return text;
     }
 
-    static std::vector<double> numbers_or(const json& values, std::vector<double> absent) {
-        if (!values.is_array() || values.size() != absent.size()) return absent;
-        for (std::size_t i = 0; i < absent.size(); ++i) absent[i] = number_or(values[i], absent[i]);
-        return absent;
-    }
-
     void read_base_colour() {
-        base_ = numbers_or(member_of(metal_, "baseColorFactor"), {1, 1, 1, 1});
+        base_ = numbers(metal_, metal_path, "baseColorFactor", {1, 1, 1, 1});
         const json& described = member_of(metal_, "baseColorTexture");
         if (!described.is_null())
-            if (const auto found = texture(described, "base colour", true)) {
+            if (const auto found = texture(described, metal_path + "baseColorTexture",
+                                           "map of the base colour", true)) {
                 read_.keys["color"] = *found;
-                take("base colour");
-                return;
+                take("map of the base colour");
             }
         if (member_of(metal_, "baseColorFactor").is_array()) take("base colour");
     }
@@ -164,17 +186,16 @@ class MaterialReader {
     void read_normal() {
         const json& described = member_of(material_, "normalTexture");
         if (described.is_null()) return;
-        const auto found = texture(described, "normal", false);
+        const auto found = texture(described, "normalTexture", "normal", false);
         if (!found) return;
-        if (number_or(member_of(described, "scale"), 1) != 1)
-            leave("scale of the normal", "none here");
+        const json& scale = member_of(described, "scale");
+        if (!scale.is_null() && scale != json(1)) leave("scale of the normal", "none here");
         read_.keys["normal"] = *found;
         take("normal");
     }
 
     void read_emission() {
-        const std::vector<double> factor =
-            numbers_or(member_of(material_, "emissiveFactor"), {0, 0, 0});
+        const std::vector<double> factor = numbers(material_, "", "emissiveFactor", {0, 0, 0});
         const json& described = member_of(material_, "emissiveTexture");
         const bool white = factor == std::vector<double>{1, 1, 1};
         if (described.is_null()) {
@@ -183,7 +204,7 @@ class MaterialReader {
             take("emission");
         } else if (!white) {
             leave("emission", "a texture with a factor");
-        } else if (const auto found = texture(described, "emission", true)) {
+        } else if (const auto found = texture(described, "emissiveTexture", "emission", true)) {
             read_.keys["emissive"] = *found;
             take("emission");
         }
@@ -191,8 +212,8 @@ class MaterialReader {
 
     /// A metal has no colour but that of its mirror, and all else a mirror without colour.
     void read_shading() {
-        const double metal = number_or(member_of(metal_, "metallicFactor"), 1);
-        const double rough = number_or(member_of(metal_, "roughnessFactor"), 1);
+        const double metal = number(metal_, metal_path, "metallicFactor", 1);
+        const double rough = number(metal_, metal_path, "roughnessFactor", 1);
         const bool mapped = !member_of(metal_, "metallicRoughnessTexture").is_null();
         if (mapped) leave("map of roughness and metalness", "shading has none");
         const double metalness = mapped ? 0 : metal;
@@ -220,12 +241,19 @@ class MaterialReader {
         }
         const json& mode = member_of(material_, "alphaMode");
         if (mode == json("MASK")) {
-            read_.keys["discard_below"] = number_or(member_of(material_, "alphaCutoff"), 0.5);
+            // A texture's alpha times the factor's is what is compared; what nothing reaches is 2.
+            constexpr double any = std::numeric_limits<double>::max();
+            const double cutoff = number(material_, "", "alphaCutoff", 0.5, any);
+            read_.keys["discard_below"] = cutoff == 0    ? 0
+                                          : base_[3] > 0 ? std::min(cutoff / base_[3], 2.0)
+                                                         : 2.0;
             take("its cut-off alpha");
         } else if (mode == json("BLEND")) {
             leave("blending", "nothing is blended");
         }
     }
+
+    inline static const std::string metal_path = "pbrMetallicRoughness.";
 
     const GltfFile& file_;
     std::filesystem::path folder_;

@@ -84,8 +84,8 @@ TEST_F(GltfMaterials, StandInForWhatTheSceneLeavesOut) {
     EXPECT_EQ(taken.shade.id, "shade-cook-torrance");
     EXPECT_FLOAT_EQ(taken.specular.x, 0.04f);
     EXPECT_FLOAT_EQ(taken.diffuse.x, 1);
-    EXPECT_NE(note_of(scene).find("square.gltf: brass: taken: base colour, normal, roughness, "
-                                  "metalness; left: nothing"),
+    EXPECT_NE(note_of(scene).find("square.gltf: brass: taken: map of the base colour, normal, "
+                                  "roughness, metalness; left: nothing"),
               std::string::npos)
         << note_of(scene);
 }
@@ -128,6 +128,44 @@ TEST_F(GltfMaterials, MetalMirrorsItsColour) {
     EXPECT_EQ(metal.emission, glm::vec4(0.5f, 0, 0, 1));
     EXPECT_EQ(metal.discard_below, 0.25f);
     EXPECT_EQ(metal.cull, scene_of(R"("material": {"cull": "back"}, )").materials.at(0).cull);
+}
+
+/// A texture's alpha times the factor's is what the cut-off is compared with.
+TEST_F(GltfMaterials, TheCutOffTakesTheFactorsAlpha) {
+    material["alphaMode"] = "MASK";
+    const auto cut_off = [&](double alpha) {
+        material["pbrMetallicRoughness"]["baseColorFactor"] = {1.0, 1.0, 1.0, alpha};
+        return scene_of().materials.at(0).discard_below;
+    };
+    EXPECT_FLOAT_EQ(cut_off(1), 0.5f);
+    EXPECT_FLOAT_EQ(cut_off(0.625), 0.8f);
+    EXPECT_GT(cut_off(0.25), 1);
+    EXPECT_GT(cut_off(0), 1);
+}
+
+TEST_F(GltfMaterials, WhatIsNoMaterialIsRefused) {
+    const json plain = material;
+    const auto refused_at = [&](const char* pointer, const json& value) {
+        material = plain;
+        material[json::json_pointer(pointer)] = value;
+        try {
+            scene_of();
+        } catch (const InputError& error) {
+            EXPECT_NE(error.file.find("square.gltf"), std::string::npos) << error.what();
+            return error.key;
+        }
+        return std::string("nothing");
+    };
+    const std::string metal = "materials[0].pbrMetallicRoughness.";
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/metallicFactor", "x"), metal + "metallicFactor");
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/roughnessFactor", 7), metal + "roughnessFactor");
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/baseColorFactor", {1, 2}),
+              metal + "baseColorFactor");
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/baseColorFactor", {1, 2, 1, 1}),
+              metal + "baseColorFactor[1]");
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/baseColorTexture/index", 9),
+              metal + "baseColorTexture.index");
+    EXPECT_EQ(refused_at("/pbrMetallicRoughness/metallicFactor", 0.5), "nothing");
 }
 
 TEST_F(GltfMaterials, WhatIsLeftIsSaid) {
