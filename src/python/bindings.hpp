@@ -9,9 +9,12 @@
 #include <memory>
 #include <string>
 
+#include "python/output_file.hpp"
+#include "python/unlocked.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/comparable.hpp"
 #include "quadrel/film/exr.hpp"
+#include "quadrel/scene/scene.hpp"
 #include "quadrel/texture/texture.hpp"
 #include "text/suggest.hpp"
 
@@ -25,11 +28,19 @@ struct NamedFilm {
     Film film;
     Attributes attributes;
     std::map<std::string, Storage> stored;  ///< of channels that were codes
+    Inputs inputs;                          ///< what it was made of, which it is not written to
+    Inputs source;                          ///< the file that it was read from
+};
+
+/// A scene that Python holds.
+struct LoadedScene : Scene {
+    Inputs inputs;
 };
 
 /// A texture that Python holds.
 struct HeldTexture {
     std::shared_ptr<const Texture> texture;
+    Inputs inputs;
 };
 
 void bind_errors(py::module_& module);

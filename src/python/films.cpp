@@ -78,14 +78,18 @@ py::array_t<std::uint8_t> picture_array(const Picture& picture) {
 
 std::shared_ptr<NamedFilm> read_film(const std::string& file, const std::string& layer,
                                      const std::string& part) {
-    const py::gil_scoped_release release;
-    ExrFile read = read_exr(file, {layer, part});
-    return std::make_shared<NamedFilm>(
-        NamedFilm{std::move(read.film), std::move(read.attributes), {}});
+    const Unlocked unlocked;
+    ExrFile read;
+    const auto named = std::make_shared<NamedFilm>();
+    named->source = inputs_of([&] { read = read_exr(file, {layer, part}); });
+    named->film = std::move(read.film);
+    named->attributes = std::move(read.attributes);
+    return named;
 }
 
 void write_film(const NamedFilm& named, const std::string& file, const std::string& compression) {
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
+    check_output("write", file, named.inputs);
     write_exr(file, named.film, named.attributes,
               {value_of("compression", compression, exr_compressions), 0});
 }

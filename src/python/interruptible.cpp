@@ -3,6 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "python/unlocked.hpp"
+
 namespace quadrel::python {
 namespace {
 
@@ -15,6 +17,7 @@ constexpr std::chrono::milliseconds patience{50};
 void attend(const py::object& progress, std::optional<double> share) {
     if (share && !progress.is_none()) progress(*share);
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    stop_if_ending();
 }
 
 /// Waits for the work's end, and returns what Python raised meanwhile.
@@ -76,6 +79,8 @@ bool Work::ended() {
 }
 
 void run_interruptibly(const py::object& progress, const std::function<void(Work&)>& run) {
+    stop_if_ending();
+    const Awaited awaited;
     Work work;
     std::exception_ptr failed;
     std::thread thread([&] {

@@ -148,10 +148,10 @@ py::tuple told(const Report& report, bool passes) {
 }
 
 py::tuple compare_images(const ImageSource& reference, const ImageSource& test,
-                         const Comparison& comparison, const std::shared_ptr<Scene>& blamed) {
+                         const Comparison& comparison, const std::shared_ptr<LoadedScene>& blamed) {
     CompareReport report;
     {
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         Images images = read_images(reference, test, comparison);
         prepare(comparison, images);
         report = compare(images.reference.film, images.test.film, images.rules);
@@ -166,7 +166,7 @@ py::tuple judge_images(const ImageSource& reference, const ImageSource& test,
                        double most_unconstrained) {
     LegalReport report;
     {
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         Images images = read_images(reference, test, comparison);
         if (!comparison.channels.empty())
             keep_ranged_channels("channels", comparison.channels, images.reference.film,

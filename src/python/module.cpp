@@ -4,6 +4,7 @@
 PYBIND11_MODULE(_quadrel, module) {
     module.doc() = "What the package `quadrel` needs of the library; for nobody else.";
     using namespace quadrel::python;
+    await_at_exit();
     bind_errors(module);
     bind_scenes(module);
     bind_films(module);

@@ -18,7 +18,7 @@ namespace quadrel::python {
 namespace {
 
 using Box = std::array<int, 4>;
-using HeldScene = std::shared_ptr<Scene>;
+using HeldScene = std::shared_ptr<LoadedScene>;
 using HeldFilm = std::shared_ptr<NamedFilm>;
 /// Values, the film that they are taken from, and what messages call it.
 using InjectedFilm = std::tuple<std::string, HeldFilm, std::string>;
@@ -92,6 +92,8 @@ py::tuple render_film(const HeldScene& held, const std::vector<std::string>& cha
     RenderStats stats;
     if (extras.stats || extras.touched) options.stats = &stats;
     const auto named = std::make_shared<NamedFilm>();
+    named->inputs = held->inputs;
+    for (const auto& [values, film, source] : injected) named->inputs.add(film->source);
     run_interruptibly(progress, [&](Work& work) {
         for (const auto& [name, value] : render_attributes(scene, options))
             named->attributes[name] = value;
@@ -116,6 +118,8 @@ py::tuple errors_of(const HeldScene& held, const HeldFilm& image, const std::opt
                     const Running& running, std::size_t worst, const py::object& progress) {
     const Scene& scene = *held;
     const auto named = std::make_shared<NamedFilm>();
+    named->inputs = held->inputs;
+    if (image) named->inputs.add(image->source);
     ErrorOptions options;
     options.window = window_of(window);
     check_window(options.window, scene);
@@ -140,7 +144,10 @@ std::string sweep_plan(const std::string& file, const std::string& output, int t
     if (task > of) throw UsageError("task: expected (I, N) with 1 <= I <= N, as (3, 8)");
     std::string results;
     run_interruptibly(progress, [&](Work& work) {
-        const sweep::Plan plan = sweep::read_plan(file);
+        sweep::Plan plan;
+        const Inputs inputs = inputs_of([&] { plan = sweep::read_plan(file); });
+        for (const char* name : {"results.json", "results.csv", "page.html"})
+            inputs.check("output", std::filesystem::path(output) / name);
         sweep::SweepOptions options{output, task, of, QUADREL_VERSION, {}};
         options.progress = [&](std::size_t done, std::size_t all, const std::string&) {
             work.report(static_cast<double>(done) / static_cast<double>(all));

@@ -94,7 +94,7 @@ py::array look_up_as(const Request& request) {
     const Arguments<T> arguments(request);
     py::array_t<T> values({arguments.lanes(), std::size_t(4)});
     T* const out = values.mutable_data();
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     look_up<T>(request.sampled(), request.kind, *arguments, out);
     return values;
 }
@@ -104,7 +104,7 @@ py::array levels_as(const Request& request) {
     const Arguments<T> arguments(request);
     py::array_t<T> records({arguments.lanes(), std::size_t(5)});
     T* const out = records.mutable_data();
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     levels_of_detail<T>(request.sampled(), request.kind, *arguments, out);
     return records;
 }
@@ -130,7 +130,7 @@ py::tuple footprints_as(const Request& request) {
                          y.mutable_data(),     border.mutable_data(), weight.mutable_data(),
                          value.mutable_data()};
     {
-        const py::gil_scoped_release release;
+        const Unlocked unlocked;
         footprints<T>(request.sampled(), request.kind, *arguments, taps);
     }
     return py::make_tuple(count, level, x, y, border, weight, value);
@@ -144,7 +144,7 @@ py::array differences_as(Difference which, DerivativeMode mode, const py::array&
     py::array_t<T> results(values.size());
     const T* const in = values.data();
     T* const out = results.mutable_data();
-    const py::gil_scoped_release release;
+    const Unlocked unlocked;
     differences<T>(which, mode, lanes, in, out);
     return results;
 }

@@ -9,10 +9,13 @@
 namespace quadrel::python {
 namespace {
 
-std::shared_ptr<Scene> load(const std::string& file_or_name,
-                            const std::vector<std::string>& assignments, const Scene* before) {
-    const py::gil_scoped_release release;
-    auto scene = std::make_shared<Scene>(load_scene(file_or_name, assignments));
+std::shared_ptr<LoadedScene> load(const std::string& file_or_name,
+                                  const std::vector<std::string>& assignments,
+                                  const LoadedScene* before) {
+    const Unlocked unlocked;
+    const auto scene = std::make_shared<LoadedScene>();
+    scene->inputs =
+        inputs_of([&] { static_cast<Scene&>(*scene) = load_scene(file_or_name, assignments); });
     if (before != nullptr) scene->texture_cache = before->texture_cache;
     return scene;
 }
@@ -26,14 +29,14 @@ std::string list_json(ListRows (*make)(), const std::vector<std::string>& words)
 }  // namespace
 
 void bind_scenes(py::module_& module) {
-    py::class_<Scene, std::shared_ptr<Scene>>(module, "Scene")
-        .def_property_readonly("file",
-                               [](const Scene& scene) { return py::bytes(scene.file.string()); })
-        .def_readonly("width", &Scene::width)
-        .def_readonly("height", &Scene::height)
-        .def_readonly("canonical", &Scene::canonical)
-        .def_readonly("hash", &Scene::hash)
-        .def_readonly("notes", &Scene::notes);
+    py::class_<LoadedScene, std::shared_ptr<LoadedScene>>(module, "Scene")
+        .def_property_readonly(
+            "file", [](const LoadedScene& scene) { return py::bytes(scene.file.string()); })
+        .def_readonly("width", &LoadedScene::width)
+        .def_readonly("height", &LoadedScene::height)
+        .def_readonly("canonical", &LoadedScene::canonical)
+        .def_readonly("hash", &LoadedScene::hash)
+        .def_readonly("notes", &LoadedScene::notes);
     module.def("load_scene", load, py::arg("file_or_name"), py::arg("assignments"),
                py::arg("before") = nullptr);
     const auto add_list = [&](const char* name, ListRows (*make)()) {

@@ -4,6 +4,7 @@
 #include "bake/layers/closed_mesh.hpp"
 #include "bake/layout.hpp"
 #include "bake/wrap_names.hpp"
+#include "file/atomic_file.hpp"
 #include "io/scene/setting_words.hpp"
 #include "python/bindings.hpp"
 #include "python/interruptible.hpp"
@@ -50,8 +51,8 @@ HeldTexture texture_of_array(const FloatArray& texels, const std::string& stored
     image.channels = static_cast<int>(texels.shape(2));
     image.format = value_of("format", stored, named_formats);
     image.values.assign(texels.data(), texels.data() + texels.size());
-    const py::gil_scoped_release release;
-    return {make_texture(image, options)};
+    const Unlocked unlocked;
+    return {make_texture(image, options), {}};
 }
 
 /// Of levels that someone else has made, the finest first, taken as they are.
@@ -79,13 +80,19 @@ HeldTexture texture_of_levels(const std::vector<FloatArray>& levels) {
     for (std::size_t l = 0; l < levels.size(); ++l)
         std::memcpy(texture->level_texels(static_cast<int>(l), 0), levels[l].data(),
                     static_cast<std::size_t>(levels[l].nbytes()));
-    return {texture};
+    return {texture, {}};
 }
 
 HeldTexture read_texture(const std::string& file, const TextureOptions& options,
                          const std::string& layer, const std::string& part) {
-    const py::gil_scoped_release release;
-    return {make_texture(load_image(file, NotFinite::refuse, "", {layer, part}), options)};
+    const Unlocked unlocked;
+    Image image;
+    HeldTexture held;
+    held.inputs = inputs_of([&] {
+        image = load_image(file, NotFinite::refuse, "", {layer, part});
+    });
+    held.texture = make_texture(image, options);
+    return held;
 }
 
 /// A view that cannot be written to: (height, width, channels), of several layers (layers, height,
@@ -126,8 +133,12 @@ SamplerState make_sampler(const std::string& wrap_u, const std::string& wrap_v,
 
 HeldTexture bake_map(const HeldTexture& heights, const std::string& kind_name,
                      const SamplerState& sampler, const std::map<std::string, double>& parameters,
-                     bool cache, int threads, const std::string& output,
+                     bool cache, int threads, const std::optional<std::string>& output,
                      const py::object& progress) {
+    if (output) {
+        check_output("output", *output, heights.inputs);
+        check_writable(*output);
+    }
     const BakeKind kind = bake_kind_from_name(kind_name);
     BakedTextureOptions options;
     options.parameters = parameters;
@@ -138,8 +149,7 @@ HeldTexture bake_map(const HeldTexture& heights, const std::string& kind_name,
     run_interruptibly(progress, [&](Work& work) {
         options.progress = [&](double share) { work.report(share); };
         map.texture = baked_texture(*heights.texture, kind, sampler, options);
-        if (!output.empty())
-            write_baked(output, *map.texture, *heights.texture, kind, sampler, options);
+        if (output) write_baked(*output, *map.texture, *heights.texture, kind, sampler, options);
     });
     return map;
 }
@@ -151,8 +161,10 @@ py::tuple peel_layers(const std::string& mesh, int width, int height,
     const auto named = std::make_shared<NamedFilm>();
     DepthLayers layers;
     run_interruptibly(py::none(), [&](Work&) {
-        layers = peel_depth_layers(closed_mesh(mesh),
-                                   {width, height, {towards[0], towards[1], towards[2]}, margin});
+        Mesh solid;
+        named->inputs = inputs_of([&] { solid = closed_mesh(mesh); });
+        layers =
+            peel_depth_layers(solid, {width, height, {towards[0], towards[1], towards[2]}, margin});
     });
     named->attributes = attributes_of(layers);
     named->film = std::move(layers.film);

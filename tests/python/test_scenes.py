@@ -19,9 +19,9 @@ def test_values_are_set_by_path_and_from_a_dict(bricks):
 def test_values_are_what_json_or_numpy_have(bricks):
     bricks.set({"size": np.array([24, 12]), "material.relief.steps": np.int64(8)})
     assert bricks.size == (24, 12)
-    with pytest.raises(ValueError):
+    with pytest.raises(quadrel.UsageError):
         bricks.set("material.relief.depth", float("nan"))
-    with pytest.raises(TypeError, match="no values of type"):
+    with pytest.raises(quadrel.UsageError, match="no values of type"):
         bricks.set("material.relief.depth", object())
 
 

@@ -43,7 +43,7 @@ def test_codes_become_fractions():
 def test_bad_textures_are_refused(tmp_path):
     with pytest.raises(quadrel.UsageError, match="1 to 4"):
         quadrel.Texture(np.zeros((2, 2, 5), np.float32))
-    with pytest.raises(TypeError, match="expected floats"):
+    with pytest.raises(quadrel.UsageError, match="expected floats"):
         quadrel.Texture(np.zeros((2, 2), np.int64))
     with pytest.raises(quadrel.UsageError, match="one of none, box, area"):
         quadrel.Texture(np.zeros((2, 2)), mips="boks")

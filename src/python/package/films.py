@@ -24,6 +24,7 @@ def _components(name: str, count: int) -> List[str]:
     return channels
 
 
+_MOST_VALUES = 2**31
 _CODES = {np.dtype(np.uint8): 8, np.dtype(np.uint16): 16}
 
 
@@ -52,12 +53,16 @@ def _planes(arrays: Mapping[str, ArrayLike]) -> Tuple[Dict[str, NDArray[Any]], D
             plane = plane.astype(np.float32) / np.float32(2**bits - 1)
         planes[channel] = plane
 
-    for name, values in arrays.items():
-        if not isinstance(name, str):
-            raise TypeError(f"film: found {name!r}, expected the name of a channel")
-        array = np.asarray(values)
+    count = 0
+    for name, values in arguments.mapping("film", arrays, "arrays by channel").items():
+        arguments.text("film: the name of a channel", name)
+        array = arguments.array(f'film: "{name}"', values)
         if array.dtype.kind not in "fuib":
-            raise TypeError(f'film: "{name}" is of {array.dtype}, expected floats or integers')
+            raise _quadrel.UsageError(
+                f'film: "{name}" is of {array.dtype}, expected floats or integers')
+        count += array.size
+        if count > _MOST_VALUES:
+            raise _quadrel.UsageError(f"film: found {count} values and more, expected at most 2^31")
         if array.ndim == 3:
             for i, channel in enumerate(_components(name, array.shape[2])):
                 add(channel, array[:, :, i])
@@ -86,18 +91,22 @@ class Film(Mapping[str, "NDArray[Any]"]):
     channels of integers, as hit.status; all other integers stay integers. `frame` and `window` are (x0, y0, x1, y1), half-open,
     from the top-left: of the whole image and of the part that the arrays hold; the arrays' size
     unless given.
+
+    Films are equal where they are the same object; `hash` says whether their values are, `compare`
+    where not.
     """
 
     def __init__(self, arrays: Mapping[str, ArrayLike], *,
                  frame: Optional[arguments.Window] = None,
                  window: Optional[arguments.Window] = None,
                  attributes: Optional[Mapping[str, str]] = None) -> None:
+        written = arguments.texts("attributes", attributes)
         planes, codes = _planes(arrays)
         height, width = next(iter(planes.values())).shape
         box = arguments.window(window) or (0, 0, width, height)
         whole = arguments.window(frame) or (0, 0, box[2], box[3])
         self._film = _quadrel.film_of_arrays(planes, whole, box, codes)
-        self._film.attributes = dict(attributes or {})
+        self._film.attributes = written
 
     @classmethod
     def _of(cls, film: _quadrel.Film) -> "Film":
@@ -105,7 +114,13 @@ class Film(Mapping[str, "NDArray[Any]"]):
         self._film = film
         return self
 
+    # A mapping's would compare arrays.
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
     def __getitem__(self, channel: str) -> NDArray[Any]:
+        if channel not in self._film.names:
+            raise KeyError(channel)
         return self._film.plane(channel)
 
     def __iter__(self) -> Iterator[str]:
@@ -120,7 +135,7 @@ class Film(Mapping[str, "NDArray[Any]"]):
         names: List[str] = []
         if not channels:
             raise _quadrel.UsageError("stack: expected at least one channel")
-        for channel in channels:
+        for channel in arguments.names("stack", channels):
             if channel in self:
                 names.append(channel)
             else:
@@ -154,8 +169,9 @@ class Film(Mapping[str, "NDArray[Any]"]):
         return self._film.preview()
 
     def write(self, file: arguments.Path, *, compression: str = "zip") -> None:
-        """Writes an EXR, whole or not at all. Raises OutputError."""
-        self._film.write(arguments.path(file), compression)
+        """Writes an EXR, whole or not at all. Raises OutputError, and UsageError for a name that does
+        not end in .exr, or of a file that the film's scene was read from."""
+        self._film.write(arguments.path(file, "write"), arguments.text("compression", compression))
 
     def __repr__(self) -> str:
         x0, y0, x1, y1 = self.window
@@ -167,12 +183,15 @@ Image = Union[Film, Mapping[str, ArrayLike], arguments.Path]
 
 def film_of(image: Union[Film, Mapping[str, ArrayLike]]) -> Film:
     """A film as it is, arrays as a film."""
-    return image if isinstance(image, Film) else Film(image)
+    if isinstance(image, Film):
+        return image
+    return Film(arguments.mapping("image", image, "a film or arrays by channel"))
 
 
 def read(file: arguments.Path, *, layer: str = "", part: str = "") -> Film:
     """Reads an EXR: all channels, or those of a layer or part of it. Raises InputError."""
-    return Film._of(_quadrel.read_film(arguments.path(file), layer, part))
+    return Film._of(_quadrel.read_film(arguments.path(file, "read"), arguments.text("layer", layer),
+                                       arguments.text("part", part)))
 
 
 def heatmap(reference: Union[Film, Mapping[str, ArrayLike]],

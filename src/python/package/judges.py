@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import operator
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
@@ -47,7 +46,8 @@ def _tolerances(**allowed: ByChannel) -> List[Tuple[str, str, float]]:
         if value is None:
             continue
         by_channel = value if isinstance(value, Mapping) else {"": value}
-        rules += [(kind, channel, float(number)) for channel, number in by_channel.items()]
+        rules += [(kind, arguments.text(kind, channel), arguments.number(kind, number))
+                  for channel, number in by_channel.items()]
     return rules
 
 
@@ -86,17 +86,19 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
     how.tolerances = _tolerances(abs=abs, rel=rel, ulp=ulp, fraction=fraction)
     how.channels = arguments.names("channels", channels)
     how.ignored_flags = arguments.names("ignore_flags", ignore_flags)
-    how.mappings = list((map or {}).items())
+    how.mappings = list(arguments.texts("map", map).items())
     how.window = arguments.window(window)
-    how.overlap = overlap
-    how.flip_y = flip_y
-    how.encode = encode
+    how.overlap = bool(overlap)
+    how.flip_y = bool(flip_y)
+    how.encode = arguments.text("encode", encode)
     if legal:
         if how.tolerances or blame is not None:
             raise _quadrel.UsageError("compare: no tolerances and no blame with legal=True, whose "
                                       "reference says what is permitted")
-        return Report(*_quadrel.judge(_source(reference), _source(test), how, widest,
-                                      most_ambiguous, most_unconstrained))
+        return Report(*_quadrel.judge(_source(reference), _source(test), how,
+                                      arguments.number("widest", widest),
+                                      arguments.number("most_ambiguous", most_ambiguous),
+                                      arguments.number("most_unconstrained", most_unconstrained)))
     scene = None if blame is None else scene_of(blame)._scene
     return Report(*_quadrel.compare(_source(reference), _source(test), how, scene))
 
@@ -107,11 +109,12 @@ def probe(scene: Union[Scene, arguments.Path], x: int, y: int, *, number: str = 
     values, steps, look-ups, texels and weights, derivatives fine, coarse and exact, of four lanes,
     with the bits of the render. Steps and look-ups are told by "float" on "scalar" alone."""
     probed = scene_of(scene)
-    x, y = operator.index(x), operator.index(y)
+    x, y = (arguments.index("pixel", side) for side in (x, y))
     width, height = probed.size
     if not (0 <= x < width and 0 <= y < height):
         raise _quadrel.UsageError(f"pixel {x},{y} is outside of the {width}x{height} image")
-    return Report(*_quadrel.probe(probed._scene, x, y, number, isa, injections(inject)))
+    return Report(*_quadrel.probe(probed._scene, x, y, arguments.text("number", number),
+                                  arguments.text("isa", isa), injections(inject)))
 
 
 def errors(scene: Union[Scene, arguments.Path],

@@ -20,7 +20,7 @@ from typing import Any, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _quadrel
+from . import _quadrel, arguments
 
 Axes = Tuple[int, int]
 
@@ -48,14 +48,20 @@ def from_quads(lanes: NDArray[Any], shape: Tuple[int, ...], y_up: bool) -> NDArr
 
 
 def _differences(which: str, values: ArrayLike, mode: str, y_up: bool, axes: Axes) -> NDArray[Any]:
-    given = np.asarray(values)
+    given = arguments.array("quads", values)
     if given.ndim < 2:
         raise _quadrel.UsageError(f"quads: found an array of shape {given.shape}, expected rows and "
                                   "columns, an even number of each")
     exact = given.dtype == np.float64
-    image = np.moveaxis(given.astype(np.float64 if exact else np.float32, copy=False), axes,
-                        (-2, -1))
-    lanes = _quadrel.differences(which, mode, to_quads(image, y_up), exact)
+    if given.dtype.kind not in "fuib":
+        raise _quadrel.UsageError(f"quads: found {given.dtype}, expected numbers")
+    numbers = given.astype(np.float64 if exact else np.float32, copy=False)
+    try:
+        image = np.moveaxis(numbers, axes, (-2, -1))
+    except (TypeError, ValueError):
+        raise _quadrel.UsageError(f"axes: found {arguments.shown(axes)}, expected two of the "
+                                  f"array's {given.ndim}") from None
+    lanes = _quadrel.differences(which, arguments.text("mode", mode), to_quads(image, y_up), exact)
     return np.moveaxis(from_quads(lanes, image.shape, y_up), (-2, -1), axes)
 
 

@@ -21,11 +21,13 @@ def scene_of(scene: Union[Scene, arguments.Path]) -> Scene:
 
 def injections(injected: Optional[Injected]) -> List[Tuple[str, _quadrel.Film, str]]:
     all_of_them = []
-    for values, image in (injected or {}).items():
+    given = arguments.mapping("inject", injected, "images by what they are injected as")
+    for values, image in given.items():
+        arguments.text("inject", values)
         if isinstance(image, Mapping):
             all_of_them.append((values, film_of(image)._film, "an array"))
         else:
-            all_of_them.append((values, read(image)._film, os.fspath(image)))
+            all_of_them.append((values, read(image)._film, os.fsdecode(image)))
     return all_of_them
 
 
@@ -53,7 +55,12 @@ def render(scene: Union[Scene, arguments.Path], channels: Union[str, Sequence[st
     Other threads of Python run meanwhile. Ctrl-C, and what `progress` raises, end it at the next
     tile. Raises InputError for a scene that cannot be drawn, UsageError.
     """
-    extras = _quadrel.Extras(limits, integrate, integrate_error, stats is not None, touched)
+    if stats is not None and not isinstance(stats, dict):
+        raise _quadrel.UsageError(f"stats: found {arguments.shown(stats)}, expected a dict")
+    samples = None if integrate is None else arguments.whole("integrate", integrate, 0, 2**31 - 1)
+    error = None if integrate_error is None else arguments.number("integrate_error", integrate_error)
+    extras = _quadrel.Extras(arguments.text("limits", limits), samples, error, stats is not None,
+                             bool(touched))
     film, counted = _quadrel.render(scene_of(scene)._scene, arguments.names("channels", channels),
                                     arguments.window(window),
                                     arguments.running(number, isa, threads), extras,
@@ -72,8 +79,8 @@ def sweep(plan: arguments.Path, output: arguments.Path, *, task: Tuple[int, int]
     Returns the runs, a dict each, as results.json has them; of task=(I, N) every N-th, from the I-th
     on. Ctrl-C ends it after the run that is being measured, and finished runs stay.
     """
-    number, of = (arguments.whole("task", part, 1, 2**31 - 1) for part in task)
-    results = _quadrel.sweep(arguments.path(plan), arguments.path(output), number, of,
+    number, of = arguments.wholes("task", task, "I, N", 1, 2**31 - 1)
+    results = _quadrel.sweep(arguments.path(plan, "plan"), arguments.path(output, "output"), number, of,
                              arguments.progress(progress))
     runs: List[Dict[str, Any]] = json.loads(results)["runs"]
     return runs

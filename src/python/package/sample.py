@@ -62,16 +62,20 @@ class _Lanes:
         self._given: Dict[str, NDArray[Any]] = {}
 
     def add(self, name: str, values: ArrayLike) -> None:
-        self._given[name] = np.asarray(values, dtype=self.dtype)
+        try:
+            self._given[name] = np.asarray(values, dtype=self.dtype)
+        except (TypeError, ValueError):
+            raise _quadrel.UsageError(
+                f"{name}: found {arguments.shown(values)}, expected numbers") from None
 
     def add_whole(self, name: str, values: ArrayLike) -> None:
-        given = np.asarray(values)
+        given = arguments.array("texel_fetch", values)
         if given.dtype.kind not in "ui":
-            raise TypeError(f"texel_fetch: found {given.dtype}, expected integers")
+            raise _quadrel.UsageError(f"texel_fetch: found {given.dtype}, expected integers")
         self._given[name] = np.clip(given, -1, 2**31 - 1).astype(np.int32)
 
     def add_pair(self, names: Tuple[str, str], values: ArrayLike, what: str) -> None:
-        pair = np.asarray(values)
+        pair = arguments.array(what, values)
         if pair.ndim < 1 or pair.shape[-1] != 2:
             raise _quadrel.UsageError(f"{what}: found an array of shape {pair.shape}, expected "
                                       "two components on the last axis")
@@ -80,7 +84,12 @@ class _Lanes:
         add(names[1], pair[..., 1])
 
     def arrays(self) -> Dict[str, NDArray[Any]]:
-        self.shape = np.broadcast_shapes(*(a.shape for a in self._given.values()))
+        shapes = [a.shape for a in self._given.values()]
+        try:
+            self.shape = np.broadcast_shapes(*shapes)
+        except ValueError:
+            raise _quadrel.UsageError(f"look-up: found arrays of the shapes {shapes}, expected ones "
+                                      "that broadcast") from None
         return {name: self._flat(np.broadcast_to(a, self.shape))
                 for name, a in self._given.items()}
 
@@ -96,7 +105,7 @@ class _Lanes:
         if self.kind == "implicit":
             return quad.from_quads(lanes, self.shape, self.y_up)
         size = int(np.prod(self.shape, dtype=np.int64))
-        return lanes[:size].reshape(*self.shape, *lanes.shape[1:])
+        return lanes[:size].reshape((*self.shape, *lanes.shape[1:]))
 
 
 def _request(texture: Source, sampler: Optional[Sampler], lanes: _Lanes, mode: str = "fine",
@@ -105,7 +114,10 @@ def _request(texture: Source, sampler: Optional[Sampler], lanes: _Lanes, mode: s
     if held.layers > 1:
         raise _quadrel.UsageError(f"look-up: the map has {held.layers} layers; take one: "
                                   "Texture.of_levels([level[0] for level in map.levels])")
-    return _quadrel.LookUp(held._texture, (sampler or Sampler()).state(), lanes.kind, mode,
+    chosen = Sampler() if sampler is None else sampler
+    if not isinstance(chosen, Sampler):
+        raise _quadrel.UsageError(f"sampler: found {arguments.shown(chosen)}, expected a Sampler")
+    return _quadrel.LookUp(held._texture, chosen.state(), lanes.kind, arguments.text("mode", mode),
                            component, lanes.arrays())
 
 
@@ -164,8 +176,7 @@ def texture_gather(texture: Source, uv: ArrayLike, component: int = 0, *,
                    sampler: Optional[Sampler] = None, number: str = "float") -> NDArray[Any]:
     """One component (0 to 3) of the four texels of the linear footprint of level 0, in GLSL's order:
     (left, larger v), (right, larger v), (right, smaller v), (left, smaller v)."""
-    if component not in range(4):
-        raise _quadrel.UsageError(f"component: found {component}, expected 0 to 3")
+    component = arguments.whole("component", component, 0, 3)
     lanes = _Lanes("gather", number, False)
     lanes.add_pair(("u", "v"), uv, "uv")
     return _values(_request(texture, sampler, lanes, component=component), lanes)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import warnings
 from typing import Any, Dict, List, Mapping, Optional, Tuple, Union, overload
 
@@ -19,8 +20,19 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"a scene has no values of type {type(value).__name__}")
 
 
+#: As the library reads it. What stands behind "=" would be the value, and "//" begins a comment.
+_KEY = re.compile(r"[^.\[\]=]+(\[[0-9]+\])*(\.[^.\[\]=]+(\[[0-9]+\])*)*")
+
+
 def _assignment(key: str, value: Any) -> str:
-    return f"{key}={json.dumps(value, default=_plain, allow_nan=False)}"
+    if not isinstance(key, str) or not _KEY.fullmatch(key) or "//" in key:
+        raise _quadrel.UsageError(f"set: found {arguments.shown(key)}, expected a key as in "
+                                  "camera.eye or objects[0].mesh")
+    try:
+        written = json.dumps(value, default=_plain, allow_nan=False)
+    except (TypeError, ValueError, RecursionError) as error:
+        raise _quadrel.UsageError(f"set: {key}: {error}, expected what JSON can say") from None
+    return f"{arguments.text('set', key)}={written}"
 
 
 class Scene:
@@ -28,13 +40,13 @@ class Scene:
 
     def __init__(self, file_or_name: arguments.Path, values: Mapping[str, Any]) -> None:
         self._name = file_or_name
-        self._values: Dict[str, Any] = dict(values)
+        self._values: Dict[str, Any] = dict(arguments.mapping("values", values, "values by key"))
         self._scene = self._read(self._values, None)
 
     def _read(self, values: Mapping[str, Any],
               before: Optional[_quadrel.Scene]) -> _quadrel.Scene:
         assignments = [_assignment(key, value) for key, value in values.items()]
-        scene = _quadrel.load_scene(arguments.path(self._name), assignments, before)
+        scene = _quadrel.load_scene(arguments.path(self._name, "load"), assignments, before)
         for note in scene.notes:
             warnings.warn(note, stacklevel=4)
         return scene
@@ -102,15 +114,15 @@ def load(file_or_name: arguments.Path, values: Optional[Mapping[str, Any]] = Non
     InputError with `file`, `line`, `key`, `found` and `expected` for anything that is wrong in it.
     What should be known is a warning.
     """
-    values = dict(values or {})
+    given = dict(arguments.mapping("values", values, "values by key"))
     if size is not None:
-        values["size"] = [int(size[0]), int(size[1])]
-    return Scene(file_or_name, values)
+        given["size"] = list(arguments.size(size, 2**31 - 1))
+    return Scene(file_or_name, given)
 
 
 def load_plugin(file: arguments.Path) -> None:
     """Loads stages that were built by `quadrel_add_stages`; scenes name them by id."""
-    _quadrel.load_plugin(arguments.path(file))
+    _quadrel.load_plugin(arguments.path(file, "load_plugin"))
 
 
 def _rows(found: str) -> List[Dict[str, Any]]:
@@ -121,19 +133,19 @@ def _rows(found: str) -> List[Dict[str, Any]]:
 def list_algorithms(*words: str) -> List[Dict[str, Any]]:
     """Every stage that has all of the words in its texts: `id`, `kind`, `summary`, `source`,
     `parameters` with their ranges, `inputs`, `outputs`, `number_types`."""
-    return _rows(_quadrel.list_algorithms(words))
+    return _rows(_quadrel.list_algorithms(arguments.names("list_algorithms", words)))
 
 
 def list_channels(*words: str) -> List[Dict[str, Any]]:
     """Everything that a film can hold: `name`, `type`, `unit`, `meaning`."""
-    return _rows(_quadrel.list_channels(words))
+    return _rows(_quadrel.list_channels(arguments.names("list_channels", words)))
 
 
 def list_presets(*words: str) -> List[Dict[str, Any]]:
     """What engines ship, as choices of stages."""
-    return _rows(_quadrel.list_presets(words))
+    return _rows(_quadrel.list_presets(arguments.names("list_presets", words)))
 
 
 def list_scenes(*words: str) -> List[Dict[str, Any]]:
     """The installed scenes: `name` and `description`."""
-    return _rows(_quadrel.list_scenes(words))
+    return _rows(_quadrel.list_scenes(arguments.names("list_scenes", words)))

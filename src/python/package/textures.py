@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import List, Optional, Sequence, Tuple, Union, cast
+from typing import Any, List, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,16 +14,40 @@ from .films import Film
 _CODES = {np.dtype(np.uint8): ("unorm8", 255), np.dtype(np.uint16): ("unorm16", 65535)}
 
 
-def _texels(values: ArrayLike) -> Tuple[NDArray[np.float32], str]:
-    """(height, width, channels), and the format that they are of."""
-    array = np.asarray(values)
-    if array.ndim == 2:
-        array = array[:, :, np.newaxis]
+_MOST_FLOATS = 2**29
+
+
+def _check_size(shape: Tuple[int, ...], channels: int, mips: str) -> None:
+    """Of a texture of so many channels, before anything is copied."""
+    height, width = shape[:2]
+    count = height * width * channels
+    while mips != "none" and max(height, width) > 1:
+        height, width = max(height // 2, 1), max(width // 2, 1)
+        count += height * width * channels
+    if count > _MOST_FLOATS:
+        raise _quadrel.UsageError(f"texture: found {' x '.join(map(str, shape))} values, expected at "
+                                  "most 2^29, mip levels included")
+
+
+def _array(values: ArrayLike) -> NDArray[Any]:
+    """(height, width, channels), as it was given."""
+    array = arguments.array("texture", values)
+    shape = array.shape if array.ndim == 3 else (*array.shape, 1)
+    if len(shape) != 3 or not (1 <= shape[0] <= 65536 and 1 <= shape[1] <= 65536
+                               and 1 <= shape[2] <= 4):
+        raise _quadrel.UsageError(f"texture: found an array of shape {array.shape}, expected (height, "
+                                  "width) or (height, width, 1 to 4), of 1 to 65536 texels a side")
+    return array[:, :, np.newaxis] if array.ndim == 2 else array
+
+
+def _texels(array: NDArray[Any]) -> Tuple[NDArray[np.float32], str]:
+    """As floats, and the format that they are of."""
     if array.dtype in _CODES:
         stored, most = _CODES[array.dtype]
         return array.astype(np.float32) / np.float32(most), stored
     if array.dtype.kind != "f":
-        raise TypeError(f"texture: found {array.dtype}, expected floats, uint8 or uint16")
+        raise _quadrel.UsageError(
+            f"texture: found {array.dtype}, expected floats, uint8 or uint16")
     return array.astype(np.float32), "half" if array.dtype == np.float16 else "float"
 
 
@@ -42,19 +66,29 @@ class Texture:
     def __init__(self, image: Union[ArrayLike, arguments.Path], *, srgb: bool = False,
                  format: str = "", mips: str = "box", swizzle: str = "", flip_v: bool = False,
                  layer: str = "", part: str = "") -> None:
-        options = _quadrel.TextureOptions(swizzle, srgb, format, mips, flip_v)
+        options = _quadrel.TextureOptions(arguments.text("swizzle", swizzle), bool(srgb),
+                                          arguments.text("format", format),
+                                          arguments.text("mips", mips), bool(flip_v))
         if isinstance(image, (str, bytes)) or hasattr(image, "__fspath__"):
             file = arguments.path(cast(arguments.Path, image))
-            self._texture = _quadrel.read_texture(file, options, layer, part)
+            self._texture = _quadrel.read_texture(file, options, arguments.text("layer", layer),
+                                                  arguments.text("part", part))
         else:
-            texels, stored = _texels(image)
+            array = _array(image)
+            # What a swizzle takes the library knows.
+            held = 1 if swizzle else {3: 4}.get(array.shape[2], array.shape[2])
+            _check_size(array.shape, held, mips)
+            texels, stored = _texels(array)
             self._texture = _quadrel.texture_of_array(texels, stored, options)
 
     @classmethod
     def of_levels(cls, levels: Sequence[ArrayLike]) -> "Texture":
         """Of mip levels that someone else has made, the finest first: arrays (height, width, 1, 2 or
         4), taken as they are."""
-        return cls._of(_quadrel.texture_of_levels([_texels(level)[0] for level in levels]))
+        arrays = [_array(level) for level in levels]
+        if sum(array.size for array in arrays) > _MOST_FLOATS:
+            raise _quadrel.UsageError("levels: expected at most 2^29 floats")
+        return cls._of(_quadrel.texture_of_levels([_texels(array)[0] for array in arrays]))
 
     @classmethod
     def _of(cls, texture: _quadrel.Texture) -> "Texture":
@@ -113,11 +147,16 @@ class Sampler:
 
     def state(self) -> _quadrel.SamplerState:
         """What the extension module takes. Raises UsageError."""
-        if len(self.border) != 4:
+        border = list(self.border) if np.iterable(self.border) else []
+        if len(border) != 4:
             raise _quadrel.UsageError("border: expected r, g, b and a")
-        return _quadrel.SamplerState(self.wrap_u or self.wrap, self.wrap_v or self.wrap, self.mag,
-                                     self.min, self.mip, list(self.border), self.lod_bias,
-                                     self.lod_min, self.lod_max, self.hardware)
+        word, number = arguments.text, arguments.number
+        return _quadrel.SamplerState(
+            word("wrap_u", self.wrap_u or self.wrap), word("wrap_v", self.wrap_v or self.wrap),
+            word("mag", self.mag), word("min", self.min), word("mip", self.mip),
+            [number("border", value) for value in border], number("lod_bias", self.lod_bias),
+            number("lod_min", self.lod_min), number("lod_max", self.lod_max),
+            word("hardware", self.hardware))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -135,17 +174,21 @@ def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
                  margin: float = 1 / 16) -> DepthLayers:
     """Peels a closed mesh (a file, or cube, icosahedron, sphere, torus) into the depth layers that
     searches behind things read, as `quadrel bake --kind depth-layers`. `towards` is the way of depth
-    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Raises
-    InputError for a mesh that is not closed."""
-    width, height = (arguments.whole("size", side, 1, 16384) for side in size)
-    direction = np.asarray(towards, dtype=np.float64)
+    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Ctrl-C is
+    raised once it is done, not before. Raises InputError for a mesh that is not closed."""
+    width, height = arguments.size(size, 16384)
+    margin = arguments.number("margin", margin)
+    try:
+        direction = np.asarray(towards, dtype=np.float64)
+    except (TypeError, ValueError):
+        direction = np.zeros(0)
     largest = np.abs(direction).max(initial=0)
     if direction.shape != (3,) or not 1e-100 < largest <= 1e100:
-        raise _quadrel.UsageError(f"towards: found {towards}, expected 3 numbers, not all 0")
+        raise _quadrel.UsageError(f"towards: found {arguments.shown(towards)}, expected 3 numbers, not all 0")
     if not 0 <= margin < 0.5:
         raise _quadrel.UsageError(f"margin: found {margin}, expected a number in [0, 0.5)")
     film, tile, thickness, deeper = _quadrel.peel_layers(
-        arguments.path(mesh), width, height, list(direction / largest), margin)
+        arguments.path(mesh, "mesh"), width, height, list(direction / largest), margin)
     return DepthLayers(Film._of(film), tile, thickness, deeper)
 
 
@@ -159,14 +202,17 @@ def bake(heights: Union[Texture, ArrayLike, arguments.Path], kind: str, *, chann
     `quadrel bake --help` lists the kinds and their `parameters` (`slices=32`). A map holds for one
     pair of wrap modes and one border height. Of an array or a file `channel` (r, g, b, a, or 1-r ...
     for depth) has the heights; of a texture the first of level 0. `cache`: maps are kept in and taken
-    from the disk cache; `output` also writes an EXR that scenes can name. Ctrl-C ends it. Raises
-    InputError, UsageError, OutputError.
+    from the disk cache; `output` also writes an EXR that scenes can name, never over the heights'
+    file. Ctrl-C ends it. Raises InputError, UsageError, OutputError.
     """
+    kind = arguments.text("kind", kind)
     if not isinstance(heights, Texture):
         heights = Texture(heights, format=format, mips="none", flip_v=flip_v,
                           swizzle="" if _quadrel.bakes_layers(kind) else channel)
     sampler = Sampler(wrap=wrap, wrap_u=wrap_u, wrap_v=wrap_v, border=(border,) * 4).state()
-    file = b"" if output is None else arguments.path(output)
+    file = None if output is None else arguments.path(output, "output")
     return Texture._of(_quadrel.bake(heights._texture, kind, sampler,
-                                     {name: float(value) for name, value in parameters.items()},
-                                     cache, arguments.whole("threads", threads, 0, 1024), file, arguments.progress(progress)))
+                                     {name: arguments.number(name, value)
+                                      for name, value in parameters.items()},
+                                     bool(cache), arguments.whole("threads", threads, 0, 1024), file,
+                                     arguments.progress(progress)))
