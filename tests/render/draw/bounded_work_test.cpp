@@ -82,8 +82,8 @@ RayWork work_of(const Scene& scene) {
     options.channels = {"A", "hit.status", "hit.steps", "shadow.visibility"};
     const Film film = render(scene, options);
     EXPECT_GE(stats.covered_lanes, 1u);  // of four, less those that passed everything
-    const double lanes = std::max<double>(static_cast<double>(stats.covered_lanes), 1);
-    return {static_cast<double>(stats.trace_steps + stats.shadow_steps) / lanes,
+    const double drawn = std::max<double>(static_cast<double>(stats.covered_lanes), 1);
+    return {static_cast<double>(stats.trace_steps + stats.shadow_steps) / drawn,
             film.find("hit.status")->bits[0]};
 }
 
