@@ -124,7 +124,7 @@ testing::AssertionResult nothing_leaves_through_the_bottom(PrismFlaw flaw = none
             ++leave;
             return run.found(lane) <= 2 * path.length ? "" : std::string("a miss");
         });
-    if (result && leave < 100) return testing::AssertionFailure() << leave << " rays";
+    if (result && leave < rounds(100)) return testing::AssertionFailure() << leave << " rays";
     return result;
 }
 
