@@ -108,7 +108,7 @@ TEST(PrismExact, UnflaggedHitsAreThoseOfRationals) {
     for (const PrismSurface surface : prism_surfaces) {
         EXPECT_TRUE(unflagged_prism_hits_are_decided(surface, prism_batches(4)));
         for (const PrismFlaw flaw : {wrong_split, swapped_entry_and_exit, other_surface})
-            EXPECT_FALSE(unflagged_prism_hits_are_decided(surface, 2, flaw))
+            EXPECT_FALSE(unflagged_prism_hits_are_decided(surface, test::sanitized ? 16 : 2, flaw))
                 << static_cast<int>(flaw);
     }
 }

@@ -1,4 +1,5 @@
 // No ray takes for ever: what is asked for has an end, and what a listing leaves open gets one.
+#include "effort.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/quad/value.hpp"
 #include "quadrel/relief/registry.hpp"
@@ -93,6 +94,7 @@ bool judges(const std::string& id) { return id.find("oracle") != std::string::np
 double long_way(const std::string& id) { return judges(id) ? most_cells / 64 : 0.9 * most_cells; }
 
 TEST(BoundedWork, EverySearchEnds) {
+    if (test::sanitized) GTEST_SKIP() << "takes minutes under the sanitizers";
     double most = 0;
     for (const std::string& id : ids_of("trace")) {
         // No ray, and a rectangle of so many texels is refused; one tile in the middle of its card,

@@ -273,6 +273,7 @@ testing::AssertionResult hits_are_on_the_displaced_mesh(const Mesh& mesh, double
 }
 
 TEST(Silhouettes, HitsAreOnTheDisplacedMesh) {
+    if (test::sanitized) GTEST_SKIP() << "pixels are so large that snapping lets through too much";
     for (const Mesh& mesh :
          {make_sphere(1, 12, 8), make_sphere(1, 48, 32), make_torus(0.3, 0.7, 24, 36)}) {
         EXPECT_TRUE(hits_are_on_the_displaced_mesh(mesh));
