@@ -10,6 +10,7 @@
 #include "render/draw/shell.hpp"
 #include "render/plan/plan.hpp"
 #include "render/registry/added_stages.hpp"
+#include "render/registry/is_listed.hpp"
 
 namespace quadrel {
 namespace {
@@ -18,11 +19,6 @@ std::string id_or_default(const Material& material, const StageChoice& choice,
                           std::string_view room) {
     if (!choice.id.empty()) return choice.id;
     return std::string(default_stage(room, height_source(material)));
-}
-
-template <class... S>
-bool lists(StageList<S...>, std::string_view id) {
-    return ((id == S::text.id) || ...);
 }
 
 /// Whether a normal is made with the face's, which in a shell is that of a tetrahedron's side.
@@ -56,7 +52,7 @@ class Refusal {
 
 }  // namespace
 
-bool is_of_shells(std::string_view stage) { return lists(ShellStages(), stage); }
+bool is_of_shells(std::string_view stage) { return is_listed(ShellStages(), stage); }
 
 void check_shell(const Scene& scene, const Material& material) {
     const Refusal refuse(scene, material);

@@ -4,14 +4,10 @@
 
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/relief/stages.hpp"
+#include "render/registry/is_listed.hpp"
 
 namespace quadrel::sweep {
 namespace {
-
-template <class... S>
-bool lists(StageList<S...>, std::string_view id) {
-    return ((id == S::text.id) || ...);
-}
 
 /// Without the suffix, but one program's listing all the same.
 bool is_one_programs(std::string_view id) { return id == "pom-dxsdk"; }
@@ -45,16 +41,16 @@ bool belongs(const StageInfo& stage, Rows rows) {
 }  // namespace
 
 std::string_view family_of(std::string_view trace) {
-    if (lists(OffsetStages(), trace)) return "offset";
-    if (lists(MarchStages(), trace)) return "march";
-    if (lists(ConeStages(), trace)) return "cone";
-    if (lists(ExactStages(), trace)) return "exact";
-    if (lists(LayerStages(), trace)) return "layer";
-    if (lists(CurvedStages(), trace)) return "curved";
-    if (lists(TableStages(), trace)) return "table";
-    if (lists(ShellStages(), trace)) return "shell";
-    if (lists(OracleTraceStages(), trace)) return "oracle";
-    if (lists(EngineStages(), trace)) return "engine";
+    if (is_listed(OffsetStages(), trace)) return "offset";
+    if (is_listed(MarchStages(), trace)) return "march";
+    if (is_listed(ConeStages(), trace)) return "cone";
+    if (is_listed(ExactStages(), trace)) return "exact";
+    if (is_listed(LayerStages(), trace)) return "layer";
+    if (is_listed(CurvedStages(), trace)) return "curved";
+    if (is_listed(TableStages(), trace)) return "table";
+    if (is_listed(ShellStages(), trace)) return "shell";
+    if (is_listed(OracleTraceStages(), trace)) return "oracle";
+    if (is_listed(EngineStages(), trace)) return "engine";
     return "other";
 }
 
