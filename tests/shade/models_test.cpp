@@ -227,6 +227,27 @@ TEST(ReflectionModels, ExponentZeroIsFlat) {
     }
 }
 
+/// Float textures may hold anything: of a gloss below 0 an exponent of 0 is left, as infinite
+/// powers of a cosine of 0 would be NaN beside black.
+TEST(ReflectionModels, GlossBelowZeroIsExponentZero) {
+    for (const char* id : {"shade-phong", "shade-blinn-phong", "shade-rabbid",
+                           "shade-cook-torrance", "shade-thesis"}) {
+        Random random(3);
+        const Batch<float> points = random_points(random, 2, batch_lanes);
+        const auto lit = [&](float red) {
+            const Map gloss = constant_map({red, 0.5f, 0.0f, 1.0f});
+            Batch<float> batch = points;
+            batch.bind(TextureSlot::gloss, gloss.sampled);
+            batch.run(id);
+            return batch;
+        };
+        constexpr auto color = values(Value::color, Value::light_specular);
+        Batch<float> below = lit(-3.0f), zero = lit(0.0f), above = lit(3.0f);
+        EXPECT_TRUE(same_bits<float>(below, zero, color)) << id;
+        EXPECT_FALSE(same_bits<float>(above, zero, color)) << id;
+    }
+}
+
 // ---- shade-welsh --------------------------------------------------------------------------------
 
 /// Two undimmed lights over white, seen from the surface: the published program, bit for bit. Else

@@ -26,7 +26,8 @@ struct LitDefaults : StageDefaults {
     static constexpr auto textures = lit_textures;
 };
 
-/// A shading point: unit normal, unit vector to the viewer, exponent of the highlight.
+/// A shading point: unit normal, unit vector to the viewer, exponent of the highlight, not below 0:
+/// texels outside of [0, 1] are permitted, and a negative power of a cosine of 0 is infinite.
 template <Number F>
 struct LitPoint {
     vec3<F> N, V;
@@ -39,7 +40,7 @@ LitPoint<F> lit_point(Io& io, std::int32_t gradients = 0) {
     const vec4<F> gloss =
         map_at_hit<TextureSlot::gloss>(io, vec4<F>(shininess, F(0), F(0), F(0)), gradients);
     return {io.template load<Value::N>(), to_viewer(io.template load<Value::P>(), io.frame()),
-            F(255) * gloss.x};
+            max(F(255) * gloss.x, F(0))};
 }
 
 /// Lights the point with the model's `specular` and stores everything.

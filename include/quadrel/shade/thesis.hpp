@@ -9,7 +9,8 @@
 //     specular = Ls Ms max(R.V, 0)^shininess visibility att          att = I / (c + l d + q d^2)
 //     phong = Me + emissive + sum over lights;  color = mix(mix(refraction, phong, a), reflection,
 //     mirror)
-// Without a gloss map: the material's shininess, eta 1, mirror 0. pow(0, 0) is 1.
+// Without a gloss map: the material's shininess, eta 1, mirror 0. pow(0, 0) is 1. A shininess below
+// 0, of a texel outside of [0, 1], is 0.
 #pragma once
 
 #include "quadrel/num/math.hpp"
@@ -41,7 +42,7 @@ struct ShadeThesis : StageDefaults {
         const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero), params.gradients);
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
-        const F shininess = F(255) * gloss.x;
+        const F shininess = max(F(255) * gloss.x, zero);
         const LightTerms<F> sum = sum_lights(io, rgb(base), N, [&](const vec3<F>& L, F) {
             return pow(max(dot(reflect(-L, N), V), zero), shininess);
         });

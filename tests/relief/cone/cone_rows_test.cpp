@@ -232,6 +232,22 @@ TEST(Cones, MeetTheHeightStraightDown) {
     }
 }
 
+/// A border's texels are 0: no cone at all, which a ray straight down does not need.
+TEST(Cones, StraightDownNeedsNoCone) {
+    const Map bare = make_map(
+        4, 4, 2, [](int, int, int c) { return c == 0 ? 0.25f : 0.0f; }, plain_sampler());
+    for (const double shift : {0.0, 1e-5, 2e-4}) {  // all of them straight down, once normalised
+        ConeBatch<float> cones(3);
+        cones.batch.bind(TextureSlot::cone, bare.sampled);
+        for (int lane = 0; lane < cones.batch.lanes; ++lane)
+            cones.batch.set(Value::K, lane, dvec2(shift, 0));
+        cones.batch.run("cone-dummer-exact");
+        // A step is a texel longer than the cone's, and the end goes back by a texel.
+        for (int lane = 0; lane < cones.batch.lanes; ++lane)
+            EXPECT_NEAR(cones.batch.real(Value::hit_s, lane), 0.75, 1.0 / 4) << shift;
+    }
+}
+
 /// How many of a batch's rays are behind the oracle's hit by more than `late` texels, and before it
 /// by more than `early`.
 struct Misses {

@@ -84,6 +84,32 @@ TEST(OpenSky, IsWhatHorizonsApproximate) {
     EXPECT_LT(off, 0.04);
 }
 
+/// In worlds of 1e-15 units gradients are 1e15, whose products of four overflow in floats.
+TEST(OpenSky, HorizonsHaveNoScale) {
+    const Map map = stress("sinusoid", 4);
+    LitBatch lit(map, 2);
+    Map horizons;
+    horizons.texture = bake(*map.texture, BakeKind::horizon, map.sampled.sampler, {});
+    horizons.sampled = {horizons.texture->view(), map.sampled.sampler};
+    lit.batch.bind(TextureSlot::horizon, horizons.sampled);
+    const auto open_at_scale = [&](int power) {
+        Batch<float> batch = lit.batch;
+        batch.material.depth = std::ldexp(batch.material.depth, power);
+        for (int lane = 0; lane < batch.lanes; ++lane)
+            for (int c = 0; c < 6; ++c)
+                batch.real(Value::J, lane, c) = std::ldexp(batch.real(Value::J, lane, c), -power);
+        batch.run("ao-horizon");
+        return batch;
+    };
+    constexpr auto open = values(Value::occlusion);
+    Batch<float> ordinary = open_at_scale(0);
+    for (const int power : {-60, -40, 40, 60}) {
+        Batch<float> scaled = open_at_scale(power);
+        EXPECT_TRUE(same_bits<float>(scaled, ordinary, open)) << power;
+    }
+    EXPECT_FALSE(same_bits<float>(lit.batch, ordinary, open));
+}
+
 /// A wall's side is lit from where the view ray came and dark from behind, wherever rounding put
 /// the hit; its foot and top are as the formulas have it.
 TEST(ShadowOracle, OnBlocksKnowsTheSidesOfWalls) {

@@ -266,5 +266,29 @@ TEST(ShadowMarchThesisPublished, FlatMapsShadowOnlyWhenDeep) {
     EXPECT_FALSE(published_is_lit(0.5f, 1.5f));
 }
 
+/// The listing counts as many steps as its view march took, which were 128 at most: hits of other
+/// searches, however deep, are no reason for more.
+TEST(ShadowMarchThesisPublished, DeepHitsTakeNoMoreSteps) {
+    Random random(6);
+    const Map map = flat_map(0.5f);
+    Batch<float> batch;
+    fill_quads(batch, random, 0);
+    batch.bind(TextureSlot::height, map.sampled);
+    for (const char* id : {"differentiate", "frame-thesis", "linear-thesis", "displace"})
+        batch.run(id);
+    int marched = 0;
+    for (const float depth : {0.9f, 1e5f}) {
+        for (int lane = 0; lane < batch.lanes; ++lane) batch.real(Value::hit_depth, lane) = -depth;
+        for (int lane = 0; lane < batch.lanes; lane += 2)
+            batch.real(Value::hit_depth, lane) = depth;
+        batch.run("shadow-march-thesis@published");
+        for (int lane = 0; lane < batch.lanes; ++lane) {
+            EXPECT_LE(batch.integer(Value::shadow_steps, lane), 129);
+            marched += batch.integer(Value::shadow_steps, lane) > 0;
+        }
+    }
+    EXPECT_GT(marched, 0);
+}
+
 }  // namespace
 }  // namespace quadrel::test

@@ -169,6 +169,36 @@ TEST(NormalMap, WithoutAMapTheFramesNormal) {
     }
 }
 
+/// A texel of no length, and gradients that cancel, leave the frame's normal; NaN texels stay NaN.
+TEST(NormalMap, WithoutALengthTheFramesNormal) {
+    Random random(9);
+    const Plane plane = random_plane(random);
+    for (const char* id : {"normal-map", "normal-smooth-mcguire"}) {
+        const auto normal_of = [&](float texel, bool parallel) {
+            const Map map = make_map(
+                2, 2, 4, [&](int, int, int) { return texel; }, plain_sampler());
+            Batch<float> batch = facet_batch(plane, plane.normal, 0.1f, random);
+            batch.bind(TextureSlot::normal, map.sampled);
+            // Nearly the same direction twice, in opposite senses, as of coarse differences.
+            for (int lane = 0; lane < batch.lanes && parallel; ++lane)
+                for (int c = 0; c < 3; ++c) {
+                    const float u = c == 0 ? 1.0f : 1e-8f * static_cast<float>(c);
+                    batch.real(Value::J, lane, c) = u;
+                    batch.real(Value::J, lane, c + 3) = c == 2 ? 0 : -u;
+                }
+            batch.run(id);
+            return std::pair(batch.vector3(Value::N, 0), batch.vector3(Value::frame_normal, 0));
+        };
+        const auto [centre, frame] = normal_of(0.5f, false);
+        EXPECT_EQ(centre, frame) << id;
+        const auto cancelled = normal_of(0.0f, true).first;
+        for (int c = 0; c < 3; ++c) EXPECT_FALSE(std::isnan(cancelled[c])) << id;
+        const auto [tilted, tilted_frame] = normal_of(0.9f, false);
+        EXPECT_NE(tilted, tilted_frame) << id;
+        EXPECT_TRUE(std::isnan(normal_of(std::nanf(""), false).first[0])) << id;
+    }
+}
+
 // ---- normal-smooth-mcguire ----------------------------------------------------------------------
 
 /// The mean of two texels: the normal at the hit and the one that lies downhill.

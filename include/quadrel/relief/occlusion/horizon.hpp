@@ -8,6 +8,7 @@
 // sheared or stretched that length is the root of a tile's area.
 #pragma once
 
+#include "quadrel/relief/frame/store.hpp"
 #include "quadrel/relief/trace/cone/cone_map.hpp"
 
 namespace quadrel {
@@ -26,8 +27,9 @@ struct AoHorizon : StageDefaults {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         const auto J = io.template load<Value::J>();
-        const vec3<F> n = cross(J[0], J[1]);
-        const F tiles_a_unit = sqrt(sqrt(dot(n, n)));
+        const F ordinary = ordinary_scale(J[0], J[1]);
+        const vec3<F> n = cross(J[0] * ordinary, J[1] * ordinary);
+        const F tiles_a_unit = sqrt(sqrt(dot(n, n))) / ordinary;
         const F scale = io.template load<Value::relief_depth>() * tiles_a_unit;
         const Mask<F> framed =
             io.template load<Value::frame_status>() == status_packet<F>(Status::hit);

@@ -43,7 +43,8 @@ vec3<F> signed_texel(const Io& io, const SampledTexture& map, const vec2<F>& uv,
     return signed_texel(texel_at<TextureSlot::normal>(io, map, uv, gradients));
 }
 
-/// A normal of tangent space (green +1) in eye space, and where the frame has directions for it.
+/// A normal of tangent space (green +1) in eye space, and where there is one: the frame has
+/// directions for it, and it has a length.
 template <Number F>
 struct EyeNormal {
     vec3<F> n;
@@ -57,7 +58,9 @@ EyeNormal<F> tangent_to_eye(const Io& io, const vec3<F>& t) {
     const F area = sqrt(dot(n, n));
     const vec3<F> along_u = J[0] * (length(J[1]) / area), along_v = J[1] * (length(J[0]) / area);
     const vec3<F> N = io.template load<Value::frame_normal>();
-    return {normalize(N * t.z + along_u * t.x + along_v * t.y), area > F(0)};
+    const vec3<F> n_eye = N * t.z + along_u * t.x + along_v * t.y;
+    // Opposite gradients may cancel, and a texel may be 0; NaNs stay.
+    return {normalize(n_eye), (area > F(0)) & (dot(n_eye, n_eye) != F(0))};
 }
 
 }  // namespace quadrel

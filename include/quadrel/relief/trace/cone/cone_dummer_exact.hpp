@@ -5,8 +5,8 @@
 // = sqrt(1 - ds.z^2), sc grows by w = 1 / texels plus the cone's step until the surface is passed,
 // then goes back by w. Kept: what is interpolated is the root of the ratio, which the source's map
 // stores and its shader squares. Unbounded in the source; here a guard of 65536 steps ends it as
-// CAP. Not reproduced: the 8 bits of the source's map (here heights and ratios are floats, of the
-// same kind of cones).
+// CAP, and straight down a null cone, as of a border, its 0 / 0 is 0. Not reproduced: the 8 bits of
+// the source's map (here heights and ratios are floats, of the same kind of cones).
 #pragma once
 
 #include "quadrel/relief/trace/cone/cone_map.hpp"
@@ -47,7 +47,9 @@ struct ConeDummerExact : StageDefaults {
             found = found | (active & !above);
             active = active & above;
             if (none(active)) break;
-            const F step = (F(1) - ds.z * sc - t.height) / (ds.z + iz / t.ratio);
+            // Straight down every cone, a null one of a border among them, is left at the surface.
+            const F sideways = select(iz > F(0), iz / t.ratio, F(0));
+            const F step = (F(1) - ds.z * sc - t.height) / (ds.z + sideways);
             sc = select(active, sc + w + step, sc);
         }
         sc = sc - w;

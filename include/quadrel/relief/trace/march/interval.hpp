@@ -21,7 +21,8 @@ struct Interval : HeightSearch {
     };
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, most_steps, 15),
-        parameter<&Params::iterations>("iterations", "1", "chords that are tested", 0, 1024, 3)};
+        parameter<&Params::iterations>("iterations", "1", "chords that are tested", 0, most_chords,
+                                       3)};
     static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
     template <class Io>

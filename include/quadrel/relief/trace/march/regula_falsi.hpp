@@ -7,6 +7,11 @@
 
 namespace quadrel {
 
+/// Chords that rows may ask for. A float's bits are settled long before, and each chord beyond
+/// multiplies what derivatives are off by where the surface is steeper than the chord: of a
+/// thousand they overflow.
+inline constexpr std::int32_t most_chords = 64;
+
 /// `times` chords, where the bracket was found. `illinois`: an end that stays twice in a row counts
 /// half, and half again each further time (M. Dowell, P. Jarratt, BIT 11, 1971), without which
 /// convex surfaces are approached from one side alone.

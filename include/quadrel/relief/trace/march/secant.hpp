@@ -21,7 +21,8 @@ struct Secant : HeightSearch {
     };
     static constexpr std::array parameters{
         parameter<&Params::steps>("steps", "1", "steps over the relief's depth", 1, most_steps, 15),
-        parameter<&Params::iterations>("iterations", "1", "chords that are tested", 0, 1024, 3),
+        parameter<&Params::iterations>("iterations", "1", "chords that are tested", 0, most_chords,
+                                       3),
         choice<&Params::illinois>("illinois", "an end that stays counts half", off_on, 1)};
     static std::int32_t lattice_steps(const Params& params) { return params.steps; }
 
