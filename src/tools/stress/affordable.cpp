@@ -41,10 +41,12 @@ double look_ups_of(const Scene& scene, const Window& window) {
     render(scene, options);
     const Material& material = scene.materials.front();
     double look_ups = static_cast<double>(stats.fetches.fetches);
-    if (judges(material.trace))
-        look_ups += look_ups_of_judges_step * static_cast<double>(stats.trace_steps);
-    if (judges(material.shadow))
-        look_ups += look_ups_of_judges_step * static_cast<double>(stats.shadow_steps);
+    // Walks over cells read texels that are not counted as look-ups: their steps are.
+    const auto of_step = [](const StageChoice& stage) {
+        return judges(stage) ? look_ups_of_judges_step : 1;
+    };
+    look_ups += of_step(material.trace) * static_cast<double>(stats.trace_steps);
+    look_ups += of_step(material.shadow) * static_cast<double>(stats.shadow_steps);
     const auto lanes = static_cast<double>(stats.covered_lanes + stats.helper_lanes);
     return look_ups + look_ups_of_sky_ray * sky_rays(material.occlusion) * lanes;
 }

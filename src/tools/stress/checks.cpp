@@ -71,8 +71,9 @@ std::string stages_of(const Scene& scene) {
 std::string stage_behind(const Scene& scene, const std::string& channel) {
     const Material& material = scene.materials.front();
     const auto starts = [&](const char* prefix) { return channel.starts_with(prefix); };
-    if (starts("uv") || starts("dUV") || starts("dP") || starts("P.") || starts("Ng") ||
-        starts("bary") || starts("lod") || channel == "depth" || starts("id"))
+    if (starts("uv") || starts("dUV") || starts("dP") || starts("exact.dUV") ||
+        starts("exact.dP") || starts("P.") || starts("Ng") || starts("bary") || starts("lod") ||
+        channel == "depth" || starts("id"))
         return "geometry";
     if (starts("oracle") || starts("certified")) return "oracle";
     if (starts("hit")) return material.trace.id;
