@@ -199,6 +199,30 @@ TEST(NormalMap, WithoutALengthTheFramesNormal) {
     }
 }
 
+/// Gradients of 1e18 a unit, whose products of four overflow in floats, say the same directions.
+TEST(NormalMap, HasNoScale) {
+    Random random(10);
+    const Plane plane = random_plane(random);
+    const Map map = make_map(
+        4, 4, 4, [](int x, int y, int c) { return 0.5f + 0.1f * float((x + 2 * y + c) % 4); },
+        plain_sampler());
+    for (const char* id : {"normal-map", "normal-smooth-mcguire"}) {
+        Batch<float> ordinary = facet_batch(plane, plane.normal, 0.1f, random);
+        ordinary.bind(TextureSlot::normal, map.sampled);
+        for (const int power : {-60, 60, 2}) {
+            Batch<float> scaled = ordinary;
+            for (int lane = 0; lane < scaled.lanes; ++lane)
+                for (int c = 0; c < 6; ++c)
+                    scaled.real(Value::J, lane, c) *= std::ldexp(1.0f, power);
+            Batch<float> expected = ordinary;
+            expected.run(id);
+            scaled.run(id);
+            EXPECT_TRUE(same_bits<float>(scaled, expected, values(Value::N))) << id << power;
+            EXPECT_NE(scaled.vector3(Value::N, 0), scaled.vector3(Value::frame_normal, 0));
+        }
+    }
+}
+
 // ---- normal-smooth-mcguire ----------------------------------------------------------------------
 
 /// The mean of two texels: the normal at the hit and the one that lies downhill.

@@ -12,6 +12,7 @@
 // is not.
 #pragma once
 
+#include "quadrel/relief/frame/store.hpp"
 #include "quadrel/relief/map_gradients.hpp"
 #include "quadrel/relief/surface/relief_normal.hpp"
 
@@ -54,9 +55,10 @@ struct EyeNormal {
 template <class Io, class F = typename Io::Number>
 EyeNormal<F> tangent_to_eye(const Io& io, const vec3<F>& t) {
     const auto J = io.template load<Value::J>();
-    const vec3<F> n = cross(J[0], J[1]);
+    const F scale = ordinary_scale(J[0], J[1]);  // which cancels
+    const vec3<F> u = J[0] * scale, v = J[1] * scale, n = cross(u, v);
     const F area = sqrt(dot(n, n));
-    const vec3<F> along_u = J[0] * (length(J[1]) / area), along_v = J[1] * (length(J[0]) / area);
+    const vec3<F> along_u = u * (length(v) / area), along_v = v * (length(u) / area);
     const vec3<F> N = io.template load<Value::frame_normal>();
     const vec3<F> n_eye = N * t.z + along_u * t.x + along_v * t.y;
     // Opposite gradients may cancel, and a texel may be 0; NaNs stay.
