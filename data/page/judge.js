@@ -1,8 +1,13 @@
 /* The judge's page: the second source is what this GPU draws of the scene. */
 
 const judgedScene = JSON.parse(byId("sources-data").textContent).scene;
-const wishes = { targets: "float", samplers: "own" };
-const wishLabels = { targets: [["float", "Float"], ["packed", "Bytes (RGBA8)"]], samplers: [["own", "The GPU's"], ["emulated", "In the shader"]] };
+const wishes = { by: "webgl", targets: "float", samplers: "own" };
+const wishLabels = { by: [["webgl", "WebGL 2"], ["webgpu", "WebGPU"]],
+                     targets: [["float", "Float"], ["packed", "Bytes (RGBA8)"]], samplers: [["own", "The GPU's"], ["emulated", "In the shader"]] };
+/* The scene in WGSL has its own shaders, and of the rest what is other than in GLSL ES. */
+const drawingOf = () => (wishes.by === "webgpu" ?
+  new WebGpuDrawing({ ...judgedScene, ...judgedScene.webgpu, data: { ...judgedScene.data, ...judgedScene.webgpu.data } }) :
+  new Drawing(judgedScene, wishes));
 
 /* Ranges stand beside the values that they are of. */
 saidOtherwise = (name) => name.startsWith("gpu.");
@@ -90,16 +95,18 @@ function verdictTable({ rows, counts, pixels, unranged }) {
   return html("div", { className: "scroll tall" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...body)));
 }
 function notesOf(drawing, verdict) {
-  const { limits, refusal, every } = judgedScene, notes = drawing ? [...new Set(drawing.notes)] : [];
+  const { limits, refusal, every, lacking } = judgedScene, notes = drawing ? [...new Set(drawing.notes)] : [];
   if (verdict?.edges) notes.push(`${counted(verdict.edges, "pixel")} at edges ${verdict.edges === 1 ? "is" : "are"} covered on one side alone, which snapping permits; nothing else is judged there.`);
   if (verdict?.uncovered) notes.push(`${counted(verdict.uncovered, "pixel")} away from all edges ${verdict.uncovered === 1 ? "is" : "are"} covered on one side alone.`);
   if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most an eighth of their distance from the reference.`);
   if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared.`);
+  if (lacking.length) notes.push(`Not judged: ${lacking.join(", ")}, for which neither GLSL ES 3.0 nor WGSL has a word.`);
   if (refusal) notes.push(`Some channels have no range: ${refusal}.`);
   return notes;
 }
 function judgeControls() {
-  return Object.entries(wishLabels).map(([key, all]) => html("label", {}, { targets: "Targets ", samplers: "Samplers " }[key],
+  const shown = Object.entries(wishLabels).filter(([key]) => key === "by" || wishes.by === "webgl");
+  return shown.map(([key, all]) => html("label", {}, { by: "Drawn by ", targets: "Targets ", samplers: "Samplers " }[key],
     html("select", { id: `wish-${key}`, onchange: (event) => { wishes[key] = event.target.value; drawAgain(); } },
       ...all.map(([value, text]) => html("option", { value, selected: wishes[key] === value }, text)))));
 }
@@ -117,7 +124,7 @@ const listOf = (lines) => (lines.length ? [html("ul", { className: "lead notes" 
 
 /* What is drawn becomes the second source; where nothing can be, the reference stays alone. */
 async function drawAndJudge() {
-  const reference = sources[0], passes = judgedScene.passes.length;
+  const reference = sources[0];
   sources.length = 1;
   for (const [key, all] of Object.entries(wishLabels)) {
     const [usual] = all[0];
@@ -129,8 +136,8 @@ async function drawAndJudge() {
   let drawing = null;
   try {
     const begun = performance.now();
-    drawing = new Drawing(judgedScene, wishes);
-    const drawn = await drawnSource(drawing, reference), took = performance.now() - begun;
+    drawing = drawingOf();
+    const passes = drawing.scene.passes.length, drawn = await drawnSource(drawing, reference), took = performance.now() - begun;
     sources.push(drawn);
     const verdict = verdictOf(reference, drawn);
     document.body.dataset.verdict = JSON.stringify({ ...verdict, renderer: drawing.renderer });
@@ -142,7 +149,7 @@ async function drawAndJudge() {
     showJudge(`Not judged: ${error.message}.`, "bad", html("p", { className: "lead" }, "The reference alone is shown."),
       ...listOf(notesOf(drawing)), html("div", { className: "row wishes" }, ...judgeControls()));
   } finally {
-    drawing?.gl?.getExtension("WEBGL_lose_context")?.loseContext();  /* browsers hold few */
+    drawing?.release();
   }
 }
 async function drawAgain() {

@@ -1,6 +1,8 @@
 /* An exported scene (its manifest, with `data` for the files) drawn by WebGL 2. What a browser lacks is said in
    `notes`. */
 
+/* The numbers of a uniform. Decimals read back to the bits; what is not finite is in the hex list alone, by its name. */
+const floatsOf = (values, hex) => new Float32Array(values.map((v, i) => v ?? { inf: Infinity, "-inf": -Infinity }[hex[i]] ?? NaN));
 /* The elements of a file of bytes, in their order. */
 async function unpackedFile({ elements, parts, count, bits }) {
   const planar = await unpackedBits(bits, count), records = count / parts;
@@ -9,6 +11,19 @@ async function unpackedFile({ elements, parts, count, bits }) {
   for (let part = 0, from = 0; part < parts; part += 1)
     for (let at = part; at < count; at += parts, from += 1) all[at] = scale === 1 ? planar[from] : planar[from] / scale;
   return elements === "float32" ? new Float32Array(all.buffer) : all;
+}
+
+/* A sampler object for textures of so many levels; `mirrorsOnce`: the extension that has this mode, if there is one. */
+function glSampler(gl, sampler, levels, mirrorsOnce) {
+  const made = gl.createSampler();
+  const wraps = { repeat: gl.REPEAT, "mirrored-repeat": gl.MIRRORED_REPEAT, "mirror-once": mirrorsOnce?.MIRROR_CLAMP_TO_EDGE_EXT };
+  const mip = levels === 1 ? "" : { none: "", nearest: "_MIPMAP_NEAREST", linear: "_MIPMAP_LINEAR" }[sampler.mip];
+  [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T].forEach((axis, k) => gl.samplerParameteri(made, axis, wraps[sampler.wrap[k]] ?? gl.CLAMP_TO_EDGE));
+  gl.samplerParameteri(made, gl.TEXTURE_MAG_FILTER, gl[sampler.mag.toUpperCase()]);
+  gl.samplerParameteri(made, gl.TEXTURE_MIN_FILTER, gl[sampler.min.toUpperCase() + mip]);
+  gl.samplerParameterf(made, gl.TEXTURE_MIN_LOD, Number(sampler.lod_min));
+  gl.samplerParameterf(made, gl.TEXTURE_MAX_LOD, Number(sampler.lod_max));
+  return made;
 }
 
 class Drawing {
@@ -158,23 +173,8 @@ class Drawing {
     for (const { name, type, values, hex } of uniforms) {
       const at = gl.getUniformLocation(program, name);
       if (!at) continue;  /* not read by this pass */
-      /* The decimals read back to the bits; what is not finite is in the hex list alone, by its name. */
-      const numbers = new Float32Array(values.map((v, i) => v ?? { inf: Infinity, "-inf": -Infinity }[hex[i]] ?? NaN));
-      gl[{ float: "uniform1fv", vec2: "uniform2fv", vec3: "uniform3fv", vec4: "uniform4fv" }[type]](at, numbers);
+      gl[{ float: "uniform1fv", vec2: "uniform2fv", vec3: "uniform3fv", vec4: "uniform4fv" }[type]](at, floatsOf(values, hex));
     }
-  }
-  sampler(sampler) {
-    const { gl } = this, made = gl.createSampler(), levels = this.scene.textures[sampler.texture].levels.length;
-    const wraps = { repeat: gl.REPEAT, "mirrored-repeat": gl.MIRRORED_REPEAT, "mirror-once": this.mirrorsOnce?.MIRROR_CLAMP_TO_EDGE_EXT };
-    const own = wraps[sampler.wrap[0]] ?? gl.CLAMP_TO_EDGE, other = wraps[sampler.wrap[1]] ?? gl.CLAMP_TO_EDGE;
-    const mip = levels === 1 ? "" : { none: "", nearest: "_MIPMAP_NEAREST", linear: "_MIPMAP_LINEAR" }[sampler.mip];
-    gl.samplerParameteri(made, gl.TEXTURE_WRAP_S, own);
-    gl.samplerParameteri(made, gl.TEXTURE_WRAP_T, other);
-    gl.samplerParameteri(made, gl.TEXTURE_MAG_FILTER, gl[sampler.mag.toUpperCase()]);
-    gl.samplerParameteri(made, gl.TEXTURE_MIN_FILTER, gl[sampler.min.toUpperCase() + mip]);
-    gl.samplerParameterf(made, gl.TEXTURE_MIN_LOD, Number(sampler.lod_min));
-    gl.samplerParameterf(made, gl.TEXTURE_MAX_LOD, Number(sampler.lod_max));
-    return made;
   }
   bindSamplers(program, material, emulated) {
     const { gl } = this;
@@ -184,7 +184,8 @@ class Drawing {
       gl.bindTexture(target, made);
       const replaced = emulated.some((of) => of.whole && of.sampler === sampler);
       /* Texels that are fetched need a complete texture, and no filter. */
-      gl.bindSampler(unit, this.sampler(replaced ? { ...sampler, mag: "nearest", min: "nearest", mip: "nearest" } : sampler));
+      gl.bindSampler(unit, glSampler(gl, replaced ? { ...sampler, mag: "nearest", min: "nearest", mip: "nearest" } : sampler,
+                                     this.scene.textures[sampler.texture].levels.length, this.mirrorsOnce));
       const at = gl.getUniformLocation(program, sampler.uniform);
       if (at) gl.uniform1i(at, unit);
     });
@@ -282,6 +283,7 @@ class Drawing {
       return components;
     });
   }
+  release() { this.gl.getExtension("WEBGL_lose_context")?.loseContext(); }  /* browsers hold few */
 }
 
 /* Whole numbers that a shader wrote as floats: NaN and what is below 0 become 0. */
@@ -292,13 +294,13 @@ function clearBits(clear, integer) {
   const number = clear === "inf" ? Infinity : clear === "-inf" ? -Infinity : Number(clear);
   return integer ? number : canonicalBits(new Uint32Array(new Float32Array([number]).buffer)[0]);
 }
-/* The channels of a drawn scene. `reference` has the frame. */
+/* The channels of a scene that WebGL or WebGPU draws. `reference` has the frame. */
 async function drawnSource(drawing, reference) {
   const { scene } = drawing, [width, height] = scene.size, source = new Source("This GPU", reference.frame, reference.frame);
   const clears = new Map();
   await drawing.load();
   for (const [pass, { targets }] of scene.passes.entries()) {
-    const drawn = drawing.drawPass(pass);
+    const drawn = await drawing.drawPass(pass);
     targets.forEach(({ channels, clear }, target) => channels.forEach((channel, c) => {
       if (!channel || source.channels.has(channel.name)) return;
       const integer = channel.type === "uint", bits = new Uint32Array(width * height), from = drawn[target][c];

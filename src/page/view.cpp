@@ -116,8 +116,11 @@ std::string view_html(std::span<const ViewSource> sources) {
 std::string judge_html(const ViewSource& reference, const Json& scene, const std::string& title) {
     const Json data{{"sources", Json::array({source_json(reference, nullptr, true)})},
                     {"scene", scene}};
-    return page_of(data, page_parts({"page/webgl_text.js", "page/webgl.js", "page/judge.js"}),
-                   page_part("page/judge.css"), title);
+    return page_of(
+        data,
+        page_parts({"page/webgl_text.js", "page/webgl.js", "page/webgpu.js", "page/judge.js",
+                    "page/rules_gl.js", "page/rules_words.js", "page/rules.js"}),
+        page_part("page/judge.css"), title);
 }
 
 }  // namespace quadrel::page

@@ -46,9 +46,10 @@ PlaneSetup llvmpipe_setup(const ScreenTriangle& triangle, int samples) {
 }
 
 /// SetupRoutine.cpp: "sort by minimum y", then "by maximum w"; where several vertices tie, both of
-/// its rotations happen.
+/// its rotations happen. They begin with the vertex that flat values come from (Renderer.cpp,
+/// setBatchIndices), of OpenGL the last one.
 Order swiftshader_order(const ScreenTriangle& triangle) {
-    Order order{0, 1, 2};
+    Order order{2, 0, 1};
     const auto sort = [&](auto key, auto best) {
         const float k[3] = {key(order[0]), key(order[1]), key(order[2])};
         const float found = best(best(k[0], k[1]), k[2]);

@@ -229,6 +229,43 @@ TEST(Planes, SwiftShadersBits) {
     EXPECT_FALSE(check(PlantedPlane::fine_grid));
 }
 
+/// Half of a square that faces the eye, on 64x64 pixels: two vertices tie in y and all in w. Drawn
+/// by the same SwiftShader through zink and through ANGLE, OpenGL, window y up, where flat values
+/// are those of the last vertex, with which the sorting begins.
+const DrawnTriangle half_square{{
+    {{-0x1.6d9b1cp+0f, -0x1.6d9b1cp+0f, 0x1.667968p+1f, 3}, {0, 0}},
+    {{0x1.6d9b1cp+0f, -0x1.6d9b1cp+0f, 0x1.667968p+1f, 3}, {1, 0}},
+    {{0x1.6d9b1cp+0f, 0x1.6d9b1cp+0f, 0x1.667968p+1f, 3}, {1, 1}},
+}};
+const DrawnPixels of_half_square{{
+    {44, 44, {0x1.d1d608p-1f, 0x1.d1d608p-1f}},
+    {33, 33, {0x1.192e2ap-1f, 0x1.192e2ap-1f}},
+    {29, 29, {0x1.ac10c8p-2f, 0x1.ac10c8p-2f}},
+    {26, 26, {0x1.47582p-2f, 0x1.47582p-2f}},
+    {20, 20, {0x1.f79b38p-4f, 0x1.f79b38p-4f}},
+    {17, 17, {0x1.92e28p-6f, 0x1.92e28p-6f}},
+}};
+
+TEST(Planes, SwiftShadersBitsWhereVerticesTie) {
+    const auto has_bits = [](const DrawnTriangle& drawn) {
+        RasterState state = drawn_by(Interpolation::swiftshader);
+        state.viewport.conventions = Conventions::gl;
+        const PlaneSetup setup =
+            plane_setup(Interpolation::swiftshader, set_up_whole(drawn, state), 1);
+        return std::all_of(
+            of_half_square.begin(), of_half_square.end(), [&](const DrawnPixel& pixel) {
+                const auto got = both<Quad<float>>(drawn, [&](const auto& value) {
+                    return value_at(Interpolation::swiftshader, setup, value, pixel.x, pixel.y);
+                });
+                return got[0].lane[0] == pixel.value[0] && got[1].lane[0] == pixel.value[1];
+            });
+    };
+    EXPECT_TRUE(has_bits(half_square));
+    DrawnTriangle rotated = half_square;
+    std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
+    EXPECT_FALSE(has_bits(rotated));
+}
+
 /// llvmpipe's planes follow the unsnapped vertices, SwiftShader's the snapped ones within
 /// roundings.
 TEST(Planes, FollowTheExactValues) {

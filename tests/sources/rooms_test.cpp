@@ -25,9 +25,9 @@ AssertionResult keeps_simd_out(const SourceFile& file) {
 
 /// A room includes itself and those before it; public and private headers of a room are one. What
 /// knows no rooms (tools) is none.
-constexpr std::array rooms = {"text",    "file",   "num",    "texture", "scene",   "raster",
-                              "quad",    "relief", "shade",  "film",    "io",      "bake",
-                              "kernels", "render", "export", "sweep",   "modules", "cli"};
+constexpr std::array rooms = {"text",   "file",   "num",   "texture", "scene", "raster",  "quad",
+                              "relief", "shade",  "film",  "io",      "bake",  "kernels", "render",
+                              "rules",  "export", "sweep", "modules", "cli"};
 
 /// The rooms of the headers that stand in front of all folders.
 const std::map<std::string, std::string> front = {

@@ -17,6 +17,7 @@
 #include "file/atomic_file.hpp"
 #include "quadrel/error.hpp"
 #include "text/printable.hpp"
+#include "text/time_left.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -105,13 +106,17 @@ void ProgressBar::clear() {
 void ProgressBar::show(double share, std::string_view what) {
     const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
     if (!terminal_ || (percent == percent_ && what == what_)) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (!begun_ || what != what_) begun_ = now;
+    const std::string left = time_left(std::chrono::duration<double>(now - *begun_).count(), share);
     percent_ = percent;
     what_ = what;
     constexpr int width = 40;
     const int done = percent * width / 100;
-    write_message(fmt::format("\r{}[{:=<{}}{: <{}}]{} {:3} % {}\033[K", color_ ? "\033[36m" : "",
-                              "", done, "", width - done, color_ ? "\033[0m" : "", percent,
-                              printable(what)));
+    write_message(fmt::format("\r{}[{:=<{}}{: <{}}]{} {:3} % {}{}{}\033[K",
+                              color_ ? "\033[36m" : "", "", done, "", width - done,
+                              color_ ? "\033[0m" : "", percent, printable(what),
+                              what.empty() || left.empty() ? "" : ", ", left));
 }
 
 void say_not_kept(const std::string& reason, ProgressBar& bar) {

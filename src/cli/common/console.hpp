@@ -1,7 +1,9 @@
 // What people and pipes see: data on standard output, progress on standard error.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +45,8 @@ class ProgressBar {
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `share` done, 0 to 1, and of what. Not for several threads at once.
+    /// `share` done, 0 to 1, and of what; what takes long has the time that is left beside it. Not
+    /// for several threads at once.
     void show(double share, std::string_view what = "");
     /// Off the terminal, for other text.
     void clear();
@@ -52,6 +55,7 @@ class ProgressBar {
     bool terminal_, color_;
     int percent_ = -1;
     std::string what_;
+    std::optional<std::chrono::steady_clock::time_point> begun_;  ///< with what is shown
 };
 
 /// The warning that a map that was derived from heights is not kept in the cache, once in the life

@@ -188,6 +188,17 @@ std::vector<std::string> attributes_of(const ExportContent& content) {
     return names;
 }
 
+/// All that follows from what is prepared.
+void gather(ExportContent& content) {
+    const RenderPlan& plan = content.prepared->plan;
+    content.frame = plan.frame;
+    Collector collector(content, plan);
+    const std::vector<bool> drawn = drawn_materials(*content.scene);
+    for (std::size_t m = 0; m < drawn.size(); ++m)
+        if (drawn[m]) collector.add(m);
+    content.buffers = vertex_buffers(*content.scene, attributes_of(content));
+}
+
 }  // namespace
 
 std::string ContentTexture::bytes_file(int level) const {
@@ -218,24 +229,36 @@ std::string ContentMaterial::fragment_file(const std::string& language) const {
 
 ExportContent export_content(const Scene& scene, const SceneExport& options) {
     if (options.language == "wgsl") check_webgpu_scene(scene);
-    ExportContent content{&scene, options.language, {}, {}, {}, {}, {}, {}, {}, {}};
+    ExportContent content{&scene, options.language, {}, {}, {}, {}, {}, {}, {}, {}, {}};
     const std::vector<std::string> names = options.channels.empty()
                                                ? exportable_channels(scene, options.language)
                                                : expand_channels(options.channels);
     content.channels = exported_channels(scene, names);
     content.passes = passes_of(content.channels, targets_at_once(options.language));
     const RenderOptions render = render_options(options, content);
-    const PreparedRender plan = planned(scene, render);
-    content.frame = plan.plan.frame;
-    Collector collector(content, plan.plan);
-    const std::vector<bool> drawn = drawn_materials(scene);
-    for (std::size_t m = 0; m < drawn.size(); ++m)
-        if (drawn[m]) collector.add(m);
-    content.buffers = vertex_buffers(scene, attributes_of(content));
+    content.prepared = std::make_shared<const PreparedRender>(planned(scene, render));
+    gather(content);
     if (options.reference) content.expected = quadrel::render(scene, render);
     for (const auto& [name, value] : render_attributes(scene, render))
         content.expected_attributes[name] = value;
     return content;
+}
+
+ExportContent content_in(const ExportContent& content, const std::string& language) {
+    ExportContent other{content.scene,
+                        language,
+                        content.channels,
+                        {},
+                        {},
+                        {},
+                        {},
+                        {},
+                        {},
+                        content.expected_attributes,
+                        content.prepared};
+    other.passes = passes_of(other.channels, targets_at_once(language));
+    gather(other);
+    return other;
 }
 
 }  // namespace quadrel

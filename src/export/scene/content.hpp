@@ -15,6 +15,8 @@
 
 namespace quadrel {
 
+struct PreparedRender;
+
 /// How a texture with faces is looked up.
 enum class TextureShape {
     flat,    ///< one face, or layers one below the other
@@ -64,11 +66,17 @@ struct ExportContent {
     VertexBuffers buffers;
     Film expected;  ///< without planes where no reference is asked for
     Attributes expected_attributes;
+    std::shared_ptr<const PreparedRender> prepared{};  ///< what it was gathered from
 
     bool has_reference() const { return !expected.planes.empty(); }
 };
 
 /// Loads, bakes, renders and records. Throws as export_scene does.
 ExportContent export_content(const Scene& scene, const SceneExport& options);
+
+/// The same channels and textures with shaders of another language, without a reference: nothing is
+/// loaded, baked or drawn again. Throws UsageError for samplers that the language has not; of
+/// conventions it asks nothing, which whoever draws it must see to.
+ExportContent content_in(const ExportContent& content, const std::string& language);
 
 }  // namespace quadrel

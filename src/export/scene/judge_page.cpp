@@ -15,6 +15,7 @@
 #include "quadrel/prepare.hpp"
 #include "render/ranges/limits.hpp"
 #include "render/ranges/range_plan.hpp"
+#include "rules/page.hpp"
 
 namespace quadrel {
 namespace {
@@ -74,12 +75,14 @@ std::string bytes_of(const std::vector<T>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-Json packed_files(const ExportContent& content) {
-    Json files;
+void add_shaders(const ExportContent& content, Json& files) {
     for (const ContentMaterial& material : content.materials) {
         files[material.vertex_file(content.language)] = material.program.vertex;
         files[material.fragment_file(content.language)] = material.program.fragment;
     }
+}
+
+void add_bytes(const ExportContent& content, Json& files) {
     const auto floats = static_cast<std::size_t>(content.buffers.floats_a_vertex());
     files["vertices.bin"] = packed_entry(
         "float32", words_by_part<std::uint32_t>(bytes_of(content.buffers.vertices), floats), floats,
@@ -89,7 +92,36 @@ Json packed_files(const ExportContent& content) {
     for (const ContentTexture& texture : content.textures)
         for (int level = 0; level < texture.texture->view().levels; ++level)
             files[texture.bytes_file(level)] = packed_level(texture, level);
-    return files;
+}
+
+/// Without what is of a folder alone.
+Json description_of(const ExportContent& content) {
+    Json description = manifest_of(content);
+    description.erase("expected");
+    for (Json& texture : description["textures"])
+        for (Json& level : texture["levels"]) level.erase("exr");
+    return description;
+}
+
+/// What WebGPU draws the scene by, as far as it is other than `description`, which has all `data`;
+/// or {"refusal": why it can't}.
+Json webgpu_description(const ExportContent& content, const Json& description) {
+    try {
+        const ExportContent other = content_in(content, "wgsl");
+        Json own = description_of(other), data = Json::object();
+        add_shaders(other, data);
+        if (own["textures"] != description["textures"] ||
+            own["vertex_buffer"] != description["vertex_buffer"])
+            add_bytes(other, data);
+        Json differs;
+        for (const auto& [key, value] : own.items())
+            if (!description.contains(key) || description[key] != value) differs[key] = value;
+        differs["data"] = data;
+        return differs;
+    } catch (const UsageError& error) {
+        const std::string reason = error.what(), option = "--language wgsl: ";
+        return {{"refusal", reason.starts_with(option) ? reason.substr(option.size()) : reason}};
+    }
 }
 
 /// Channels that can have a range, and why others have none; empty where all have.
@@ -167,6 +199,15 @@ page::ViewSource reference_of(const ExportContent& content, Film film) {
     return source;
 }
 
+/// What OpenGL tells of the scene and no browser does.
+std::vector<std::string> lacking_channels(const Scene& scene) {
+    std::vector<std::string> names = exportable_channels(scene, "glsl");
+    const std::vector<std::string> known = exportable_channels(scene, page_language);
+    std::erase_if(names,
+                  [&](const std::string& name) { return std::ranges::count(known, name) != 0; });
+    return names;
+}
+
 bool is_judged(const std::string& name) {
     static constexpr const char* names[] = {
         "uv.U",  "uv.V", "dUVdx.U", "dUVdx.V", "dUVdy.U", "dUVdy.V", "K.U", "K.V", "hit.U",
@@ -202,14 +243,18 @@ std::string judge_page(const Scene& scene, const JudgePage& options) {
 
 std::string judge_page_of(const ExportContent& content, Film reference, const JudgePage& options,
                           const std::string& refusal) {
-    Json description = manifest_of(content);
-    for (Json& texture : description["textures"])
-        for (Json& level : texture["levels"]) level.erase("exr");
+    Json description = description_of(content), data;
+    add_shaders(content, data);
+    add_bytes(content, data);
+    const Json webgpu = webgpu_description(content, description);
     description["limits"] = options.limits;
     description["refusal"] = refusal;
     description["every"] = options.every;
     description["pack"] = page::page_part("snippets/pack.glsl");
-    description["data"] = packed_files(content);
+    description["data"] = data;
+    description["rules"] = rules::probes_for_page();
+    description["webgpu"] = webgpu;
+    description["lacking"] = lacking_channels(*content.scene);
     return page::judge_html(reference_of(content, std::move(reference)), description,
                             content.scene->file.stem().string() + " on this GPU");
 }

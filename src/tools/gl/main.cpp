@@ -127,7 +127,7 @@ bool is_asked(const Arguments& arguments, const std::string& id) {
 std::string list_text(const Arguments& arguments) {
     std::string text;
     auto json = nlohmann::ordered_json::array();
-    for (const Probe& probe : all_probes()) {
+    for (const Probe& probe : rules::all_probes()) {
         if (!is_asked(arguments, probe.id)) continue;
         text += probe.id + ": " + probe.asks + "\n    permitted: " + probe.permits + "\n";
         json.push_back({{"id", probe.id}, {"asks", probe.asks}, {"permits", probe.permits}});
@@ -187,7 +187,7 @@ bool run_planted(const std::string& preset) {
 
 void check_ids(const std::vector<std::string>& only) {
     for (const std::string& id : only) {
-        const auto probes = all_probes();
+        const auto probes = rules::all_probes();
         if (std::none_of(probes.begin(), probes.end(), [&](const Probe& p) { return p.id == id; }))
             throw UsageError("--only: no probe is called " + printable(id) +
                              "; quadrel-gl --list names them");

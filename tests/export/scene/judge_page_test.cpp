@@ -8,105 +8,20 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "browser.hpp"
-#include "effort.hpp"
 #include "export/scene/content.hpp"
-#include "io/document/json.hpp"
+#include "export/scene/judged.hpp"
 #include "page/range_codes.hpp"
 #include "quadrel/error.hpp"
-#include "quadrel/scene/load.hpp"
 #include "random.hpp"
 
 namespace quadrel::export_tests {
 namespace {
 
-using testing_films::file_bytes;
-using testing_films::TemporaryFolder;
-
-constexpr const char* software_gpu =
-    "--use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=60000 --dump-dom";
 constexpr const char* no_gpu =
     "--disable-gpu --disable-software-rasterizer --disable-3d-apis --virtual-time-budget=20000 "
     "--dump-dom";
 
-/// A few pixels as those of a large picture, in few steps and with a small map of colours, so that
-/// ranges are soon found and pages soon made; the light grazes. Of the browser's own software
-/// renderer, whose vertices are snapped to sixteenths.
-Scene small_scene() {
-    return load_scene(
-        "bricks-45",
-        {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2", "hardware=chromium",
-         "material.relief.steps=8", "material.relief.shadow=shadow-none",
-         "lights[0].position=[10,-1,0]", "material.gloss=null",
-         "textures.bricks-color.file=" QUADREL_DATA_DIR "/textures/calibration.exr"});
-}
 constexpr const char* limits = "gl,snapping=0.0625";
-
-/// `text` with every `from` replaced; there has to be one.
-std::string with_planted(std::string text, const std::string& from, const std::string& to) {
-    std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    for (; at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-    return text;
-}
-
-/// The page after its script has run.
-class Judged {
-  public:
-    Judged(const std::string& page, const std::string& anchor, const char* options = software_gpu) {
-        testing_films::write_bytes(folder_ / "judge.html", page);
-        ran_ = testing_browser::browse(folder_, "judge.html" + anchor, options, "dom");
-        dom_ = file_bytes(folder_ / "dom");
-        const std::string mark = "data-verdict=\"";
-        const std::size_t from = dom_.find(mark);
-        if (from == std::string::npos) return;
-        const std::size_t start = from + mark.size();
-        std::string text = dom_.substr(start, dom_.find('"', start) - start);
-        for (const auto& [word, character] :
-             {std::pair{"&quot;", "\""}, {"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}})
-            for (std::size_t at; (at = text.find(word)) != std::string::npos;)
-                text.replace(at, std::string(word).size(), character);
-        verdict_ = Json::parse(text, nullptr, false);
-    }
-
-    const std::string& dom() const { return dom_; }
-    /// Null where the page has come to none.
-    const Json& verdict() const { return verdict_; }
-    std::string error() const {
-        if (!ran_) return "no answer: " + file_bytes(folder_ / "err");
-        return verdict_.is_object() ? verdict_.value("error", "") : "no verdict";
-    }
-    int failing() const { return error().empty() ? verdict_["counts"][3].get<int>() : -1; }
-    std::string first_to_leave() const { return verdict_.value("first", ""); }
-
-  private:
-    TemporaryFolder folder_;
-    bool ran_ = false;
-    std::string dom_;
-    Json verdict_;
-};
-
-class JudgePageInABrowser : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (testing_browser::browser().empty()) GTEST_SKIP() << testing_browser::no_browser;
-    }
-};
-
-/// Whether verdicts are as they should be where nothing is wrong.
-void expect_legal(const Judged& judged) {
-    ASSERT_EQ(judged.error(), "");
-    EXPECT_EQ(judged.failing(), 0) << judged.verdict().dump(1);
-    int pixels = 0;
-    for (const Json& count : judged.verdict()["counts"]) pixels += count.get<int>();
-    EXPECT_EQ(judged.verdict()["pixels"], pixels);
-    EXPECT_EQ(judged.verdict()["rows"].size(), 17u) << judged.verdict().dump(1);
-    for (const Json& row : judged.verdict()["rows"])
-        if (row["name"] == "uv.U" || row["name"] == "hit.U") {
-            EXPECT_EQ(row["counts"][0], pixels) << row.dump();
-        }
-}
 
 /// Hashes of what was drawn, by channel.
 std::string drawn_hashes(const std::string& dom) {

@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 
-#include "gl/probe/report/results.hpp"
+#include "gl/probe/ask_gl.hpp"
 #include "io/scene/setting_words.hpp"
 
 namespace quadrel::gl {
@@ -42,15 +42,16 @@ std::string unnoticed_terms(const std::string& preset) {
     for (const auto& [name, hardware] : hardware_words)
         if (name == preset) as_is = hardware_model(hardware);
     std::vector<bool> noticed(std::size(terms));
-    for (const Probe& probe : all_probes()) {
+    for (const Probe& probe : rules::all_probes()) {
         if (!probe.not_modelled.empty() || probe.question.version > epoxy_gl_version()) continue;
         const Values seen = answers_of_gl(probe);
-        if (differing(probe, seen, answers_of_quadrel(probe, as_is)) != 0) continue;
+        if (rules::differing(probe, seen, rules::answers_of_quadrel(probe, as_is)) != 0) continue;
         for (std::size_t i = 0; i < noticed.size(); ++i) {
             if (noticed[i]) continue;
             HardwareModel changed = as_is;
             terms[i].change(changed);
-            noticed[i] = differing(probe, seen, answers_of_quadrel(probe, changed)) != 0;
+            noticed[i] =
+                rules::differing(probe, seen, rules::answers_of_quadrel(probe, changed)) != 0;
         }
     }
     std::string text;

@@ -23,7 +23,7 @@ std::optional<Difference> first_difference(const Probe& probe, const Values& see
                                            const Values& expected) {
     for (std::size_t pixel = 0; 4 * pixel < seen.size(); ++pixel) {
         const auto a = four(seen, pixel), b = four(expected, pixel);
-        if (differing(probe, {a.begin(), a.end()}, {b.begin(), b.end()}) == 0) continue;
+        if (rules::differing(probe, {a.begin(), a.end()}, {b.begin(), b.end()}) == 0) continue;
         const auto& asked = probe.question.asked;
         return Difference{pixel, pixel < asked.size() ? asked[pixel] : std::array<float, 4>{}, a,
                           b};
@@ -33,10 +33,10 @@ std::optional<Difference> first_difference(const Probe& probe, const Values& see
 
 PresetResult run_preset(const Probe& probe, std::string_view name, Hardware hardware,
                         const Values* seen) {
-    const Values own = answers_of_quadrel(probe, hardware_model(hardware));
+    const Values own = rules::answers_of_quadrel(probe, hardware_model(hardware));
     PresetResult result{std::string(name), probe.words(own)};
     if (seen == nullptr) return result;
-    result.differing = differing(probe, *seen, own);
+    result.differing = rules::differing(probe, *seen, own);
     if (result.differing != 0) result.first = first_difference(probe, *seen, own);
     return result;
 }
@@ -74,7 +74,7 @@ std::vector<std::string> preset_names() {
 
 Results run_probes(const std::vector<std::string>& only) {
     Results results{gl_string(GL_RENDERER), gl_string(GL_VERSION), {}};
-    for (const Probe& probe : all_probes())
+    for (const Probe& probe : rules::all_probes())
         if (only.empty() || std::find(only.begin(), only.end(), probe.id) != only.end())
             results.probes.push_back(run_probe(probe));
     return results;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/probe/probe.hpp"
+#include "gl/probe/ask_gl.hpp"
 
 namespace quadrel::gl {
 

@@ -7,7 +7,8 @@
 
 #include "gl/context/program.hpp"
 #include "gl/context/sampler.hpp"
-#include "gl/probe/ask/question.hpp"
+#include "gl/probe/ask_gl.hpp"
+#include "rules/ask/shader_text.hpp"
 
 namespace quadrel::gl {
 namespace {
@@ -19,26 +20,6 @@ constexpr int numbers_unit = 14, target_unit = 15;
 std::string version_line(const Question& question) {
     return "#version " + std::to_string(std::min(question.version, 40) * 10) + " core\n" +
            (question.version > 40 ? "#extension GL_ARB_derivative_control : require\n" : "");
-}
-
-std::string vertex_text(const Question& question) {
-    return version_line(question) +
-           "in vec4 position;\nin vec4 corner;\nout vec4 at_pixel;\n"
-           "void main() {\n    gl_Position = position;\n    at_pixel = corner;\n}\n";
-}
-
-std::string fragment_text(const Question& question) {
-    std::string text = version_line(question);
-    for (std::size_t i = 0; i < question.maps.size(); ++i)
-        text += std::string("uniform ") + (question.maps[i].cube ? "samplerCube" : "sampler2D") +
-                " map" + std::to_string(i) + ";\n";
-    return text + question.uniforms +
-           "uniform usampler2D numbers;\nin vec4 at_pixel;\nout uvec4 bits;\n"
-           "vec4 answer(vec4 asked, vec4 interpolated, vec2 pixel) {\n" +
-           question.glsl +
-           "\n}\n\nvoid main() {\n"
-           "    vec4 asked = uintBitsToFloat(texelFetch(numbers, ivec2(gl_FragCoord.xy), 0));\n"
-           "    bits = floatBitsToUint(answer(asked, at_pixel, floor(gl_FragCoord.xy)));\n}\n";
 }
 
 struct Format {
@@ -178,9 +159,11 @@ void draw(const Question& question, std::size_t first, std::size_t count, Values
 
 Values ask_gl(const Question& question) {
     const std::vector<Triangle> triangles =
-        question.triangles.empty() ? std::vector{whole_frame()} : question.triangles;
+        question.triangles.empty() ? std::vector{rules::whole_frame()} : question.triangles;
     Objects objects;
-    objects.program = make_program(vertex_text(question), fragment_text(question), "of a probe");
+    const std::string version = version_line(question);
+    objects.program = make_program(rules::vertex_text(version),
+                                   rules::fragment_text(question, version), "of a probe");
     glUseProgram(objects.program);
     make_target(objects, question.width, question.height);
     bind_textures(objects, question);
@@ -191,6 +174,10 @@ Values ask_gl(const Question& question) {
         draw(question, first, count, values);
     if (glGetError() != GL_NO_ERROR) throw std::runtime_error("OpenGL: error in a probe");
     return values;
+}
+
+Values answers_of_gl(const Probe& probe) {
+    return probe.by_samples ? seen_sample_positions() : ask_gl(probe.question);
 }
 
 }  // namespace quadrel::gl

@@ -1,8 +1,8 @@
-#include "gl/probe/rules/inputs.hpp"
+#include "rules/probes/inputs.hpp"
 
 #include <set>
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 std::string bits_words(const Values& values) {
     std::set<float> told_apart;
@@ -12,4 +12,4 @@ std::string bits_words(const Values& values) {
     return fmt::format("{} values, {:.1f} bits", steps, quadrel::log2(double(steps)));
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

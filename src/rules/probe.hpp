@@ -2,9 +2,9 @@
 // Quadrel's own code on the same input.
 #pragma once
 
-#include "gl/probe/ask/question.hpp"
+#include "rules/ask/question.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 struct Probe {
     std::string id;
@@ -18,8 +18,9 @@ struct Probe {
     std::function<std::string(const Values&)> words{};
     /// Whether the specification permits these answers; none: anything, or nothing is known.
     std::function<bool(const Values&)> legal{};
-    /// In place of the question, where that is not a shader over triangles.
-    std::function<Values()> seen{};
+    /// What is asked is no shader over triangles but where the samples of a pixel lie.
+    bool by_samples = false;
+    /// In place of the question, where there is none.
     std::function<Values(const HardwareModel&)> model{};
 };
 
@@ -37,11 +38,10 @@ std::vector<Probe> number_probes();
 
 std::vector<Probe> all_probes();
 
-Values answers_of_gl(const Probe& probe);
 Values answers_of_quadrel(const Probe& probe, const HardwareModel& hardware);
 
 /// How many answers differ by more than the tolerance; all where there are more of one than of the
 /// other.
 std::size_t differing(const Probe& probe, const Values& a, const Values& b);
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

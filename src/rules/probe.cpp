@@ -1,10 +1,10 @@
-#include "gl/probe/probe.hpp"
+#include "rules/probe.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 bool is_same(float a, float b, double tolerance) {
@@ -23,10 +23,6 @@ std::vector<Probe> all_probes() {
     return all;
 }
 
-Values answers_of_gl(const Probe& probe) {
-    return probe.seen ? probe.seen() : ask_gl(probe.question);
-}
-
 Values answers_of_quadrel(const Probe& probe, const HardwareModel& hardware) {
     return probe.model ? probe.model(hardware) : ask_quadrel(probe.question, hardware);
 }
@@ -38,4 +34,4 @@ std::size_t differing(const Probe& probe, const Values& a, const Values& b) {
     return count;
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

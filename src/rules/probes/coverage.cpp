@@ -2,10 +2,10 @@
 // how varyings get from the vertices to the pixels.
 #include <algorithm>
 
-#include "gl/probe/rules/inputs.hpp"
-#include "gl/probe/rules/samples.hpp"
+#include "rules/probes/inputs.hpp"
+#include "rules/probes/samples.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// A shader that says where it was run.
@@ -194,4 +194,4 @@ std::vector<Probe> coverage_probes() {
     return {fans(), edges(), snapping(), sample_positions_probe(), interpolation()};
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

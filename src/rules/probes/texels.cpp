@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "gl/probe/rules/inputs.hpp"
 #include "quadrel/texture/sampler.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// texture of level 0 at (asked.x, asked.y).
@@ -215,6 +215,43 @@ Probe no_numbers() {
     return probe;
 }
 
+/// Of a level that every pixel chooses for itself.
+Probe level_sizes() {
+    Probe probe{"texture-size",
+                "textureSize of levels that differ from pixel to pixel",
+                "each pixel's own level's (GLSL 4.60, 8.9.1)",
+                {side, side}};
+    ProbeTexture map = level_numbers(16);
+    const int levels = static_cast<int>(map.levels.size());
+    probe.question.asked = ask_pixels(side, side, [&](int i) {
+        return std::array<float, 4>{static_cast<float>((i + i / side) % levels)};
+    });
+    probe.question.maps = {map};
+    probe.question.glsl = "    return vec4(vec2(textureSize(map0, int(asked.x))), 0.0, 1.0);";
+    probe.question.text = [](const QuadInput& in) {
+        vec2<QuadF> size(QuadF(0));
+        for (int lane = 0; lane < 4; ++lane) {
+            const auto of = texture_size(in.maps[0], to_int(in.asked.x.lane[lane]));
+            size.x.lane[lane] = static_cast<float>(of.x);
+            size.y.lane[lane] = static_cast<float>(of.y);
+        }
+        return vec4<QuadF>(size.x, size.y, QuadF(0), QuadF(1));
+    };
+    probe.not_modelled = "it is no choice, and presets imitate no defects";
+    probe.words = [levels](const Values& values) {
+        int wrong = 0;
+        for (int i = 0; i < side * side; ++i)
+            wrong += answer(values, static_cast<std::size_t>(i)) !=
+                     static_cast<float>(16 >> (i + i / side) % levels);
+        return wrong == 0 ? std::string("each its own")
+                          : fmt::format("{} of {} another's", wrong, side * side);
+    };
+    probe.legal = [words = probe.words](const Values& values) {
+        return words(values) == "each its own";
+    };
+    return probe;
+}
+
 }  // namespace
 
 std::vector<Probe> texel_probes() {
@@ -231,7 +268,8 @@ std::vector<Probe> texel_probes() {
             wrap_order(),
             boundaries("repeat", Wrap::repeat),
             boundaries("mirrored", Wrap::mirrored_repeat),
-            no_numbers()};
+            no_numbers(),
+            level_sizes()};
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -1,8 +1,8 @@
-#include "gl/probe/ask/sampled.hpp"
+#include "rules/ask/sampled.hpp"
 
 #include "quadrel/scene/hardware_sampler.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// Sizes and offsets of a texture whose levels lie one after the other.
@@ -34,4 +34,4 @@ SampledMaps::SampledMaps(const std::vector<ProbeTexture>& maps, const HardwareMo
     }
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

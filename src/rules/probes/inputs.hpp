@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "gl/probe/probe.hpp"
+#include "rules/probe.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 /// Sides of frames: of few questions, and of many.
 inline constexpr int side = 16, fine_side = 32;
@@ -85,4 +85,4 @@ inline ProbeTexture level_numbers(int size, const SamplerState& sampler = {}) {
 /// Of weights over [0, 1]: how many bits tell them apart.
 std::string bits_words(const Values& values);
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "gl/probe/probe.hpp"
+#include "rules/probe.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 /// "longer gradient, -0.043 to 0": the formula for rho whose logarithm comes closest to levels, and
 /// how far it is off. Pixel i has the gradients (x, y) and (z, w) of asked[i], in texels; levels
@@ -18,4 +18,4 @@ std::string formula_words(const std::vector<std::array<float, 4>>& asked, const 
 bool within_permitted_levels(const std::vector<std::array<float, 4>>& asked, const Values& levels,
                              std::size_t channel, double low, double high, double slack);
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

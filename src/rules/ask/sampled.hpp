@@ -1,9 +1,9 @@
 // A question's textures as Quadrel samples them on a kind of hardware.
 #pragma once
 
-#include "gl/probe/ask/question.hpp"
+#include "rules/ask/question.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 class SampledMaps {
   public:
@@ -15,4 +15,4 @@ class SampledMaps {
     std::vector<SampledTexture> all_;
 };
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -3,9 +3,9 @@
 #include <bit>
 #include <limits>
 
-#include "gl/probe/rules/inputs.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
@@ -178,4 +178,4 @@ std::vector<Probe> number_probes() {
     return probes;
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -1,8 +1,8 @@
 // Cube maps: which face, over the edges, and at the corners.
-#include "gl/probe/rules/inputs.hpp"
 #include "quadrel/texture/cube.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// Faces of 2 x 2 texels, no two alike.
@@ -124,4 +124,4 @@ Probe ties() {
 
 std::vector<Probe> cube_probes() { return {seams(), corners(), ties()}; }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -1,9 +1,9 @@
 // Quads: where they lie, what derivatives are taken between, what helper lanes hold, and whose
 // level of detail a look-up has.
-#include "gl/probe/rules/inputs.hpp"
 #include "quadrel/texture/sampler.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// Whether `expected(x, y)` is what both derivatives are wherever something was drawn.
@@ -186,4 +186,4 @@ std::vector<Probe> quad_probes() {
             helper_lanes(), quad_lod(),    quad_gradients()};
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -4,11 +4,11 @@
 #include <limits>
 #include <set>
 
-#include "gl/probe/rules/formulas.hpp"
-#include "gl/probe/rules/inputs.hpp"
 #include "quadrel/texture/sampler.hpp"
+#include "rules/probes/formulas.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 constexpr int sweep_side = 32, map_size = 64;  // of the frame, and of the texture
@@ -280,4 +280,4 @@ std::vector<Probe> level_probes() {
             filter_switch()};
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

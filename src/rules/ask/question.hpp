@@ -11,7 +11,7 @@
 #include "quadrel/scene/settings.hpp"
 #include "quadrel/texture/view.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 
 using QuadF = Quad<float>;
 
@@ -57,12 +57,10 @@ struct Question {
 /// Four floats a pixel, row 0 (the lowest) first; 0 where nothing is drawn.
 using Values = std::vector<float>;
 
-/// What the current context answers, bit for bit.
-Values ask_gl(const Question& question);
 /// What Quadrel answers as this hardware.
 Values ask_quadrel(const Question& question, const HardwareModel& hardware);
 
 /// A triangle over any frame, whose vertices lie far outside.
 Triangle whole_frame();
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

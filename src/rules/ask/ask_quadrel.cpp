@@ -1,14 +1,14 @@
 // Quadrel's side: its own set-up, coverage, interpolation and numbers.
 #include <bit>
 
-#include "gl/probe/ask/question.hpp"
-#include "gl/probe/ask/sampled.hpp"
 #include "quadrel/raster/interpolation.hpp"
 #include "quadrel/raster/planes.hpp"
 #include "quadrel/raster/quad_points.hpp"
 #include "quadrel/raster/triangle_quads.hpp"
+#include "rules/ask/question.hpp"
+#include "rules/ask/sampled.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 /// The varying in a quad: exactly, or by the planes of the hardware.
@@ -127,4 +127,4 @@ Values ask_quadrel(const Question& question, const HardwareModel& hardware) {
     return values;
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules

@@ -1,13 +1,13 @@
-#include "gl/probe/rules/formulas.hpp"
+#include "rules/probes/formulas.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "gl/probe/rules/inputs.hpp"
 #include "quadrel/num/log.hpp"
 #include "quadrel/texture/lod.hpp"
+#include "rules/probes/inputs.hpp"
 
-namespace quadrel::gl {
+namespace quadrel::rules {
 namespace {
 
 using Numbers = std::array<float, 4>;
@@ -77,4 +77,4 @@ bool within_permitted_levels(const std::vector<Numbers>& asked, const Values& le
     return above.first >= -slack && below.second <= slack;
 }
 
-}  // namespace quadrel::gl
+}  // namespace quadrel::rules
