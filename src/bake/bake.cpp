@@ -22,8 +22,8 @@ const BakeParameter& find_parameter(const BakeKindInfo& kind, const std::string&
         if (name == parameter.name) return parameter;
         names.emplace_back(parameter.name);
     }
-    throw UsageError(fmt::format("{} maps have no parameter \"{}\"; expected {}", kind.name, name,
-                                 one_of(name, names)));
+    throw UsageError(fmt::format("{}: found a parameter that {} maps have not, expected {}", name,
+                                 kind.name, one_of(name, names)));
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ std::map<std::string, double> complete_parameters(const BakeKindInfo& kind,
     for (const auto& [name, value] : options.parameters) {
         const BakeParameter& p = find_parameter(kind, name);
         if (!(value >= p.low && value <= p.high) || (p.whole && value != std::floor(value))) {
-            throw UsageError(fmt::format("{} is {}; {} maps take {} from {} to {}", name, value,
-                                         kind.name, p.whole ? "whole numbers" : "numbers", p.low,
-                                         p.high));
+            throw UsageError(fmt::format("{}: found {}, expected a {} from {} to {} for {} maps",
+                                         name, value, p.whole ? "whole number" : "number", p.low,
+                                         p.high, kind.name));
         }
         all[name] = value;
     }

@@ -32,8 +32,7 @@ BakeKind bake_kind_from_name(std::string_view name) {
         if (name == row.info.name) return row.info.kind;
         names.emplace_back(row.info.name);
     }
-    throw UsageError(fmt::format("kind of baked map: \"{}\" is unknown; expected {}", name,
-                                 one_of(name, names)));
+    throw UsageError(fmt::format("kind: found \"{}\", expected {}", name, one_of(name, names)));
 }
 
 bool bakes_layers(BakeKind kind) { return bake_row(kind).heights == Heights::layers; }

@@ -95,20 +95,21 @@ bool cpu_supports(std::string_view isa) {
 const KernelTable& select_kernels(const std::string& number, const std::string& isa) {
     const auto& names = isa_names();
     if (isa != "auto" && std::find(names.begin(), names.end(), isa) == names.end())
-        throw UsageError(fmt::format("unknown instruction set \"{}\", expected auto, {}", isa,
-                                     fmt::join(names, ", ")));
+        throw UsageError(
+            fmt::format("isa: found \"{}\", expected auto, {}", isa, fmt::join(names, ", ")));
     if (number == "double") {
         if (isa != "auto" && isa != "scalar")
-            throw UsageError(fmt::format("--number double runs on --isa scalar, not \"{}\"", isa));
+            throw UsageError(
+                fmt::format("isa: found \"{}\" beside double, expected scalar or auto", isa));
         return scalar_double_kernels();
     }
     if (number != "float")
-        throw UsageError(
-            fmt::format("unknown number type \"{}\", expected float or double", number));
+        throw UsageError(fmt::format("number: found \"{}\", expected float or double", number));
     if (isa == "auto") return widest();
     if (isa == "scalar") return scalar_float_kernels();
     if (!cpu_supports(isa))
-        throw UsageError(fmt::format("this CPU does not have instruction set \"{}\"", isa));
+        throw UsageError(
+            fmt::format("isa: found \"{}\", expected an instruction set that this CPU has", isa));
     std::string error;
     const KernelTable* table = cached_module(isa, error);
     if (!table) throw UsageError(fmt::format("instruction set \"{}\": {}", isa, error));

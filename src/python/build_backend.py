@@ -1,14 +1,17 @@
 """Builds the wheel of Quadrel by CMake: what pip asks of a project (PEP 517).
 
 It needs no package but CMake, a compiler and what Quadrel is built of (.ci/packages); setuptools and
-wheel are not. The build is kept in build/wheel of the project, so that the next one is short. With
-QUADREL_BUILD=FOLDER it is that of a configured build that is there already.
+wheel are not. The build is kept in build/wheel of the project, a folder for each version of Python, so
+that the next one is short. CMAKE_ARGS are more arguments for CMake, as CMAKE_ARGS="-D
+QUADREL_ONLY_ISAS=avx2". With QUADREL_BUILD=FOLDER it is that of a configured build that is there
+already.
 """
 
 import base64
 import hashlib
 import os
 import pathlib
+import shlex
 import subprocess
 import sys
 import sysconfig
@@ -27,11 +30,12 @@ def run(*command):
 def built():
     """A folder in which the target quadrel-python is built."""
     chosen = os.environ.get("QUADREL_BUILD")
-    build = pathlib.Path(chosen) if chosen else PROJECT / "build" / "wheel"
+    build = pathlib.Path(chosen) if chosen else PROJECT / "build" / "wheel" / sys.implementation.cache_tag
     if not chosen:
         off = [f"-DQUADREL_BUILD_{what}=OFF" for what in ("TESTS", "BENCH", "TOOLS")]
         run("cmake", "-S", PROJECT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-            f"-DPython3_EXECUTABLE={sys.executable}", "-DQUADREL_BUILD_PYTHON=ON", *off)
+            f"-DPython3_EXECUTABLE={sys.executable}", "-DQUADREL_BUILD_PYTHON=ON", *off,
+            *shlex.split(os.environ.get("CMAKE_ARGS", "")))
     run("cmake", "--build", build, "--target", "quadrel-python")
     return build
 

@@ -1,4 +1,7 @@
 // The library's exceptions as Python's.
+#include <algorithm>
+#include <string_view>
+
 #include "python/bindings.hpp"
 
 namespace quadrel::python {
@@ -10,10 +13,18 @@ struct ErrorTypes {
 };
 ErrorTypes* types = nullptr;
 
-py::object make_type(const char* name, const char* text, const py::tuple& bases) {
+py::object make_type(const char* name, const char* text, const py::tuple& bases,
+                     const py::dict& members = {}) {
     const std::string whole = std::string("quadrel.") + name;
     return py::reinterpret_steal<py::object>(
-        PyErr_NewExceptionWithDoc(whole.c_str(), text, bases.ptr(), nullptr));
+        PyErr_NewExceptionWithDoc(whole.c_str(), text, bases.ptr(), members.ptr()));
+}
+
+/// What every error has, where nothing else is known.
+py::dict unknown_parts() {
+    py::dict members;
+    for (const char* name : {"file", "key", "found", "expected"}) members[name] = "";
+    return members;
 }
 
 /// As a text, whatever bytes a file's name has.
@@ -31,6 +42,28 @@ void raise_with(const py::object& type, const char* message,
 
 py::object known(int number) { return number > 0 ? py::object(py::int_(number)) : py::none(); }
 
+/// The argument, what was found and what was expected, of a message that says them in this order:
+/// "isa: found "mmx", expected auto, ..."; of any other, nothing.
+struct UsageParts {
+    std::string key, found, expected;
+
+    explicit UsageParts(const std::string& message) {
+        constexpr std::string_view before_found = ": found ", before_expected = ", expected ";
+        const std::size_t colon = message.find(before_found);
+        const std::size_t comma = message.rfind(before_expected);
+        if (colon == std::string::npos || comma == std::string::npos ||
+            comma < colon + before_found.size())
+            return;
+        // An argument has its option's name.
+        const std::size_t dashes = message.starts_with("--") ? 2 : 0;
+        key = message.substr(dashes, colon - dashes);
+        std::replace(key.begin(), key.end(), '-', '_');
+        const std::size_t from = colon + before_found.size();
+        found = message.substr(from, comma - from);
+        expected = message.substr(comma + before_expected.size());
+    }
+};
+
 void translate(std::exception_ptr failed) {
     try {
         std::rethrow_exception(failed);
@@ -44,9 +77,16 @@ void translate(std::exception_ptr failed) {
                     {"column", known(e.column)}});
     } catch (const OutputError& e) {
         raise_with(types->output, e.what(),
-                   {{"file", text_of(e.file)}, {"reason", text_of(e.reason)}});
+                   {{"file", text_of(e.file)},
+                    {"found", text_of(e.reason)},
+                    {"expected", text_of("a file that can be written")},
+                    {"reason", text_of(e.reason)}});
     } catch (const UsageError& e) {
-        raise_with(types->usage, e.what(), {});
+        const UsageParts parts(e.what());
+        raise_with(types->usage, e.what(),
+                   {{"key", text_of(parts.key)},
+                    {"found", text_of(parts.found)},
+                    {"expected", text_of(parts.expected)}});
     }
 }
 
@@ -55,15 +95,22 @@ void translate(std::exception_ptr failed) {
 void bind_errors(py::module_& module) {
     const auto builtin = [](PyObject* type) { return py::reinterpret_borrow<py::object>(type); };
     const py::object value_error = builtin(PyExc_ValueError), os_error = builtin(PyExc_OSError);
-    const py::object base = make_type("Error", "Whatever Quadrel refuses, or could not do.",
-                                      py::make_tuple(builtin(PyExc_Exception)));
+    const py::object base =
+        make_type("Error",
+                  "Whatever Quadrel refuses, or could not do: `file`, `key` (the place in it, or "
+                  "the argument), "
+                  "`found` and `expected` are its parts, each empty where it has none.",
+                  py::make_tuple(builtin(PyExc_Exception)), unknown_parts());
     types = new ErrorTypes{
         base,
         make_type("InputError",
                   "Bad or missing input: `file`, `key` (the place in it, as objects[0].material; "
                   "may be empty), `found`, `expected`, and `line` and `column` from 1, or None.",
                   py::make_tuple(base, value_error)),
-        make_type("UsageError", "A call that makes no sense.", py::make_tuple(base, value_error)),
+        make_type("UsageError",
+                  "A call that makes no sense: `key` is the argument, where one alone is wrong, "
+                  "with what was `found` and what was `expected`.",
+                  py::make_tuple(base, value_error)),
         make_type("OutputError", "`file` could not be written, for the `reason`; it is untouched.",
                   py::make_tuple(base, os_error))};
     module.attr("Error") = types->base;

@@ -149,6 +149,7 @@ std::string sweep_plan(const std::string& file, const std::string& output, int t
         for (const char* name : {"results.json", "results.csv", "page.html"})
             inputs.check("output", std::filesystem::path(output) / name);
         sweep::SweepOptions options{output, task, of, QUADREL_VERSION, {}};
+        options.pause = [&] { work.stop_if_interrupted(); };
         options.progress = [&](std::size_t done, std::size_t all, const std::string&) {
             work.report(static_cast<double>(done) / static_cast<double>(all));
         };

@@ -5,6 +5,7 @@
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/lists/rows.hpp"
+#include "render/plan/plan.hpp"
 
 namespace quadrel::python {
 namespace {
@@ -16,6 +17,9 @@ std::shared_ptr<LoadedScene> load(const std::string& file_or_name,
     const auto scene = std::make_shared<LoadedScene>();
     scene->inputs =
         inputs_of([&] { static_cast<Scene&>(*scene) = load_scene(file_or_name, assignments); });
+    // A stage's name and its parameters are known now: who sets one need not render to hear that it
+    // is wrong.
+    for (const Material& material : scene->materials) material_stages(*scene, material);
     if (before != nullptr) scene->texture_cache = before->texture_cache;
     return scene;
 }

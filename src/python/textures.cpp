@@ -157,14 +157,16 @@ HeldTexture bake_map(const HeldTexture& heights, const std::string& kind_name,
 /// A film of the layers, the length of a tile and the thickness of the relief in the mesh's own
 /// units, and under how many texels more solids lie than are kept.
 py::tuple peel_layers(const std::string& mesh, int width, int height,
-                      const std::array<double, 3>& towards, double margin) {
+                      const std::array<double, 3>& towards, double margin,
+                      const py::object& progress) {
     const auto named = std::make_shared<NamedFilm>();
     DepthLayers layers;
-    run_interruptibly(py::none(), [&](Work&) {
+    run_interruptibly(progress, [&](Work& work) {
         Mesh solid;
         named->inputs = inputs_of([&] { solid = closed_mesh(mesh); });
-        layers =
-            peel_depth_layers(solid, {width, height, {towards[0], towards[1], towards[2]}, margin});
+        DepthLayerOptions options{width, height, {towards[0], towards[1], towards[2]}, margin};
+        options.progress = [&](double share) { work.report(share); };
+        layers = peel_depth_layers(solid, options);
     });
     named->attributes = attributes_of(layers);
     named->film = std::move(layers.film);
@@ -203,7 +205,7 @@ void bind_textures(py::module_& module) {
         [](const std::string& kind) { return bakes_layers(bake_kind_from_name(kind)); },
         py::arg("kind"));
     module.def("peel_layers", peel_layers, py::arg("mesh"), py::arg("width"), py::arg("height"),
-               py::arg("towards"), py::arg("margin"));
+               py::arg("towards"), py::arg("margin"), py::arg("progress"));
     module.def("bake", bake_map, py::arg("heights"), py::arg("kind"), py::arg("sampler"),
                py::arg("parameters"), py::arg("cache"), py::arg("threads"), py::arg("output"),
                py::arg("progress"));

@@ -51,6 +51,8 @@ MeasuredRun::MeasuredRun(const Scene& scene, const RenderOptions& options)
 
 RunTime MeasuredRun::time(int repeats, double seconds, const std::string& trace) {
     std::vector<double> draws, kernels, traces;
+    RenderOptions timed = options_;
+    timed.progress = nullptr;
     Stopwatch watch;
     double spent_ms = 0;
     const auto lap = [&] {
@@ -59,12 +61,14 @@ RunTime MeasuredRun::time(int repeats, double seconds, const std::string& trace)
         return ms;
     };
     for (int i = 0; i < repeats && !(spent_ms > 1000 * seconds); ++i) {
-        draw_into(film_, prepared_, options_, nullptr, Recording::nothing);
+        draw_into(film_, prepared_, timed, nullptr, Recording::nothing);
         draws.push_back(lap());
-        const StageTimes stages = draw_by_stages(film_, prepared_, options_);
+        const StageTimes stages = draw_by_stages(film_, prepared_, timed);
         kernels.push_back(milliseconds(total(stages).cpu_ns));
         const auto search = stages.find(trace);
         traces.push_back(search == stages.end() ? 0 : milliseconds(search->second.cpu_ns));
+        // All has been drawn; but who is told may end it.
+        if (options_.progress) options_.progress(1);
         lap();
     }
     const auto made = static_cast<int>(draws.size());

@@ -43,7 +43,8 @@ class MeasuredRun {
     MeasuredRun(const Scene& scene, const RenderOptions& options);
 
     /// Draws `repeats` times with nothing that counts, and as often with a clock around each stage.
-    /// Begins no repetition once these have taken so many seconds, by the clock of the draws.
+    /// Begins no repetition once these have taken so many seconds, by the clock of the draws. Calls
+    /// `progress` of the options between two repetitions alone.
     RunTime time(int repeats, double seconds, const std::string& trace);
 
     /// Draws once more, and marks what is touched.

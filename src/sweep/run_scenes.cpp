@@ -32,12 +32,16 @@ const TextureReference& height_map(const Scene& scene) {
 
 }  // namespace
 
-RenderOptions RunScenes::render_options(const Run& run) {
+RenderOptions RunScenes::render_options(const Run& run) const {
     RenderOptions options;
     options.number = run.number;
     options.isa = run.isa;
     options.threads = run.threads;
     options.baking_limit = std::numeric_limits<double>::infinity();  // nobody waits for one picture
+    if (pause_) {
+        options.progress = [this](double) { pause_(); };
+        options.baking = [this](const std::string&, double) { pause_(); };
+    }
     return options;
 }
 

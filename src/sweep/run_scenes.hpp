@@ -1,6 +1,7 @@
 // The scenes of a plan's runs, and what their hits should have been.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,8 +32,10 @@ struct JudgedRun {
 
 class RunScenes {
   public:
-    /// Maps that the plan has made are written into `maps`. The plan must outlive it.
-    RunScenes(const Plan& plan, std::filesystem::path maps) : plan_(plan), maps_(std::move(maps)) {}
+    /// Maps that the plan has made are written into `maps`. The plan must outlive it. Renders call
+    /// `pause` now and then, if it is one; what it throws ends them.
+    RunScenes(const Plan& plan, std::filesystem::path maps, std::function<void()> pause = {})
+        : plan_(plan), maps_(std::move(maps)), pause_(std::move(pause)) {}
 
     /// Throws InputError for a scene that cannot be read.
     RunScene scene_of(const Run& run);
@@ -42,7 +45,7 @@ class RunScenes {
     JudgedRun judge(const RunScene& run_scene, const Run& run,
                     const std::vector<std::string>& more = {});
 
-    static RenderOptions render_options(const Run& run);
+    RenderOptions render_options(const Run& run) const;
 
   private:
     const std::string& heights_of(const Run& run);
@@ -52,6 +55,7 @@ class RunScenes {
 
     const Plan& plan_;
     std::filesystem::path maps_;
+    std::function<void()> pause_;
     std::map<std::pair<std::size_t, std::size_t>, std::string> heights_;  ///< by scene and map
     std::map<std::pair<std::filesystem::path, float>, std::filesystem::path> normals_;
     /// By scene, map, view, number type and the judge: runs that differ in their search alone.

@@ -49,7 +49,7 @@ class Sweeper {
         : plan_(plan),
           options_(options),
           runs_(options.output / "runs"),
-          scenes_(plan, options.output / "maps") {}
+          scenes_(plan, options.output / "maps", options.pause) {}
 
     SweepOutcome run() {
         check_scenes(plan_);  // before anything is written
@@ -152,7 +152,7 @@ class Sweeper {
     }
 
     void measure_all(Json& record, const RunScene& scene, const Run& run, bool pictured) {
-        const RenderOptions options = RunScenes::render_options(run);
+        const RenderOptions options = scenes_.render_options(run);
         const AllowedThreads allowed(run.threads);
         MeasuredRun measured(scene.scene, options);
         const RunTime time = measured.time(plan_.repeats, plan_.repeat_seconds, record["trace"]);

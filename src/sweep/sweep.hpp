@@ -17,6 +17,9 @@ struct SweepOptions {
     std::string version;           ///< of the program
     /// Told before each run how many are done, how many there are, and which one it is.
     std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress;
+    /// Called now and then within a run, from any thread, one at a time, but not while something is
+    /// timed. What it throws ends the sweep: nothing is kept of this run.
+    std::function<void()> pause = {};
 };
 
 struct SweepOutcome {

@@ -133,7 +133,7 @@ def test_ranges_judge_what_is_legal(bricks):
     assert not report.passes
     assert not quadrel.compare(reference, port, legal=True, channels="uv.U").passes
     assert quadrel.compare(reference, port, legal=True, channels="uv.V").passes
-    with pytest.raises(quadrel.UsageError, match="no tolerances"):
+    with pytest.raises(quadrel.UsageError, match="beside True"):
         quadrel.compare(reference, port, legal=True, abs=1)
     with pytest.raises(quadrel.UsageError, match="no range"):
         quadrel.compare(reference, port, legal=True, channels=["R"])
@@ -184,7 +184,7 @@ def test_probes_have_the_bits_of_the_render(bricks):
     assert int(outputs[-1]["bits"][lane], 16) == film["hit.s"].view(np.uint32)[30, 20]
     assert "hit.s" in str(report)
     for x in (-1, 48, 2**40):
-        with pytest.raises(quadrel.UsageError, match="outside"):
+        with pytest.raises(quadrel.UsageError, match="within"):
             quadrel.probe(bricks, x, 0)
 
 

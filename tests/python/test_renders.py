@@ -1,5 +1,6 @@
 """Renders: arrays without copies, progress, Ctrl-C, other threads."""
 
+import io
 import os
 import signal
 import threading
@@ -58,12 +59,12 @@ def test_films_of_arrays_come_back(tmp_path):
 
 @pytest.mark.parametrize("arrays, message", [
     ({}, "at least one"),
-    ({"N": np.zeros((2, 2, 2))}, "3 channels"),
+    ({"N": np.zeros((2, 2, 2))}, "expected 3: N.X"),
     ({"R": np.zeros(4)}, "axes"),
     ({"R": np.zeros((2, 2)), "RGB": np.zeros((2, 2, 3))}, "twice"),
-    ({"R": np.zeros((2, 2)), "G": np.zeros((2, 3))}, "size of the window"),
-    ({"hit.status": np.full((2, 2), -1)}, "below 0"),
-    ({"hit.status": np.full((2, 2), 2**33)}, "above 32 bits"),
+    ({"R": np.zeros((2, 2)), "G": np.zeros((2, 3))}, "shape of all"),
+    ({"hit.status": np.full((2, 2), -1)}, "found -1"),
+    ({"hit.status": np.full((2, 2), 2**33)}, "32 bits"),
 ])
 def test_what_is_no_film_is_refused(arrays, message):
     with pytest.raises(quadrel.UsageError, match=message):
@@ -100,11 +101,48 @@ def test_bars_are_moved_to_their_end(bricks, total):
     assert bar.n == pytest.approx(bar.total) and bar.total == (total or 1)
 
 
-def test_tqdm_is_such_a_bar(bricks):
+class OwnBar(Bar):
+    """What the class promises: a bar of its own, which shows what it was told last."""
+
+    made = []
+
+    def __init__(self, total=None):
+        super().__init__(total)
+        self.shown, self.closed = 0, False
+        self.made.append(self)
+
+    def refresh(self):
+        assert not self.closed
+        self.shown = self.n
+
+    def close(self):
+        self.closed = True
+
+
+def test_a_bars_class_makes_one_that_is_closed(bricks):
+    OwnBar.made.clear()
+    quadrel.render(bricks, progress=OwnBar)
+    with pytest.raises(quadrel.UsageError):
+        quadrel.render(bricks, ["N.Q"], progress=OwnBar)
+    done, failed = OwnBar.made
+    assert done.closed and failed.closed and failed.n == 0
+    assert done.shown == pytest.approx(1) and done.total == 1
+
+
+@pytest.mark.parametrize("total", [None, 1, 250])
+def test_tqdm_is_such_a_bar(bricks, total):
     tqdm = pytest.importorskip("tqdm")
-    with tqdm.tqdm(total=1, disable=False, file=open(os.devnull, "w")) as bar:
+    shown = io.StringIO()
+    with tqdm.tqdm(total=total, disable=False, file=shown) as bar:
         quadrel.render(bricks, progress=bar)
-        assert bar.n == pytest.approx(1)
+        assert bar.n == pytest.approx(total or 1)
+        assert "100%" in shown.getvalue()
+
+
+def test_tqdms_class_is_one_too(bricks, capfd):
+    tqdm = pytest.importorskip("tqdm")
+    quadrel.render(bricks, progress=tqdm.tqdm)
+    assert "100%" in capfd.readouterr().err
 
 
 def slow_scene():

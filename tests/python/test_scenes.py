@@ -45,13 +45,6 @@ def test_what_is_wrong_is_said_by_parts(bricks):
     assert bricks.hash == before and "material.releif" not in bricks.values
 
 
-def test_parameters_are_checked_where_they_are_used(bricks):
-    bricks.set("material.relief.stepz", 3)
-    with pytest.raises(quadrel.InputError) as caught:
-        quadrel.render(bricks)
-    assert caught.value.key.endswith(".stepz") and "steps" in caught.value.expected
-
-
 def test_errors_have_lines(tmp_path):
     file = tmp_path / "broken.json"
     file.write_text('{\n  "quadrel": 1,\n  "size": [8, ]\n}\n')

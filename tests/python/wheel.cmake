@@ -18,6 +18,8 @@ scene = quadrel.load("bricks-45", size=(32, 32))
 assert root in pathlib.Path(scene.file).resolve().parents, scene.file
 film = quadrel.render(scene, ["R", "N"], isa=isa)
 assert film["R"].max() > 0
+package = pathlib.Path(quadrel.__file__).parent
+assert (package / "py.typed").exists() and (package / "_quadrel.pyi").exists()
 maps = pathlib.Path("/proc/self/maps").read_text().splitlines()
 kernels = {line.split()[-1] for line in maps if f"quadrel-kernels-{isa}.so" in line}
 assert kernels and all(root in pathlib.Path(file).parents for file in kernels), kernels

@@ -30,6 +30,22 @@ TEST(Measure, AClockChangesNoBitAndCountsNothing) {
     EXPECT_EQ(timed.stages.size(), counted.stages.size());
 }
 
+/// Who is told takes time: once a repetition, between two that are timed.
+TEST(Measure, NobodyIsToldWhileSomethingIsTimed) {
+    const Scene scene = load_scene("rows/linear", {"size=[200,200]"});
+    RenderOptions options;
+    int told = 0;
+    options.progress = [&](double) { ++told; };
+    MeasuredRun run(scene, options);
+    EXPECT_GT(told, 1);  // tiles of the first drawing
+    told = 0;
+    EXPECT_EQ(run.time(3, 1e9, scene.materials[0].trace.id).repeats, 3);
+    EXPECT_EQ(told, 3);
+    told = 0;
+    run.count();
+    EXPECT_GT(told, 1);
+}
+
 /// Counts are those of a render with statistics, whatever has been timed before.
 TEST(Measure, CountsAreThoseOfStatistics) {
     for (const char* name : {"rows/linear", "rows/cone-step", "rows/max-mip", "thesis-sphere"}) {

@@ -1,6 +1,7 @@
 // Depth layers of a closed mesh: what searches that look behind things read.
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 
 #include "quadrel/film/exr.hpp"
@@ -16,6 +17,8 @@ struct DepthLayerOptions {
     glm::dvec3 towards{0, 0, -1};   ///< object space, not null: along it depth grows
     double margin = 1.0 / 16;       ///< tiles that the mesh leaves free on its longer side, < 1/2
     int solids = 2;                 ///< behind each other that are kept, 1 to most_solids
+    /// Told from 0 to 1 how much is done, on the calling thread; what it throws ends the work.
+    std::function<void(double)> progress = {};
 };
 
 /// What a texel is worth, for the material that shows the layers.

@@ -67,10 +67,12 @@ int end_texel(std::int64_t position, int size) {
 
 }  // namespace
 
-std::vector<std::vector<Crossing>> texel_crossings(const ProjectedMesh& mesh, int width,
-                                                   int height) {
+std::vector<std::vector<Crossing>> texel_crossings(const ProjectedMesh& mesh, int width, int height,
+                                                   const std::function<void(double)>& progress) {
     std::vector<std::vector<Crossing>> texels(static_cast<std::size_t>(width) * height);
-    for (const auto& triangle : mesh.triangles) {
+    constexpr double found = 0.75;  // of the time; then they are sorted
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& triangle = mesh.triangles[t];
         Facet facet{};
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3& p = mesh.positions[triangle[k]];
@@ -88,15 +90,24 @@ std::vector<std::vector<Crossing>> texel_crossings(const ProjectedMesh& mesh, in
         const auto& [a, b, c] = facet.corners;
         const auto [left, right] = std::minmax({a.x, b.x, c.x});
         const auto [low, high] = std::minmax({a.y, b.y, c.y});
-        for (int j = first_texel(low, height); j < end_texel(high, height); ++j)
+        const int first_row = first_texel(low, height), end_row = end_texel(high, height);
+        for (int j = first_row; j < end_row; ++j) {
+            const double rows = static_cast<double>(j - first_row) / (end_row - first_row);
+            progress(found * (static_cast<double>(t) + rows) /
+                     static_cast<double>(mesh.triangles.size()));
             for (int i = first_texel(left, width); i < end_texel(right, width); ++i) {
                 const Point centre{(std::int64_t(i) << 24) + half, (std::int64_t(j) << 24) + half};
                 add_crossing(facet, centre, texels[static_cast<std::size_t>(j) * width + i]);
             }
+        }
     }
-    for (auto& crossings : texels)
-        std::stable_sort(crossings.begin(), crossings.end(),
+    for (std::size_t t = 0; t < texels.size(); ++t) {
+        if (t % static_cast<std::size_t>(width) == 0)
+            progress(found +
+                     (1 - found) * static_cast<double>(t) / static_cast<double>(texels.size()));
+        std::stable_sort(texels[t].begin(), texels[t].end(),
                          [](const Crossing& x, const Crossing& y) { return x.depth < y.depth; });
+    }
     return texels;
 }
 

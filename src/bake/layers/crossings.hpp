@@ -1,6 +1,7 @@
 // Where rays through texel centres go through a mesh.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "bake/layers/closed_mesh.hpp"
@@ -22,7 +23,10 @@ struct Crossing {
 /// The crossings of each texel of a map, row by row, by depth. Each triangle has its centres by
 /// integers: positions are rounded to 2^-24 of a texel, and a centre that lies on an edge belongs
 /// to one side of it, as if it lay a little to the right, and still less upwards.
-std::vector<std::vector<Crossing>> texel_crossings(const ProjectedMesh& mesh, int width,
-                                                   int height);
+///
+/// `progress` is told from 0 to 1 how much is done, row by row of each triangle; what it throws
+/// ends the work.
+std::vector<std::vector<Crossing>> texel_crossings(const ProjectedMesh& mesh, int width, int height,
+                                                   const std::function<void(double)>& progress);
 
 }  // namespace quadrel

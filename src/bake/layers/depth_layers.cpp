@@ -117,7 +117,8 @@ class Closing {
 };
 
 /// Maps of two solids each; a last one that is alone has nothing behind it.
-Film film_of(const std::vector<TexelSolids>& texels, const DepthLayerOptions& options) {
+Film film_of(const std::vector<TexelSolids>& texels, const DepthLayerOptions& options,
+             const std::function<void(double)>& progress) {
     constexpr const char* prefixes[] = {"", "second.", "third."};
     Film film;
     film.frame = film.window = {0, 0, options.width, options.height};
@@ -126,7 +127,8 @@ Film film_of(const std::vector<TexelSolids>& texels, const DepthLayerOptions& op
         for (const char* name : {"R", "G", "B", "A"})
             film.add(std::string(prefixes[map]) + name, ChannelType::float32);
     const Closing closing(texels, options);
-    for (int j = 0; j < options.height; ++j)
+    for (int j = 0; j < options.height; ++j) {
+        progress(static_cast<double>(j) / options.height);
         for (int i = 0; i < options.width; ++i) {
             const TexelSolids solids = closing.closed(i, j);
             for (std::size_t c = 0; c < film.planes.size(); ++c) {
@@ -135,6 +137,7 @@ Film film_of(const std::vector<TexelSolids>& texels, const DepthLayerOptions& op
                     std::bit_cast<std::uint32_t>(c % 2 == 0 ? solid.front : solid.back);
             }
         }
+    }
     return film;
 }
 
@@ -164,12 +167,18 @@ DepthLayers peel_depth_layers(const Mesh& mesh, const DepthLayerOptions& options
         p = {((from.x - size.x / 2) / layers.tile + 0.5) * options.width,
              ((from.y - size.y / 2) / layers.tile + 0.5) * options.height, from.z / size.z};
     }
-    const auto crossings = texel_crossings(projected, options.width, options.height);
+    constexpr double crossed = 0.75;  // of the time, when all crossings are found
+    const auto tell = [&](double share) {
+        if (options.progress) options.progress(share);
+    };
+    const auto crossings = texel_crossings(projected, options.width, options.height,
+                                           [&](double share) { tell(crossed * share); });
     std::vector<TexelSolids> texels(crossings.size());
     for (std::size_t t = 0; t < crossings.size(); ++t)
         layers.deeper +=
             solids_of(crossings[t], static_cast<std::size_t>(options.solids), texels[t]);
-    layers.film = film_of(texels, options);
+    layers.film =
+        film_of(texels, options, [&](double share) { tell(crossed + (1 - crossed) * share); });
     return layers;
 }
 

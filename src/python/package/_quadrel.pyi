@@ -7,20 +7,19 @@ from numpy.typing import NDArray
 
 version: str
 
-class Error(Exception): ...
-
-class InputError(Error, ValueError):
+class Error(Exception):
     file: str
     key: str
     found: str
     expected: str
+
+class InputError(Error, ValueError):
     line: Optional[int]
     column: Optional[int]
 
 class UsageError(Error, ValueError): ...
 
 class OutputError(Error, OSError):
-    file: str
     reason: str
 
 class Scene:
@@ -124,7 +123,7 @@ def texture_of_array(texels: NDArray[Any], stored: str, options: TextureOptions)
 def texture_of_levels(levels: Sequence[NDArray[Any]]) -> Texture: ...
 def read_texture(file: bytes, options: TextureOptions, layer: str, part: str) -> Texture: ...
 def peel_layers(mesh: bytes, width: int, height: int, towards: Sequence[float],
-                margin: float) -> Tuple[Film, float, float, int]: ...
+                margin: float, progress: _Progress) -> Tuple[Film, float, float, int]: ...
 def bakes_layers(kind: str) -> bool: ...
 def bake(heights: Texture, kind: str, sampler: SamplerState, parameters: Dict[str, float],
          cache: bool, threads: int, output: Optional[bytes], progress: _Progress) -> Texture: ...

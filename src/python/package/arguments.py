@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import operator
 import os
-from typing import (Any, Callable, Dict, List, Mapping, Optional, Protocol, Sequence, Tuple, Union,
-                    cast)
+from typing import (Any, Callable, Dict, Iterator, List, Mapping, Optional, Protocol, Sequence, Tuple,
+                    Union, cast)
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,13 @@ class Bar(Protocol):
 Progress = Union[Callable[[float], Any], Bar, None]
 
 
+def wrong(key: str, found: str, expected: str) -> _quadrel.UsageError:
+    """The error of an argument that is not as expected, by its parts."""
+    error = _quadrel.UsageError(f"{key}: found {found}, expected {expected}")
+    error.key, error.found, error.expected = key, found, expected
+    return error
+
+
 def shown(value: Any) -> str:
     """What was found, on one line and short."""
     most = 60
@@ -40,8 +48,7 @@ def path(file: Path, what: str = "file") -> bytes:
     try:
         return os.fsencode(file)
     except (TypeError, UnicodeEncodeError):
-        raise _quadrel.UsageError(
-            f"{what}: found {shown(file)}, expected the name of a file") from None
+        raise wrong(what, shown(file), "the name of a file") from None
 
 
 def text(what: str, given: str) -> str:
@@ -52,7 +59,7 @@ def text(what: str, given: str) -> str:
             return given
         except UnicodeEncodeError:
             pass
-    raise _quadrel.UsageError(f"{what}: found {shown(given)}, expected a text")
+    raise wrong(what, shown(given), "a text")
 
 
 def texts(what: str, given: Optional[Mapping[str, str]]) -> Dict[str, str]:
@@ -66,7 +73,7 @@ def mapping(what: str, given: Optional[Mapping[str, Any]], expected: str) -> Map
     if given is None:
         return {}
     if not isinstance(given, Mapping):
-        raise _quadrel.UsageError(f"{what}: found {shown(given)}, expected {expected}")
+        raise wrong(what, shown(given), expected)
     return given
 
 
@@ -75,51 +82,54 @@ def array(what: str, values: Any) -> NDArray[Any]:
     try:
         return np.asarray(values)
     except (TypeError, ValueError):
-        raise _quadrel.UsageError(
-            f"{what}: found {shown(values)}, expected an array") from None
+        raise wrong(what, shown(values), "an array") from None
 
 
 def index(what: str, number: int) -> int:
-    """A whole number, of any size."""
+    """An integer of Python's or numpy's, of any size: neither a bool nor a float, though it be whole."""
     try:
         if isinstance(number, (bool, np.bool_)):
             raise TypeError
         return operator.index(number)
     except TypeError:
-        raise _quadrel.UsageError(
-            f"{what}: found {shown(number)}, expected a whole number") from None
+        raise wrong(what, f"{shown(number)} ({type(number).__name__})", "an integer") from None
 
 
 def whole(what: str, number: int, least: int, most: int) -> int:
-    """A whole number that is not beyond what is permitted."""
+    """An integer that is not beyond what is permitted."""
     given = index(what, number)
     if not least <= given <= most:
-        raise _quadrel.UsageError(f"{what}: found {given}, expected {least} to {most}")
+        raise wrong(what, str(given), f"{least} to {most}")
     return given
 
 
 def number(what: str, given: float) -> float:
     """A number as Python or numpy has it."""
     try:
-        if isinstance(given, (str, bytes)):
+        if isinstance(given, (str, bytes, bool, np.bool_)):
             raise TypeError
         return float(given)
     except (TypeError, ValueError, OverflowError):
-        raise _quadrel.UsageError(
-            f"{what}: found {shown(given)}, expected a number") from None
+        raise wrong(what, f"{shown(given)} ({type(given).__name__})", "a number") from None
 
 
 def wholes(what: str, given: Sequence[int], names: str, least: int, most: int) -> Tuple[int, ...]:
-    """So many whole numbers as there are names."""
+    """So many integers as there are names."""
     count = len(names.split(", "))
     values = list(given) if np.iterable(given) and not isinstance(given, (str, bytes)) else []
     if len(values) != count or isinstance(given, (Mapping, set, frozenset)):
-        raise _quadrel.UsageError(f"{what}: found {shown(given)}, expected ({names})")
+        raise wrong(what, shown(given), f"({names})")
     return tuple(whole(what, value, least, most) for value in values)
 
 
-def window(box: Optional[Window]) -> Optional[Tuple[int, ...]]:
-    return None if box is None else wholes("window", box, "x0, y0, x1, y1", 0, 65536)
+def window(box: Optional[Window], what: str = "window") -> Optional[Tuple[int, ...]]:
+    """(x0, y0, x1, y1) with pixels in it."""
+    if box is None:
+        return None
+    x0, y0, x1, y1 = wholes(what, box, "x0, y0, x1, y1", 0, 65536)
+    if x0 >= x1 or y0 >= y1:
+        raise wrong(what, shown((x0, y0, x1, y1)), "(x0, y0, x1, y1) with x0 < x1 and y0 < y1")
+    return x0, y0, x1, y1
 
 
 def size(given: Sequence[int], most: int) -> Tuple[int, ...]:
@@ -136,23 +146,37 @@ def names(what: str, given: Union[str, Sequence[str]]) -> List[str]:
     if isinstance(given, str):
         return [text(what, given)]
     if not np.iterable(given):
-        raise _quadrel.UsageError(f"{what}: found {shown(given)}, expected names")
+        raise wrong(what, shown(given), "names")
     return [text(what, name) for name in given]
 
 
-def progress(told: Progress) -> Optional[Callable[[float], Any]]:
-    """What is called with 0 to 1: a function, or one that moves a bar."""
+@contextlib.contextmanager
+def progress(told: Progress) -> Iterator[Optional[Callable[[float], Any]]]:
+    """What is called with 0 to 1: a function, or one that moves a bar. A class makes a bar of its own,
+    which is closed in the end."""
     if told is None:
-        return None
-    if not hasattr(told, "update"):
-        if not callable(told):
-            raise _quadrel.UsageError(f"progress: found {shown(told)}, expected a function of a "
-                                      "float, or a bar as tqdm's")
-        return told
-    bar = cast(Bar, told)
+        yield None
+    elif isinstance(told, type) and hasattr(told, "update"):
+        own = told(total=1.0)
+        try:
+            yield _mover(cast(Bar, own))
+        finally:
+            if hasattr(own, "close"):
+                own.close()
+    elif hasattr(told, "update"):
+        yield _mover(cast(Bar, told))
+    elif callable(told):
+        yield told
+    else:
+        raise wrong("progress", shown(told), "a function of a float, or a bar as tqdm's")
+
+
+def _mover(bar: Bar) -> Callable[[float], Any]:
     total = bar.total = 1.0 if bar.total is None else bar.total
 
     def move(share: float) -> None:
         bar.update(share * total - bar.n)
+        if share == 1 and hasattr(bar, "refresh"):
+            bar.refresh()  # bars show only now and then how far they are
 
     return move

@@ -19,8 +19,8 @@ def _components(name: str, count: int) -> List[str]:
     known = _COLORS.get(name)
     channels = known if known is not None else _quadrel.expand_channels([name])
     if len(channels) != count:
-        raise _quadrel.UsageError(f'film: "{name}" has {len(channels)} channels '
-                                  f"({', '.join(channels)}), and the array {count}")
+        raise arguments.wrong(f'film: "{name}"', f"{count} components",
+                              f"{len(channels)}: {', '.join(channels)}")
     return channels
 
 
@@ -46,7 +46,7 @@ def _planes(arrays: Mapping[str, ArrayLike]) -> Tuple[Dict[str, NDArray[Any]], D
 
     def add(channel: str, plane: NDArray[Any]) -> None:
         if channel in planes:
-            raise _quadrel.UsageError(f'film: found "{channel}" twice')
+            raise arguments.wrong("film", f'"{channel}" twice', "each channel once")
         bits = _CODES.get(plane.dtype)
         if bits is not None and not _is_whole(channel):
             codes[channel] = bits
@@ -58,25 +58,24 @@ def _planes(arrays: Mapping[str, ArrayLike]) -> Tuple[Dict[str, NDArray[Any]], D
         arguments.text("film: the name of a channel", name)
         array = arguments.array(f'film: "{name}"', values)
         if array.dtype.kind not in "fuib":
-            raise _quadrel.UsageError(
-                f'film: "{name}" is of {array.dtype}, expected floats or integers')
+            raise arguments.wrong(f'film: "{name}"', str(array.dtype), "floats or integers")
         count += array.size
         if count > _MOST_VALUES:
-            raise _quadrel.UsageError(f"film: found {count} values and more, expected at most 2^31")
+            raise arguments.wrong("film", f"{count} values and more", "at most 2^31")
         if array.ndim == 3:
             for i, channel in enumerate(_components(name, array.shape[2])):
                 add(channel, array[:, :, i])
         elif array.ndim == 2:
             add(name, array)
         else:
-            raise _quadrel.UsageError(f'film: "{name}" has {array.ndim} axes, expected (height, '
-                                      "width), or (height, width, components)")
+            raise arguments.wrong(f'film: "{name}"', f"an array of {array.ndim} axes",
+                                  "(height, width), or (height, width, components)")
         if array.dtype.kind == "i" and array.size and array.min() < 0:
-            raise _quadrel.UsageError(f'film: "{name}" has integers below 0')
+            raise arguments.wrong(f'film: "{name}"', f"{array.min()}", "integers of 0 and above 0")
         if array.dtype.kind in "ui" and array.size and array.max() > 0xffffffff:
-            raise _quadrel.UsageError(f'film: "{name}" has integers above 32 bits')
+            raise arguments.wrong(f'film: "{name}"', f"{array.max()}", "integers of 32 bits")
     if not planes:
-        raise _quadrel.UsageError("film: expected at least one channel")
+        raise arguments.wrong("film", "no channel", "at least one")
     return planes, codes
 
 
@@ -103,8 +102,18 @@ class Film(Mapping[str, "NDArray[Any]"]):
         written = arguments.texts("attributes", attributes)
         planes, codes = _planes(arrays)
         height, width = next(iter(planes.values())).shape
+        for channel, plane in planes.items():
+            if plane.shape != (height, width):
+                raise arguments.wrong(f'film: "{channel}"', f"{plane.shape}",
+                                      f"{(height, width)}, the shape of all")
         box = arguments.window(window) or (0, 0, width, height)
-        whole = arguments.window(frame) or (0, 0, box[2], box[3])
+        whole = arguments.window(frame, "frame") or (0, 0, box[2], box[3])
+        if (box[2] - box[0], box[3] - box[1]) != (width, height):
+            raise arguments.wrong("window", arguments.shown(box),
+                                  f"one of {width} x {height} pixels, as the arrays")
+        if not (whole[0] <= box[0] and whole[1] <= box[1] and box[2] <= whole[2]
+                and box[3] <= whole[3]):
+            raise arguments.wrong("frame", arguments.shown(whole), f"one around the window {box}")
         self._film = _quadrel.film_of_arrays(planes, whole, box, codes)
         self._film.attributes = written
 
@@ -134,7 +143,7 @@ class Film(Mapping[str, "NDArray[Any]"]):
         copy."""
         names: List[str] = []
         if not channels:
-            raise _quadrel.UsageError("stack: expected at least one channel")
+            raise arguments.wrong("stack", "no channel", "at least one")
         for channel in arguments.names("stack", channels):
             if channel in self:
                 names.append(channel)

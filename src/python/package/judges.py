@@ -46,9 +46,18 @@ def _tolerances(**allowed: ByChannel) -> List[Tuple[str, str, float]]:
         if value is None:
             continue
         by_channel = value if isinstance(value, Mapping) else {"": value}
-        rules += [(kind, arguments.text(kind, channel), arguments.number(kind, number))
+        rules += [(kind, arguments.text(kind, channel), _tolerance(kind, number))
                   for channel, number in by_channel.items()]
     return rules
+
+
+def _tolerance(kind: str, given: float) -> float:
+    value = arguments.number(kind, given)
+    most = {"ulp": 2.0**32 - 1, "fraction": 1.0}.get(kind, 1e300)
+    if not 0 <= value <= most or (kind == "ulp" and value != int(value)):
+        expected = {"ulp": "a whole number of 0 to 2^32 - 1", "fraction": "0 to 1"}
+        raise arguments.wrong(kind, arguments.shown(given), expected.get(kind, "0 or more"))
+    return value
 
 
 def _source(image: Image) -> Union[_quadrel.Film, bytes]:
@@ -91,10 +100,12 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
     how.overlap = bool(overlap)
     how.flip_y = bool(flip_y)
     how.encode = arguments.text("encode", encode)
+    if encode not in ("none", "srgb8", "unorm8", "half"):
+        raise arguments.wrong("encode", f'"{encode}"', "srgb8, unorm8, half or none")
     if legal:
         if how.tolerances or blame is not None:
-            raise _quadrel.UsageError("compare: no tolerances and no blame with legal=True, whose "
-                                      "reference says what is permitted")
+            raise arguments.wrong("legal", "tolerances or blame beside True",
+                                  "none: the reference says what is permitted")
         return Report(*_quadrel.judge(_source(reference), _source(test), how,
                                       arguments.number("widest", widest),
                                       arguments.number("most_ambiguous", most_ambiguous),
@@ -112,7 +123,7 @@ def probe(scene: Union[Scene, arguments.Path], x: int, y: int, *, number: str = 
     x, y = (arguments.index("pixel", side) for side in (x, y))
     width, height = probed.size
     if not (0 <= x < width and 0 <= y < height):
-        raise _quadrel.UsageError(f"pixel {x},{y} is outside of the {width}x{height} image")
+        raise arguments.wrong("pixel", f"{x},{y}", f"one within the {width}x{height} image")
     return Report(*_quadrel.probe(probed._scene, x, y, arguments.text("number", number),
                                   arguments.text("isa", isa), injections(inject)))
 
@@ -130,8 +141,8 @@ def errors(scene: Union[Scene, arguments.Path],
     is nothing to judge.
     """
     judged = None if image is None else film_of(image)._film
-    found, text, film = _quadrel.errors(scene_of(scene)._scene, judged, arguments.window(window),
-                                        arguments.running(number, isa, threads),
-                                        arguments.whole("worst", worst, 0, 1000),
-                                        arguments.progress(progress))
+    with arguments.progress(progress) as told:
+        found, text, film = _quadrel.errors(scene_of(scene)._scene, judged, arguments.window(window),
+                                            arguments.running(number, isa, threads),
+                                            arguments.whole("worst", worst, 0, 1000), told)
     return Report(found, text, film=Film._of(film))

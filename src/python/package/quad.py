@@ -25,12 +25,16 @@ from . import _quadrel, arguments
 Axes = Tuple[int, int]
 
 
+def _odd(image: NDArray[Any]) -> _quadrel.UsageError:
+    return arguments.wrong("quads", f"an array of shape {image.shape}",
+                           "rows and columns, an even number of each")
+
+
 def to_quads(image: NDArray[Any], y_up: bool) -> NDArray[Any]:
     """(..., height, width) as one flat array, quad by quad: (even x, even y), (odd, even),
     (even, odd), (odd, odd)."""
     if image.ndim < 2 or image.shape[-2] % 2 or image.shape[-1] % 2:
-        raise _quadrel.UsageError(f"quads: found an array of shape {image.shape}, expected rows and "
-                                  "columns, an even number of each")
+        raise _odd(image)
     rows = image[..., ::-1, :] if y_up else image
     height, width = image.shape[-2:]
     split = rows.reshape(*image.shape[:-2], height // 2, 2, width // 2, 2)
@@ -50,17 +54,16 @@ def from_quads(lanes: NDArray[Any], shape: Tuple[int, ...], y_up: bool) -> NDArr
 def _differences(which: str, values: ArrayLike, mode: str, y_up: bool, axes: Axes) -> NDArray[Any]:
     given = arguments.array("quads", values)
     if given.ndim < 2:
-        raise _quadrel.UsageError(f"quads: found an array of shape {given.shape}, expected rows and "
-                                  "columns, an even number of each")
+        raise _odd(given)
     exact = given.dtype == np.float64
     if given.dtype.kind not in "fuib":
-        raise _quadrel.UsageError(f"quads: found {given.dtype}, expected numbers")
+        raise arguments.wrong("quads", str(given.dtype), "numbers")
     numbers = given.astype(np.float64 if exact else np.float32, copy=False)
     try:
         image = np.moveaxis(numbers, axes, (-2, -1))
     except (TypeError, ValueError):
-        raise _quadrel.UsageError(f"axes: found {arguments.shown(axes)}, expected two of the "
-                                  f"array's {given.ndim}") from None
+        raise arguments.wrong("axes", arguments.shown(axes),
+                              f"two of the array's {given.ndim}") from None
     lanes = _quadrel.differences(which, arguments.text("mode", mode), to_quads(image, y_up), exact)
     return np.moveaxis(from_quads(lanes, image.shape, y_up), (-2, -1), axes)
 

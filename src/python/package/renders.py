@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -50,21 +51,26 @@ def render(scene: Union[Scene, arguments.Path], channels: Union[str, Sequence[st
     inject          {"hit.uv": film}: values of an image in the place of what a stage stores
     stats           a dict that receives what the render did and took; with `touched` also which
                     texels look-ups touched, which takes several times as long
-    progress        called with 0 to 1, or a bar as tqdm's, in the calling thread
+    progress        called with 0 to 1 in the calling thread; or a bar as tqdm's, or its class
 
     Other threads of Python run meanwhile. Ctrl-C, and what `progress` raises, end it at the next
     tile. Raises InputError for a scene that cannot be drawn, UsageError.
     """
     if stats is not None and not isinstance(stats, dict):
-        raise _quadrel.UsageError(f"stats: found {arguments.shown(stats)}, expected a dict")
-    samples = None if integrate is None else arguments.whole("integrate", integrate, 0, 2**31 - 1)
+        raise arguments.wrong("stats", arguments.shown(stats), "a dict")
+    samples = None if integrate is None else arguments.whole("integrate", integrate, 16, 65536)
+    if samples is not None and samples % 16:
+        raise arguments.wrong("integrate", str(samples), "a multiple of 16")
     error = None if integrate_error is None else arguments.number("integrate_error", integrate_error)
+    if error is not None and not 0 <= error < math.inf:
+        raise arguments.wrong("integrate_error", str(error), "a finite number of 0 or more")
     extras = _quadrel.Extras(arguments.text("limits", limits), samples, error, stats is not None,
                              bool(touched))
-    film, counted = _quadrel.render(scene_of(scene)._scene, arguments.names("channels", channels),
-                                    arguments.window(window),
-                                    arguments.running(number, isa, threads), extras,
-                                    injections(inject), arguments.progress(progress))
+    with arguments.progress(progress) as told:
+        film, counted = _quadrel.render(scene_of(scene)._scene, arguments.names("channels", channels),
+                                        arguments.window(window),
+                                        arguments.running(number, isa, threads), extras,
+                                        injections(inject), told)
     if stats is not None and counted is not None:
         stats.clear()
         stats.update(json.loads(counted))
@@ -77,10 +83,13 @@ def sweep(plan: arguments.Path, output: arguments.Path, *, task: Tuple[int, int]
     page.html, results.csv, results.json, plots. Runs that the folder has are not measured again.
 
     Returns the runs, a dict each, as results.json has them; of task=(I, N) every N-th, from the I-th
-    on. Ctrl-C ends it after the run that is being measured, and finished runs stay.
+    on. Ctrl-C ends it within the run that is being measured, of which nothing stays; finished runs do.
     """
     number, of = arguments.wholes("task", task, "I, N", 1, 2**31 - 1)
-    results = _quadrel.sweep(arguments.path(plan, "plan"), arguments.path(output, "output"), number, of,
-                             arguments.progress(progress))
+    if number > of:
+        raise arguments.wrong("task", f"({number}, {of})", "(I, N) with 1 <= I <= N, as (3, 8)")
+    with arguments.progress(progress) as told:
+        results = _quadrel.sweep(arguments.path(plan, "plan"), arguments.path(output, "output"), number,
+                                 of, told)
     runs: List[Dict[str, Any]] = json.loads(results)["runs"]
     return runs

@@ -54,7 +54,7 @@ class _Lanes:
 
     def __init__(self, kind: str, number: str, y_up: bool) -> None:
         if number not in ("float", "double"):
-            raise _quadrel.UsageError(f'number: found "{number}", expected float or double')
+            raise arguments.wrong("number", arguments.shown(number), "float or double")
         self.kind = kind
         self.y_up = y_up
         self.double = number == "double"
@@ -65,20 +65,19 @@ class _Lanes:
         try:
             self._given[name] = np.asarray(values, dtype=self.dtype)
         except (TypeError, ValueError):
-            raise _quadrel.UsageError(
-                f"{name}: found {arguments.shown(values)}, expected numbers") from None
+            raise arguments.wrong(name, arguments.shown(values), "numbers") from None
 
     def add_whole(self, name: str, values: ArrayLike) -> None:
         given = arguments.array("texel_fetch", values)
         if given.dtype.kind not in "ui":
-            raise _quadrel.UsageError(f"texel_fetch: found {given.dtype}, expected integers")
+            raise arguments.wrong("texel_fetch", str(given.dtype), "integers")
         self._given[name] = np.clip(given, -1, 2**31 - 1).astype(np.int32)
 
     def add_pair(self, names: Tuple[str, str], values: ArrayLike, what: str) -> None:
         pair = arguments.array(what, values)
         if pair.ndim < 1 or pair.shape[-1] != 2:
-            raise _quadrel.UsageError(f"{what}: found an array of shape {pair.shape}, expected "
-                                      "two components on the last axis")
+            raise arguments.wrong(what, f"an array of shape {pair.shape}",
+                                  "two components on the last axis")
         add = self.add_whole if what == "xy" else self.add
         add(names[0], pair[..., 0])
         add(names[1], pair[..., 1])
@@ -88,8 +87,8 @@ class _Lanes:
         try:
             self.shape = np.broadcast_shapes(*shapes)
         except ValueError:
-            raise _quadrel.UsageError(f"look-up: found arrays of the shapes {shapes}, expected ones "
-                                      "that broadcast") from None
+            raise arguments.wrong("look-up", f"arrays of the shapes {shapes}",
+                                  "ones that broadcast") from None
         return {name: self._flat(np.broadcast_to(a, self.shape))
                 for name, a in self._given.items()}
 
@@ -112,11 +111,11 @@ def _request(texture: Source, sampler: Optional[Sampler], lanes: _Lanes, mode: s
              component: int = 0) -> _quadrel.LookUp:
     held = texture if isinstance(texture, Texture) else Texture(texture)
     if held.layers > 1:
-        raise _quadrel.UsageError(f"look-up: the map has {held.layers} layers; take one: "
-                                  "Texture.of_levels([level[0] for level in map.levels])")
+        raise arguments.wrong("texture", f"a map of {held.layers} layers",
+                              "one: Texture.of_levels([level[0] for level in map.levels])")
     chosen = Sampler() if sampler is None else sampler
     if not isinstance(chosen, Sampler):
-        raise _quadrel.UsageError(f"sampler: found {arguments.shown(chosen)}, expected a Sampler")
+        raise arguments.wrong("sampler", arguments.shown(chosen), "a Sampler")
     return _quadrel.LookUp(held._texture, chosen.state(), lanes.kind, arguments.text("mode", mode),
                            component, lanes.arrays())
 
@@ -129,15 +128,15 @@ def _lanes_of(uv: Optional[ArrayLike], lod: Optional[ArrayLike], duvdx: Optional
               duvdy: Optional[ArrayLike], bias: ArrayLike, y_up: bool, number: str) -> _Lanes:
     """Of look-ups whose level is given, or by gradients, or by the differences of uv."""
     if (duvdx is None) != (duvdy is None):
-        raise _quadrel.UsageError("look-up: expected both of duvdx and duvdy, or neither")
+        raise arguments.wrong("duvdx, duvdy", "one of them", "both of them, or neither")
     if lod is not None and duvdx is not None:
-        raise _quadrel.UsageError("look-up: expected lod or duvdx and duvdy, found both")
+        raise arguments.wrong("lod", "it beside duvdx and duvdy", "one of them")
     kind = "level" if lod is not None else "gradients" if duvdx is not None else "implicit"
     lanes = _Lanes(kind, number, y_up)
     if uv is not None:
         lanes.add_pair(("u", "v"), uv, "uv")
     elif kind == "implicit":
-        raise _quadrel.UsageError("look-up: expected uv, lod, or duvdx and duvdy")
+        raise arguments.wrong("look-up", "nothing", "uv, lod, or duvdx and duvdy")
     if lod is not None:
         lanes.add("level", lod)
     if duvdx is not None and duvdy is not None:

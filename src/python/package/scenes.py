@@ -26,12 +26,13 @@ _KEY = re.compile(r"[^.\[\]=]+(\[[0-9]+\])*(\.[^.\[\]=]+(\[[0-9]+\])*)*")
 
 def _assignment(key: str, value: Any) -> str:
     if not isinstance(key, str) or not _KEY.fullmatch(key) or "//" in key:
-        raise _quadrel.UsageError(f"set: found {arguments.shown(key)}, expected a key as in "
-                                  "camera.eye or objects[0].mesh")
+        raise arguments.wrong("set", arguments.shown(key),
+                              "a key as in camera.eye or objects[0].mesh")
     try:
         written = json.dumps(value, default=_plain, allow_nan=False)
     except (TypeError, ValueError, RecursionError) as error:
-        raise _quadrel.UsageError(f"set: {key}: {error}, expected what JSON can say") from None
+        raise arguments.wrong(f"set: {key}", f"{arguments.shown(value)} ({error})",
+                              "what JSON can say") from None
     return f"{arguments.text('set', key)}={written}"
 
 
@@ -61,7 +62,9 @@ class Scene:
         array; None removes the key.
 
         The scene is read again, and is as it was where that fails. What its renders have loaded is
-        kept. Raises InputError, which names the key, UsageError for what is no key.
+        kept. Keys, the types and ranges of values, stages' names and their parameters are checked at
+        once: who changes a search and what it takes sets them together. Raises InputError, which names
+        the key, UsageError for what is no key.
         """
         changes = dict(key) if isinstance(key, Mapping) else {key: value}
         # One that is set again is set last: later values may lie within it.
@@ -112,7 +115,7 @@ def load(file_or_name: arguments.Path, values: Optional[Mapping[str, Any]] = Non
 
     `values` are set in it as `Scene.set` has it, `size` is (width, height) in pixels. Raises
     InputError with `file`, `line`, `key`, `found` and `expected` for anything that is wrong in it.
-    What should be known is a warning.
+    What should be known is a warning. Stages of a plugin are known once it is loaded (`load_plugin`).
     """
     given = dict(arguments.mapping("values", values, "values by key"))
     if size is not None:

@@ -25,8 +25,8 @@ def _check_size(shape: Tuple[int, ...], channels: int, mips: str) -> None:
         height, width = max(height // 2, 1), max(width // 2, 1)
         count += height * width * channels
     if count > _MOST_FLOATS:
-        raise _quadrel.UsageError(f"texture: found {' x '.join(map(str, shape))} values, expected at "
-                                  "most 2^29, mip levels included")
+        raise arguments.wrong("texture", f"{' x '.join(map(str, shape))} values",
+                              "at most 2^29, mip levels included")
 
 
 def _array(values: ArrayLike) -> NDArray[Any]:
@@ -35,8 +35,8 @@ def _array(values: ArrayLike) -> NDArray[Any]:
     shape = array.shape if array.ndim == 3 else (*array.shape, 1)
     if len(shape) != 3 or not (1 <= shape[0] <= 65536 and 1 <= shape[1] <= 65536
                                and 1 <= shape[2] <= 4):
-        raise _quadrel.UsageError(f"texture: found an array of shape {array.shape}, expected (height, "
-                                  "width) or (height, width, 1 to 4), of 1 to 65536 texels a side")
+        raise arguments.wrong("texture", f"an array of shape {array.shape}",
+                              "(height, width) or (height, width, 1 to 4), of 1 to 65536 texels a side")
     return array[:, :, np.newaxis] if array.ndim == 2 else array
 
 
@@ -46,8 +46,7 @@ def _texels(array: NDArray[Any]) -> Tuple[NDArray[np.float32], str]:
         stored, most = _CODES[array.dtype]
         return array.astype(np.float32) / np.float32(most), stored
     if array.dtype.kind != "f":
-        raise _quadrel.UsageError(
-            f"texture: found {array.dtype}, expected floats, uint8 or uint16")
+        raise arguments.wrong("texture", str(array.dtype), "floats, uint8 or uint16")
     return array.astype(np.float32), "half" if array.dtype == np.float16 else "float"
 
 
@@ -87,7 +86,7 @@ class Texture:
         4), taken as they are."""
         arrays = [_array(level) for level in levels]
         if sum(array.size for array in arrays) > _MOST_FLOATS:
-            raise _quadrel.UsageError("levels: expected at most 2^29 floats")
+            raise arguments.wrong("levels", "more", "at most 2^29 floats")
         return cls._of(_quadrel.texture_of_levels([_texels(array)[0] for array in arrays]))
 
     @classmethod
@@ -149,7 +148,7 @@ class Sampler:
         """What the extension module takes. Raises UsageError."""
         border = list(self.border) if np.iterable(self.border) else []
         if len(border) != 4:
-            raise _quadrel.UsageError("border: expected r, g, b and a")
+            raise arguments.wrong("border", arguments.shown(self.border), "r, g, b and a")
         word, number = arguments.text, arguments.number
         return _quadrel.SamplerState(
             word("wrap_u", self.wrap_u or self.wrap), word("wrap_v", self.wrap_v or self.wrap),
@@ -171,11 +170,11 @@ class DepthLayers:
 
 def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
                  towards: Sequence[float] = (0.0, 0.0, -1.0),
-                 margin: float = 1 / 16) -> DepthLayers:
+                 margin: float = 1 / 16, progress: arguments.Progress = None) -> DepthLayers:
     """Peels a closed mesh (a file, or cube, icosahedron, sphere, torus) into the depth layers that
     searches behind things read, as `quadrel bake --kind depth-layers`. `towards` is the way of depth
-    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Ctrl-C is
-    raised once it is done, not before. Raises InputError for a mesh that is not closed."""
+    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Ctrl-C ends it,
+    once the mesh is read. Raises InputError for a mesh that is not closed."""
     width, height = arguments.size(size, 16384)
     margin = arguments.number("margin", margin)
     try:
@@ -184,11 +183,12 @@ def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
         direction = np.zeros(0)
     largest = np.abs(direction).max(initial=0)
     if direction.shape != (3,) or not 1e-100 < largest <= 1e100:
-        raise _quadrel.UsageError(f"towards: found {arguments.shown(towards)}, expected 3 numbers, not all 0")
+        raise arguments.wrong("towards", arguments.shown(towards), "3 numbers, not all 0")
     if not 0 <= margin < 0.5:
-        raise _quadrel.UsageError(f"margin: found {margin}, expected a number in [0, 0.5)")
-    film, tile, thickness, deeper = _quadrel.peel_layers(
-        arguments.path(mesh, "mesh"), width, height, list(direction / largest), margin)
+        raise arguments.wrong("margin", f"{margin}", "a number in [0, 0.5)")
+    with arguments.progress(progress) as told:
+        film, tile, thickness, deeper = _quadrel.peel_layers(
+            arguments.path(mesh, "mesh"), width, height, list(direction / largest), margin, told)
     return DepthLayers(Film._of(film), tile, thickness, deeper)
 
 
@@ -211,8 +211,9 @@ def bake(heights: Union[Texture, ArrayLike, arguments.Path], kind: str, *, chann
                           swizzle="" if _quadrel.bakes_layers(kind) else channel)
     sampler = Sampler(wrap=wrap, wrap_u=wrap_u, wrap_v=wrap_v, border=(border,) * 4).state()
     file = None if output is None else arguments.path(output, "output")
-    return Texture._of(_quadrel.bake(heights._texture, kind, sampler,
-                                     {name: arguments.number(name, value)
-                                      for name, value in parameters.items()},
-                                     bool(cache), arguments.whole("threads", threads, 0, 1024), file,
-                                     arguments.progress(progress)))
+    with arguments.progress(progress) as told:
+        return Texture._of(_quadrel.bake(heights._texture, kind, sampler,
+                                         {name: arguments.number(name, value)
+                                          for name, value in parameters.items()},
+                                         bool(cache), arguments.whole("threads", threads, 0, 1024),
+                                         file, told))
