@@ -166,8 +166,8 @@ function worstOutside(judged, count) {
   for (const of of judged)
     for (let i = 0; i < of.value.bits.length; i += 1) {
       if (!isOutside(of, i)) continue;
-      const v = of.value.values[i], low = of.ranges.low.values[i], high = of.ranges.high.values[i];
-      const most = Number.isNaN(v) ? Infinity : Math.max(low - v || 0, v - high || 0);
+      const v = of.value.values[i], [low, high, gapLow, gapHigh] = ["low", "high", "gapLow", "gapHigh"].map((end) => of.ranges[end].values[i]);
+      const most = Number.isNaN(v) ? Infinity : Math.max(low - v || 0, v - high || 0, Math.min(v - gapLow, gapHigh - v) || 0);
       if (worst.length === count && most <= worst[count - 1].most) continue;
       let at = worst.length;
       while (at > 0 && worst[at - 1].most < most) at -= 1;

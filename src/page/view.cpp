@@ -1,6 +1,7 @@
 #include "page/view.hpp"
 
 #include <optional>
+#include <string_view>
 
 #include "page/bits.hpp"
 #include "page/range_codes.hpp"
@@ -46,10 +47,14 @@ struct BoundOf {
     RangeEnd end;
 };
 std::optional<BoundOf> bound_of(const Film& film, const Plane& plane) {
-    for (const auto& [group, end] :
-         {std::pair{"gpu.lo.", RangeEnd::low}, {"gpu.hi.", RangeEnd::high}})
+    using namespace std::string_view_literals;
+    // A gap is rounded inwards, so that it leaves out nothing that is permitted.
+    for (const auto& [group, end] : {std::pair{"gpu.lo."sv, RangeEnd::low},
+                                     {"gpu.hi."sv, RangeEnd::high},
+                                     {"gpu.gap.lo."sv, RangeEnd::high},
+                                     {"gpu.gap.hi."sv, RangeEnd::low}})
         if (plane.name.starts_with(group))
-            if (const Plane* const values = film.find(plane.name.substr(7));
+            if (const Plane* const values = film.find(plane.name.substr(group.size()));
                 values != nullptr && values->type == ChannelType::float32)
                 return BoundOf{values, end};
     return std::nullopt;

@@ -23,7 +23,8 @@ std::string view_html(std::span<const ViewSource> sources);
 
 /// The same page of one source, which draws `scene` for the second: a manifest of an exported scene
 /// with `data` for its files, as src/export/scene/judge_page.hpp makes it. Ends of ranges in the
-/// source (gpu.lo.X, gpu.hi.X behind X) are rounded outwards by 1/8 of their distance from X.
+/// source (gpu.lo.X, gpu.hi.X behind X) are rounded outwards by 1/8 of their distance from X, those
+/// of gaps (gpu.gap.lo.X, gpu.gap.hi.X) inwards.
 std::string judge_html(const ViewSource& reference, const Json& scene, const std::string& title);
 
 }  // namespace quadrel::page

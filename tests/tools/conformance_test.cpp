@@ -144,6 +144,13 @@ TEST(Conformance, WeightsMayBeOffByAPart) {
     EXPECT_GT(count(judged(shifted(0.2)), "hit", Verdict::unexplained), 20u);
 }
 
+/// Light or shadow, where a decision is open: what is neither is not permitted.
+TEST(Conformance, WhatLiesInAGapIsUnexplained) {
+    const auto reports = judged(with(drawn(), "shadow.visibility", 5, [](float) { return 0.5f; }));
+    EXPECT_EQ(count(reports, "shadow", Verdict::legal), 0u);
+    EXPECT_GT(count(reports, "shadow", Verdict::unexplained), 100u);
+}
+
 /// What no error explains, stage by stage.
 TEST(Conformance, WrongValuesAreUnexplained) {
     const Film own = drawn();

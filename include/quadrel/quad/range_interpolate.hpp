@@ -13,6 +13,11 @@
 
 namespace quadrel {
 
+/// Rows that a vertex stage has made, with its errors; others are what it is given.
+template <class Row>
+inline constexpr bool is_of_vertex_stage =
+    std::is_same_v<Row, PrimitiveData> || std::is_same_v<Row, PrimitiveFrame>;
+
 /// A quad's row: its four lanes are of one triangle.
 template <>
 class PrimitiveReader<Ranges> {
@@ -20,7 +25,7 @@ class PrimitiveReader<Ranges> {
     template <class Row>
     PrimitiveReader(const StageCall& call, int first_lane, const Row* rows)
         : first_(reinterpret_cast<const float*>(rows + call.primitive[first_lane])),
-          plane_(std::is_same_v<Row, PrimitiveVertices> ? 0 : range_context().budget.plane) {}
+          plane_(is_of_vertex_stage<Row> ? range_context().budget.plane : 0) {}
 
     /// What is the same over a triangle, with the errors of the vertex stage; inputs of that stage
     /// have none.

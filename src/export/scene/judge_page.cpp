@@ -151,7 +151,7 @@ constexpr std::uint32_t not_judged = 0xffffffffu;
 /// Planes for all of the frame: each value alone, and not judged.
 void add_empty_ranges(const std::vector<std::string>& names, Film& film) {
     for (const std::string& name : names) {
-        for (const char* end : {"gpu.lo.", "gpu.hi."}) {
+        for (const char* end : {"gpu.lo.", "gpu.hi.", "gpu.gap.lo.", "gpu.gap.hi."}) {
             const std::vector<std::uint32_t> values = film.find(name)->bits;
             film.add(end + name, ChannelType::float32).bits = values;
         }
@@ -159,13 +159,22 @@ void add_empty_ranges(const std::vector<std::string>& names, Film& film) {
     }
 }
 
-/// Rows of `part` into the film's planes of the same names. Gaps are left out: the page's size is
-/// bounded, and without them a verdict is only milder.
+/// Rows of `part` into the film's planes of the same names.
 void take_ranges(const Film& part, Film& film) {
     for (const Plane& plane : part.planes)
         if (Plane* const own = plane.name.starts_with("gpu.") ? film.find(plane.name) : nullptr)
             std::ranges::copy(plane.bits, own->bits.begin() + static_cast<std::ptrdiff_t>(
                                                                   film.index(0, part.window.y0)));
+}
+
+/// Where there is no gap, both of its ends are the value, which takes no room in a page.
+void empty_gaps(const std::vector<std::string>& names, Film& film) {
+    for (const std::string& name : names) {
+        const Plane& values = *film.find(name);
+        Plane &low = *film.find("gpu.gap.lo." + name), &high = *film.find("gpu.gap.hi." + name);
+        for (std::size_t i = 0; i < values.bits.size(); ++i)
+            if (!(low.as_float(i) < high.as_float(i))) low.bits[i] = high.bits[i] = values.bits[i];
+    }
 }
 
 void add_ranges(const Scene& scene, const JudgePage& options, const RangedChannels& ranged,
@@ -187,6 +196,7 @@ void add_ranges(const Scene& scene, const JudgePage& options, const RangedChanne
         if (options.every > 1 && options.scene.progress)
             options.scene.progress(static_cast<double>(y) / scene.height);
     }
+    empty_gaps(ranged.names, film);
 }
 
 page::ViewSource reference_of(const ExportContent& content, Film film) {

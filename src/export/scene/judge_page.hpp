@@ -27,8 +27,8 @@ std::vector<std::string> judged_channels(const Scene& scene);
 std::string judge_page(const Scene& scene, const JudgePage& options);
 
 /// The last step: of what is gathered, in `page_language`; `reference` has the expected channels
-/// and, behind them, gpu.lo.X, gpu.hi.X and gpu.paths.X of those that are judged. `refusal`: why
-/// others have none, or empty.
+/// and, behind them, gpu.lo.X, gpu.hi.X, gpu.paths.X and, if it knows them, gpu.gap.lo.X and
+/// gpu.gap.hi.X of those that are judged. `refusal`: why others have none, or empty.
 std::string judge_page_of(const ExportContent& content, Film reference, const JudgePage& options,
                           const std::string& refusal);
 

@@ -57,7 +57,7 @@ void check_runs(const MaterialPlan& plan, const std::vector<bool>& known, const 
         if (plan.stages[i].run == nullptr && !known[i])
             throw UsageError(
                 fmt::format("channel \"{}\": stage \"{}\" of material \"{}\" does not run on "
-                            "ranges: its state is whole numbers, or a map's own texels",
+                            "ranges (data/limits/README.md says why)",
                             asked, plan.stages[i].info->text.id, material.name));
 }
 

@@ -426,10 +426,19 @@ class Judge {
             const double value = std::bit_cast<float>(found_bits(name, i));
             if (std::isinf(lo) || std::isinf(hi) || std::isnan(lo) || std::isnan(hi))
                 open = true;
-            else if (!(lo <= value && value <= hi))
+            else if (!(lo <= value && value <= hi) || is_in_gap(ranges, name, in_quad, value))
                 return false;
         }
         return true;
+    }
+
+    /// Between two ranges that the value may be in, where nothing is permitted.
+    static bool is_in_gap(const Film& ranges, const std::string& name, std::size_t i,
+                          double value) {
+        const Plane* const low = ranges.find("gpu.gap.lo." + name);
+        const Plane* const high = ranges.find("gpu.gap.hi." + name);
+        return low != nullptr && high != nullptr && value > low->as_float(i) &&
+               value < high->as_float(i);
     }
 
     void give_up(const Group& group, const std::vector<std::size_t>& pixels, GroupReport& report) {

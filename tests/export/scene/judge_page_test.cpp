@@ -95,6 +95,20 @@ TEST(JudgePage, OfTheSameSceneIsTheSame) {
     EXPECT_NE(judge_page(small_scene(), options), page);
 }
 
+/// Light or shadow: at some pixels nothing between.
+void add_ragged_gaps(Film& film, test::Random& random) {
+    for (const std::string name : {"R", "G", "B"}) {
+        const Plane* const values = film.find(name);
+        if (values == nullptr) continue;
+        Plane &low = *film.find("gpu.gap.lo." + name), &high = *film.find("gpu.gap.hi." + name);
+        for (std::size_t i = 0; i < values->bits.size(); ++i) {
+            if (!random.chance(0.15)) continue;
+            const double value = values->as_float(i), apart = random.uniform(0.01, 0.3);
+            low.bits[i] = testing_films::bits(static_cast<float>(value * (1 + apart / 8)));
+            high.bits[i] = testing_films::bits(static_cast<float>(value * (1 + apart)));
+        }
+    }
+}
 /// Ranges in the place of real ones, of which such a picture takes an hour, with the entropy that
 /// 32x32 pixels of bricks-45 under gl have: ends of normals and colours 6 bits, each pixel by
 /// itself, those of what is smooth 2.
@@ -116,7 +130,46 @@ void add_ragged_ranges(Film& film) {
             }
         }
         film.add("gpu.paths." + name, ChannelType::uint32, 1);
+        for (const char* end : {"gpu.gap.lo.", "gpu.gap.hi."}) {
+            const std::vector<std::uint32_t> none = film.find(name)->bits;
+            film.add(end + name, ChannelType::float32).bits = none;
+        }
     }
+    add_ragged_gaps(film, random);
+}
+
+/// Ranges about N.Z in which it is, if it is in no gap: there is one at a pixel.
+void add_gap(Film& film, std::size_t pixel) {
+    const Plane values = *film.find("N.Z");
+    const std::pair<const char*, float> ends[] = {
+        {"gpu.lo.", 0.5f}, {"gpu.hi.", 2.0f}, {"gpu.gap.lo.", 0.8f}, {"gpu.gap.hi.", 1.25f}};
+    for (const auto& [end, factor] : ends) {
+        const std::string name = std::string(end) + "N.Z";
+        Plane* plane = film.find(name);
+        if (plane == nullptr) plane = &film.add(name, ChannelType::float32);
+        const bool is_gap = name.starts_with("gpu.gap");
+        for (std::size_t i = 0; i < values.bits.size(); ++i) {
+            const bool apart = !is_gap || i == pixel;
+            plane->bits[i] = testing_films::bits(values.as_float(i) * (apart ? factor : 1));
+        }
+    }
+}
+
+TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
+    JudgePage options;
+    options.scene.language = "glsl-es";
+    options.scene.channels = {"N", "A"};
+    const ExportContent content = export_content(small_scene(), options.scene);
+    Film film = content.expected;
+    film.add("gpu.paths.N.Z", ChannelType::uint32, 1);
+    const std::size_t pixel = film.index(5, 4);
+    ASSERT_GT(film.find("N.Z")->as_float(pixel), 0);
+    add_gap(film, pixel);
+    const Judged judged(judge_page_of(content, film, options, ""), "");
+    EXPECT_EQ(judged.failing(), 1) << judged.error() << judged.verdict().dump(1);
+    EXPECT_EQ(judged.first_to_leave(), "N.Z");
+    ASSERT_EQ(judged.verdict()["rows"].size(), 1u);
+    EXPECT_GT(judged.verdict()["rows"][0]["farthest"].get<double>(), 0);
 }
 
 /// Megabytes of a page of bricks-45, whose pictures and maps are full of detail.

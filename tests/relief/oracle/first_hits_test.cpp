@@ -7,7 +7,24 @@
 namespace quadrel::test {
 namespace {
 
-using range_detail::FirstHits;
+using range_detail::FieldHits;
+using range_detail::FirstParts;
+
+/// Where a field is met by rays of a range; nothing where they are too many or too long.
+struct FirstHits {
+    FieldHits field;
+    std::optional<FirstParts> found;
+
+    FirstHits(const SampledTexture& map, judge::Surface surface, const judge::RayRange& rays)
+        : field(map, surface, rays) {
+        if (field.places().are_short()) found.emplace(field, field.places().shortest());
+    }
+    bool known() const { return found && found->known(); }
+    int parts() const { return found->count(); }
+    const RealInterval& part(int k) const { return (*found)[k]; }
+    bool passes() const { return found->passes(); }
+    RealInterval height_in(const RealInterval& s) const { return field.height_in(s); }
+};
 
 bool is_within(const RealInterval& part, const judge::Hit& hit) {
     return hit.s >= part.lo - hit.bound && hit.s <= part.hi + hit.bound;

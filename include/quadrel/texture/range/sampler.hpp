@@ -156,11 +156,46 @@ class FastHeight<Ranges> {
     int level_;
 };
 
-/// Anything that the map holds.
-inline vec4<Ranges> texture_gather(const SampledTexture& texture, const SampleContext<Ranges>&,
-                                   const vec2<Ranges>&, int component = 0) {
-    return vec4<Ranges>(Ranges(
-        Ranged(range_detail::filtered(range_detail::whole_map(texture)).channel[component])));
+namespace range_detail {
+
+/// The four texels around a place of level 0, in the order of textureGather: each of any cell that
+/// the place may be in; false if these are too many.
+inline bool gather_range(TexelRange (&taps)[4], const SampledTexture& texture, const Ranged& u,
+                         const Ranged& v) {
+    if (!u.is_bounded() || !v.is_bounded()) return false;
+    const LevelTexels level(texture, 0);
+    const RealInterval x = texel_coordinates(u.range(), level.width(), texture.sampler);
+    const RealInterval y = texel_coordinates(v.range(), level.height(), texture.sampler);
+    if (std::max(x.magnitude(), y.magnitude()) > coordinate_limit / 2) return false;
+    const RealInterval column(std::floor(x.lo - 0.5), std::floor(x.hi - 0.5));
+    const RealInterval row(std::floor(y.lo - 0.5), std::floor(y.hi - 0.5));
+    if (!((column.width() + 1) * (row.width() + 1) <= most_patches)) return false;
+    constexpr int right[4] = {0, 1, 1, 0}, above[4] = {1, 1, 0, 0};
+    for (int tap = 0; tap < 4; ++tap) {
+        taps[tap] = TexelRange::nothing();
+        include_texels(taps[tap], level, {column.lo + right[tap], column.hi + right[tap]},
+                       {row.lo + above[tap], row.hi + above[tap]});
+    }
+    return true;
+}
+
+}  // namespace range_detail
+
+inline vec4<Ranges> texture_gather(const SampledTexture& texture,
+                                   const SampleContext<Ranges>& context, const vec2<Ranges>& uv,
+                                   int component = 0) {
+    using namespace range_detail;
+    vec4<Ranges> result(Ranges(Ranged::anything()));
+    for (int i = 0; i < 4; ++i) {
+        if (!asks(context, i)) continue;
+        TexelRange taps[4];
+        const bool few = gather_range(taps, texture, uv.x.lane[i], uv.y.lane[i]);
+        for (int tap = 0; tap < 4; ++tap) {
+            const TexelRange& texel = few ? taps[tap] : whole_map(texture);
+            result[tap].lane[i] = Ranged(filtered(texel).channel[component]);
+        }
+    }
+    return result;
 }
 
 }  // namespace quadrel

@@ -8,6 +8,8 @@
 // of float32 beside that, as far as a search may be that finds the hits up to rounding.
 #pragma once
 
+#include <optional>
+
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "quadrel/relief/trace/search/range_parts.hpp"
 #include "quadrel/relief/trace/search/search.hpp"
@@ -77,62 +79,44 @@ class FieldRange {
     oracle::Surface surface_;
 };
 
-class FirstHits {
+/// Whether a ray of a range may meet something in a part of its way.
+enum class Meets { none, some, unknown };
+
+/// Where the rays of a range may meet a solid first, from the top down: parts of their way from 0
+/// to 1. `solid.meets(from, to)` is a Meets, `solid.holds_all(at)` whether all rays are in it
+/// there. Parts shorter than `shortest` are not halved.
+class FirstParts {
   public:
-    FirstHits(const SampledTexture& map, oracle::Surface surface, const oracle::RayRange& rays)
-        : field_(map, surface),
-          blocks_(surface == oracle::Surface::block),
-          x_{rays.u, rays.Ku, field_.texels().width(), rays.s_polygon},
-          y_{rays.v, rays.Kv, field_.texels().height(), rays.s_polygon} {
-        const double speed = std::max(x_.speed(), y_.speed());
-        const double box = std::max(x_.width(), y_.width());
-        known_ = speed < most_texels_crossed && box < most_texels_crossed;
-        if (!known_) return;
-        shortest_ = std::clamp(std::max(1.0 / 64, box / 8) / speed, 0x1p-20, 0x1p-14);
-        const RealInterval start = heights(0, 0);
-        const bool below = start.lo >= 1 + height_slack(start);
-        if (below) add(0, 0);
-        if (!below && !visit(0, 1)) passes_ = true;
+    template <class Solid>
+    FirstParts(const Solid& solid, double shortest) : shortest_(shortest) {
+        const bool inside = solid.holds_all(0);
+        if (inside) add(0, 0);
+        if (!inside && !visit(solid, 0, 1)) passes_ = true;
     }
 
-    /// False: nothing is known of the hits.
+    /// False: nothing is known of them.
     bool known() const { return known_; }
-    /// Where rays may meet the field first, from the top down.
-    int parts() const { return count_; }
-    const RealInterval& part(int k) const { return part_[k]; }
-    /// Whether a ray may pass by the field altogether.
+    int count() const { return count_; }
+    const RealInterval& operator[](int k) const { return part_[k]; }
+    /// Whether a ray may pass by altogether.
     bool passes() const { return passes_; }
 
-    /// What a search may give for the field's height at hits in a part.
-    RealInterval height_in(const RealInterval& s) const {
-        const RealInterval reached(1 - s.hi, 1 - s.lo);
-        RealInterval height = blocks_ ? heights(s.lo, s.hi) : reached;
-        if (blocks_) height.lo = std::max(height.lo, reached.lo);
-        if (s.lo == 0) height = hull(height, heights(0, 0));
-        return widened(height, height_slack(height));
-    }
-
   private:
-    static constexpr double most_texels_crossed = 0x1p17;
     static constexpr int most_looks = 1 << 15;
 
-    RealInterval heights(double from, double to) const {
-        return field_(x_.over(from, to), y_.over(from, to));
-    }
-
-    /// Whether all rays have met the field by `to`.
-    bool visit(double from, double to) {
-        const RealInterval all = heights(from, to);
-        known_ = known_ && std::isfinite(all.width());
+    /// Whether all rays are inside at `to`.
+    template <class Solid>
+    bool visit(const Solid& solid, double from, double to) {
+        const Meets here = solid.meets(from, to);
+        known_ = known_ && here != Meets::unknown;
         if (!known_) return true;
-        if (all.hi < 1 - to - height_slack(all)) return false;
+        if (here == Meets::none) return false;
         if (to - from > shortest_ && ++looks_ < most_looks) {
             const double middle = from + (to - from) / 2;
-            return visit(from, middle) || visit(middle, to);
+            return visit(solid, from, middle) || visit(solid, middle, to);
         }
         add(from, to);
-        const RealInterval end = heights(to, to);
-        return end.lo >= 1 - to + (to < 1 ? height_slack(end) : 0);
+        return solid.holds_all(to);
     }
 
     void add(double from, double to) {
@@ -143,45 +127,90 @@ class FirstHits {
             part_[count_++] = {from, to};
     }
 
-    FieldRange field_;
-    bool blocks_, known_ = true, passes_ = false;
-    RayAxis x_, y_;
-    double shortest_ = 1;
+    double shortest_;
+    bool known_ = true, passes_ = false;
     RealInterval part_[most_parts];
     int count_ = 0, looks_ = 0;
 };
 
-/// Lane by lane, what a search may have found.
-inline void find_first_hits(const SampledTexture& map, oracle::Surface surface,
-                            const SearchRay<Ranges>& ray, int lane, SearchResult<Ranges>& result) {
-    static_assert(Status::hit < Status::floor);
-    const Ranged numbers[4] = {ray.uv.x.lane[lane], ray.uv.y.lane[lane], ray.K.x.lane[lane],
-                               ray.K.y.lane[lane]};
-    result.s.lane[lane] = Ranged(0.0, 1.0);
-    result.h.lane[lane] = Ranged::anything();
-    result.status.lane[lane] = any_status();
-    for (int k = 0; k < 4; ++k)
-        if (!numbers[k].is_bounded()) return;
-    const FirstHits hits(map, surface,
-                         {numbers[0].range(), numbers[1].range(), numbers[2].range(),
-                          numbers[3].range(), ray.s_polygon});
+/// The places of rays of a range, in texels.
+struct RayPlaces {
+    RayAxis x, y;
+
+    double speed() const { return std::max(x.speed(), y.speed()); }
+    double box() const { return std::max(x.width(), y.width()); }
+    /// Whether the rays are as few and as short as can be gone through.
+    bool are_short() const {
+        constexpr double most_texels_crossed = 0x1p17;
+        return speed() < most_texels_crossed && box() < most_texels_crossed;
+    }
+    /// How short parts of the way need be.
+    double shortest() const {
+        return std::clamp(std::max(1.0 / 64, box() / 8) / speed(), 0x1p-20, 0x1p-14);
+    }
+};
+
+class FieldHits {
+  public:
+    FieldHits(const SampledTexture& map, oracle::Surface surface, const oracle::RayRange& rays)
+        : field_(map, surface),
+          blocks_(surface == oracle::Surface::block),
+          at_{{rays.u, rays.Ku, field_.texels().width(), rays.s_polygon},
+              {rays.v, rays.Kv, field_.texels().height(), rays.s_polygon}} {}
+
+    const RayPlaces& places() const { return at_; }
+
+    Meets meets(double from, double to) const {
+        const RealInterval all = heights(from, to);
+        if (!std::isfinite(all.width())) return Meets::unknown;
+        return all.hi < 1 - to - height_slack(all) ? Meets::none : Meets::some;
+    }
+    /// The last height decides by itself.
+    bool holds_all(double at) const {
+        const RealInterval end = heights(at, at);
+        return end.lo >= 1 - at + (at < 1 ? height_slack(end) : 0);
+    }
+    /// What a search may give for the field's height at hits in a part.
+    RealInterval height_in(const RealInterval& s) const {
+        const RealInterval reached(1 - s.hi, 1 - s.lo);
+        RealInterval height = blocks_ ? heights(s.lo, s.hi) : reached;
+        if (blocks_) height.lo = std::max(height.lo, reached.lo);
+        if (s.lo == 0) height = hull(height, heights(0, 0));
+        return widened(height, height_slack(height));
+    }
+
+  private:
+    RealInterval heights(double from, double to) const {
+        return field_(at_.x.over(from, to), at_.y.over(from, to));
+    }
+
+    FieldRange field_;
+    bool blocks_;
+    RayPlaces at_;
+};
+
+/// What a lane's search may have found of a solid: the hit is in one part or another; past all of
+/// them there is none, which is `miss`. `solid.height_in(part)` is what it gives for the height.
+/// `result` is left as it is where nothing is known.
+template <class Solid>
+void take_first_hits(const Solid& solid, Status miss, int lane, SearchResult<Ranges>& result) {
+    if (!solid.places().are_short()) return;
+    const FirstParts hits(solid, solid.places().shortest());
     if (!hits.known()) return;
-    // Behind the parts: nothing is met.
-    const int ends = hits.parts() + (hits.passes() ? 1 : 0);
+    const int ends = hits.count() + (hits.passes() ? 1 : 0);
     const int which = one_of_parts(ends, lane);
-    const bool all = which < 0, none = which == hits.parts();
-    if (none || (all && hits.parts() == 0)) {
+    const bool all = which < 0, none = which == hits.count();
+    if (none || (all && hits.count() == 0)) {
         result.s.lane[lane] = Ranged(1.0, 1.0);
         result.h.lane[lane] = Ranged(0.0, 0.0);
-        result.status.lane[lane] = statuses(Status::floor, Status::floor);
+        result.status.lane[lane] = statuses(miss, miss);
         return;
     }
-    RealInterval s = hits.part(std::max(which, 0));
-    RealInterval h = hits.height_in(s);
-    for (int k = 1; k < most_parts; ++k) {
-        if (!all || k >= hits.parts()) continue;
-        s = hull(s, hits.part(k));
-        h = hull(h, hits.height_in(hits.part(k)));
+    RealInterval s = hits[std::max(which, 0)];
+    RealInterval h = solid.height_in(s);
+    for (int k = 1; all && k < hits.count(); ++k) {
+        s = hull(s, hits[k]);
+        h = hull(h, solid.height_in(hits[k]));
     }
     const bool may_pass = all && hits.passes();
     if (may_pass) {
@@ -190,7 +219,24 @@ inline void find_first_hits(const SampledTexture& map, oracle::Surface surface,
     }
     result.s.lane[lane] = Ranged(s);
     result.h.lane[lane] = Ranged(h);
-    result.status.lane[lane] = statuses(Status::hit, may_pass ? Status::floor : Status::hit);
+    result.status.lane[lane] = statuses(Status::hit, may_pass ? miss : Status::hit);
+}
+
+/// A lane's ray as intervals; nothing where it is not bounded.
+inline std::optional<oracle::RayRange> ray_range(const SearchRay<Ranges>& ray, int lane) {
+    const Ranged numbers[4] = {ray.uv.x.lane[lane], ray.uv.y.lane[lane], ray.K.x.lane[lane],
+                               ray.K.y.lane[lane]};
+    for (const Ranged& number : numbers)
+        if (!number.is_bounded()) return std::nullopt;
+    return oracle::RayRange{numbers[0].range(), numbers[1].range(), numbers[2].range(),
+                            numbers[3].range(), ray.s_polygon};
+}
+
+/// Nothing is known of a lane's search.
+inline void take_any_hit(int lane, SearchResult<Ranges>& result) {
+    result.s.lane[lane] = Ranged(0.0, 1.0);
+    result.h.lane[lane] = Ranged::anything();
+    result.status.lane[lane] = any_status();
 }
 
 }  // namespace range_detail
@@ -204,11 +250,19 @@ struct FirstHitOnRanges : Row {
         SearchResult<Ranges> result;
         const SampledTexture& map = *io.template texture<TextureSlot::height>();
         for (int lane = 0; lane < 4; ++lane)
-            if (ray.active.lane[lane].known().state != RangeTruth::no)
-                range_detail::find_first_hits(map, surface, ray, lane, result);
+            if (ray.active.lane[lane].known().state != RangeTruth::no) find(map, ray, lane, result);
         result.flags = range_detail::any_flags();
         result.steps = result.fetches = range_detail::any_count();
         store_search(io, ray, result);
+    }
+
+  private:
+    static void find(const SampledTexture& map, const SearchRay<Ranges>& ray, int lane,
+                     SearchResult<Ranges>& result) {
+        using namespace range_detail;
+        take_any_hit(lane, result);
+        if (const auto rays = ray_range(ray, lane))
+            take_first_hits(FieldHits(map, surface, *rays), Status::floor, lane, result);
     }
 };
 
