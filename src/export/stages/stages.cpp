@@ -9,7 +9,7 @@ namespace quadrel::recorded {
 const std::vector<Refusal>& refusals() {
     static constexpr const char* by_proof = "proves what it finds, by intervals and rationals";
     static constexpr const char* of_shells =
-        "reads faces of tetrahedra, which no folder of a scene has";
+        "reads what a shell is made of, which no folder of a scene has";
     static const std::vector<Refusal> all = {
         {"interpolate", "quad", "the rasterizer's: a shader's inputs are interpolated"},
         {"lod", "quad", "the samplers': a shader asks them (textureQueryLod)"},
@@ -23,7 +23,14 @@ const std::vector<Refusal>& refusals() {
         {"ao-oracle", "occlusion", by_proof},
         {"frame-shell", "frame", of_shells},
         {"prism-exact", "trace", of_shells},
+        {"frame-prism", "frame", of_shells},
+        {"frame-prism@published", "frame", of_shells},
         {"prism-pom", "trace", of_shells},
+        {"prism-gs", "trace", of_shells},
+        {"prism-gs@published", "trace", of_shells},
+        {"displace-prism@published", "hit", of_shells},
+        {"shadow-shell", "shadow", of_shells},
+        {"shadow-shell-march", "shadow", of_shells},
         {"oracle-none", "oracle", "has nothing to say"}};
     return all;
 }

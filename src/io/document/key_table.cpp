@@ -137,8 +137,8 @@ constexpr SceneKey keys[] = {
      "what an engine ships: frame, trace and their parameters, without shadow; the other keys "
      "replace its choices. `quadrel list presets`"},
     {"relief", "frame", "id, `\"none\"`, or a `stage`", "the default stage",
-     "surface frame; `frame-shell` draws a shell over the mesh in place of its triangles, see "
-     "\"Outlines\"",
+     "surface frame; `frame-shell` and `frame-prism` draw a shell over the mesh in place of its "
+     "triangles, see \"Outlines\"",
      Below::object, "stage"},
     {"relief", "trace", "id, `\"none\"`, or a `stage`", "the default stage", "search along the ray",
      Below::object, "stage"},

@@ -1,20 +1,29 @@
 #include "render/draw/geometry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <optional>
 
+#include "quadrel/error.hpp"
 #include "quadrel/num/functions.hpp"
 #include "quadrel/raster/coverage.hpp"
 #include "render/draw/primitive_frame.hpp"
 #include "render/draw/primitive_vertices.hpp"
 #include "render/draw/shell.hpp"
+#include "render/draw/shell/near_plane.hpp"
+#include "render/draw/shell/prism_faces.hpp"
+#include "render/draw/shell/prism_strips.hpp"
+#include "render/draw/shell/shell_cells.hpp"
 #include "render/draw/vertex_stage.hpp"
 #include "scene/billboard.hpp"
 #include "scene/degrees.hpp"
@@ -114,41 +123,102 @@ void assemble_corners(const DrawnObject& object, std::uint32_t primitive,
     }
 }
 
-/// The faces of the tetrahedra over every triangle by which rays enter.
-void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFrames>& frames,
-                    bool mirrored, Geometry& geometry) {
-    const Material& material = object.scene.materials[object.scene.objects[object.index].material];
-    const Shell shell(object.mesh, object.vertices, material, object.scene.camera.projection);
-    DrawnObject drawn_object{object.scene, object.index, object.mesh, shell.vertices(),
-                             object.state, object.form,  object.parts};
-    if (material.depth > 0) drawn_object.state.cull = Cull::back;
-    std::vector<ShellTriangle> faces;
+/// Triangles of the shell over one of the mesh's. `row_of(triangle, piece)`: what their frame and
+/// search read.
+template <class Triangle, class RowOf>
+void assemble_shell_triangles(const DrawnObject& object,
+                              const std::optional<PrimitiveFrames>& frames,
+                              const DrawnCorners& drawn, const std::vector<Triangle>& triangles,
+                              const RowOf& row_of, Geometry& geometry) {
     std::vector<AssembledTriangle> pieces;
-    for (std::uint32_t t = 0; t < object.mesh.triangles.size(); ++t) {
+    for (const Triangle& triangle : triangles) {
+        const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
+            to.data.push_back(primitive_data(piece, object.vertices, triangle.index, false));
+            if (frames)
+                to.frames.push_back(frames->of(over_mesh(piece, triangle.corner, drawn), drawn));
+            if (object.parts.vertices) to.vertices.push_back(row_of(triangle, piece));
+        };
+        assemble_corners(object, static_cast<std::uint32_t>(drawn.triangle), triangle.index,
+                         add_rows, pieces, geometry);
+    }
+}
+
+/// `each(drawn)` for the triangles that have an area in eye space: what rounding makes of others is
+/// not drawn, since they have no normal.
+template <class Each>
+void for_triangles(const Mesh& mesh, const ShadedVertices& vertices, bool mirrored,
+                   Geometry& geometry, const Each& each) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const DrawnCorners drawn = drawn_corners(t, mirrored);
-        const std::array<std::uint32_t, 3> index = indices_of(object.mesh, drawn);
-        const std::vector<glm::vec3>& eye = object.vertices.eye;
-        if (is_flat(eye[index[0]], eye[index[1]], eye[index[2]])) {
+        const std::array<std::uint32_t, 3> index = indices_of(mesh, drawn);
+        if (is_flat(vertices.eye[index[0]], vertices.eye[index[1]], vertices.eye[index[2]])) {
             ++geometry.counts.submitted;
             ++geometry.counts.zero_area;
             continue;
         }
-        faces.clear();
-        shell.append_faces(drawn, faces);
-        for (const ShellTriangle& face : faces) {
-            const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
-                to.data.push_back(primitive_data(piece, shell.vertices(), face.index, false));
-                if (frames) to.frames.push_back(frames->of(over_mesh(piece, face, drawn), drawn));
-                if (object.parts.vertices)
-                    to.vertices.push_back(shell_row(face, piece, object.state.subpixel_bits));
-            };
-            assemble_corners(drawn_object, t, face.index, add_rows, pieces, geometry);
-        }
+        each(drawn);
     }
 }
 
+/// The triangles of an object's shell in place of its mesh's: where they enclose what is searched,
+/// those by which rays enter. Appends the tetrahedra that shadows go through.
+void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFrames>& frames,
+                    bool mirrored, Geometry& geometry, std::vector<ShellCell>& cells) {
+    const Material& material = object.scene.materials[object.scene.objects[object.index].material];
+    const glm::mat4& projection = object.scene.camera.projection;
+    const auto draw = [&](const ShadedVertices& vertices, Cull cull, const auto& append,
+                          const auto& row_of) {
+        DrawnObject drawn_object{object.scene, object.index, object.mesh, vertices,
+                                 object.state, object.form,  object.parts};
+        drawn_object.state.cull = cull;
+        for_triangles(object.mesh, object.vertices, mirrored, geometry,
+                      [&](const DrawnCorners& drawn) {
+                          assemble_shell_triangles(drawn_object, frames, drawn, append(drawn),
+                                                   row_of, geometry);
+                      });
+    };
+    if (shell_kind(material) == ShellKind::strips) {
+        const PrismStrips strips(object.mesh, object.vertices, material, projection);
+        const auto triangles = [&](const DrawnCorners& drawn) {
+            std::vector<StripTriangle> all;
+            strips.append(drawn, all);
+            return all;
+        };
+        return draw(strips.vertices(), object.state.cull, triangles, strip_row);
+    }
+    const Shell shell(object.mesh, object.vertices, material, projection);
+    const Cull cull = material.depth > 0 ? Cull::back : object.state.cull;
+    if (material.depth > 0) check_near_plane(object.scene, object.index, shell, object.mesh);
+    const int bits = object.state.subpixel_bits;
+    if (shell_kind(material) == ShellKind::prisms) {
+        const auto triangles = [&](const DrawnCorners& drawn) {
+            std::vector<PrismTriangle> all;
+            append_prism_faces(shell, object.mesh, material, drawn, all);
+            return all;
+        };
+        const auto row = [&](const PrismTriangle& triangle, const AssembledTriangle& piece) {
+            return prism_row(triangle, piece, bits);
+        };
+        return draw(shell.vertices(), cull, triangles, row);
+    }
+    const auto first = static_cast<std::int32_t>(cells.size());
+    const auto triangles = [&](const DrawnCorners& drawn) {
+        std::vector<ShellTriangle> all;
+        shell.append_faces(drawn, all);
+        return all;
+    };
+    const auto row = [&](const ShellTriangle& triangle, const AssembledTriangle& piece) {
+        return shell_row(triangle, piece, bits, first);
+    };
+    draw(shell.vertices(), cull, triangles, row);
+    if (!walks_shell(material)) return;
+    const std::vector<ShellCell> own = shell_cells(shell, object.mesh, first);
+    cells.insert(cells.end(), own.begin(), own.end());
+}
+
 void assemble_object(const Scene& scene, std::uint32_t object_index, const RasterState& state,
-                     Interpolation form, const GeometryParts& parts, Geometry& geometry) {
+                     Interpolation form, const GeometryParts& parts, Geometry& geometry,
+                     std::vector<ShellCell>& cells) {
     const Object& object = scene.objects[object_index];
     Mesh card;
     const Mesh& mesh = drawn_mesh(scene, object, card);
@@ -162,25 +232,46 @@ void assemble_object(const Scene& scene, std::uint32_t object_index, const Raste
                        parts.quadrics);
     const bool mirrored = is_mirrored(model_view);
     const DrawnObject drawn_object{scene, object_index, mesh, vertices, state, form, parts};
-    if (draws_shell(material)) return assemble_shell(drawn_object, frames, mirrored, geometry);
+    if (draws_shell(material))
+        return assemble_shell(drawn_object, frames, mirrored, geometry, cells);
     std::optional<VertexRows> rows;
     if (parts.vertices) rows.emplace(mesh, model_view, vertices.uv);
     std::vector<AssembledTriangle> pieces;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const DrawnCorners drawn = drawn_corners(t, mirrored);
+    for_triangles(mesh, vertices, mirrored, geometry, [&](const DrawnCorners& drawn) {
         const std::array<std::uint32_t, 3> index = indices_of(mesh, drawn);
-        // Without area in eye space it has no normal, and what rounding makes of it is not drawn.
-        if (is_flat(vertices.eye[index[0]], vertices.eye[index[1]], vertices.eye[index[2]])) {
-            ++geometry.counts.submitted;
-            ++geometry.counts.zero_area;
-            continue;
-        }
         const auto add_rows = [&](PrimitiveRows& to, const AssembledTriangle& piece) {
             to.data.push_back(primitive_data(piece, vertices, index, mesh.normals.empty()));
             if (frames) to.frames.push_back(frames->of(piece, drawn));
             if (rows) to.vertices.push_back(rows->of(piece, drawn));
         };
-        assemble_corners(drawn_object, t, index, add_rows, pieces, geometry);
+        assemble_corners(drawn_object, static_cast<std::uint32_t>(drawn.triangle), index, add_rows,
+                         pieces, geometry);
+    });
+}
+
+/// Appends tetrahedra to the rows of triangles, which until then know them by their places in
+/// `cells`.
+void append_cells(const Scene& scene, const std::vector<DrawnTriangle>& triangles,
+                  const std::vector<ShellCell>& cells, PrimitiveRows& rows) {
+    constexpr std::size_t most =
+        std::numeric_limits<std::int32_t>::max() / (sizeof(PrimitiveVertices) / sizeof(float));
+    const std::size_t first = rows.vertices.size();
+    if (first + cells.size() > most)
+        throw InputError(scene.file.string(), "objects",
+                         fmt::format("shells of {} tetrahedra", cells.size()),
+                         fmt::format("at most {} with all faces that are drawn", most));
+    const auto moved = [&](std::int32_t row) {
+        return row < 0 ? row : row + static_cast<std::int32_t>(first);
+    };
+    for (std::size_t i = 0; i < first; ++i) {
+        if (!walks_shell(scene.materials[triangles[i].material])) continue;
+        auto face = std::bit_cast<ShellFace>(rows.vertices[i]);
+        face.cell = moved(face.cell);
+        rows.vertices[i] = std::bit_cast<PrimitiveVertices>(face);
+    }
+    for (ShellCell cell : cells) {
+        for (std::int32_t& neighbour : cell.neighbour) neighbour = moved(neighbour);
+        rows.vertices.push_back(std::bit_cast<PrimitiveVertices>(cell));
     }
 }
 
@@ -269,13 +360,19 @@ MaterialUniforms material_uniforms(const Material& material) {
 Geometry assemble_geometry(const Scene& scene, const HardwareModel& hardware,
                            const GeometryParts& parts) {
     Geometry geometry;
+    std::vector<ShellCell> cells;
     const Viewport viewport{scene.width, scene.height, scene.conventions};
     for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.visible) continue;
         const Cull cull = scene.materials[object.material].cull;
         assemble_object(scene, i, raster_state(viewport, hardware, cull), hardware.interpolation,
-                        parts, geometry);
+                        parts, geometry, cells);
+    }
+    if (parts.vertices && !cells.empty()) {
+        append_cells(scene, geometry.triangles, cells, geometry);
+        if (!geometry.pieces.vertices.empty())
+            append_cells(scene, geometry.triangles, cells, geometry.pieces);
     }
     return geometry;
 }

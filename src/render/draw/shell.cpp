@@ -20,32 +20,28 @@ std::array<std::uint32_t, 3> bits_of(const glm::vec3& v) {
 
 glm::dvec3 cross_of(const glm::dvec3& a, const glm::dvec3& b) { return glm::cross(a, b); }
 
-/// Gradients of the barycentric coordinates of a tetrahedron's corners. False where it has no
-/// volume.
-bool barycentric_gradients(const std::array<glm::dvec3, 4>& corner,
-                           std::array<glm::dvec3, 4>& gradient) {
-    const glm::dvec3 a = corner[1] - corner[0], b = corner[2] - corner[0],
-                     c = corner[3] - corner[0];
-    const double volume = glm::dot(a, cross_of(b, c));
-    if (volume == 0 || !std::isfinite(1 / volume)) return false;
-    gradient[1] = cross_of(b, c) / volume;
-    gradient[2] = cross_of(c, a) / volume;
-    gradient[3] = cross_of(a, b) / volume;
-    gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
-    return true;
-}
-
 void copy3(float* to, const glm::dvec3& from) {
     for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i]);
 }
 
 }  // namespace
 
-bool draws_shell(const Material& material) { return material.frame.id == "frame-shell"; }
+ShellKind shell_kind(const Material& material) {
+    if (material.frame.id == "frame-shell") return ShellKind::tetrahedra;
+    if (material.frame.id == "frame-prism") return ShellKind::prisms;
+    return material.frame.id == "frame-prism@published" ? ShellKind::strips : ShellKind::none;
+}
+
+bool draws_shell(const Material& material) { return shell_kind(material) != ShellKind::none; }
+
+bool walks_shell(const Material& material) {
+    return shell_kind(material) == ShellKind::tetrahedra && material.depth > 0 &&
+           (material.shadow.id == "shadow-shell" || material.shadow.id == "shadow-shell-march");
+}
 
 Shell::Shell(const Mesh& mesh, const ShadedVertices& base, const Material& material,
              const glm::mat4& projection)
-    : mesh_(mesh), depth_(material.depth), seat_(material.seat) {
+    : mesh_(mesh), depth_(material.depth), seat_(material.seat), is_walked_(walks_shell(material)) {
     const std::size_t n = base.eye.size();
     for (const double offset : {-seat_ * depth_, (1 - seat_) * depth_})
         for (std::size_t i = 0; i < n; ++i) {
@@ -75,8 +71,22 @@ std::array<ShellTetrahedron, 3> Shell::tetrahedra(std::uint32_t triangle) const 
     return {{{a, b, c, n + c}, {a, b, n + b, n + c}, {a, n + a, n + b, n + c}}};
 }
 
-void Shell::append_faces_of(const ShellTetrahedron& tetrahedron, const DrawnCorners& drawn,
-                            std::vector<ShellTriangle>& out) const {
+bool Shell::gradients(const ShellTetrahedron& tetrahedron,
+                      std::array<glm::dvec3, 4>& gradient) const {
+    const auto corner = [&](std::size_t k) { return glm::dvec3(vertices_.eye[tetrahedron[k]]); };
+    const glm::dvec3 a = corner(1) - corner(0), b = corner(2) - corner(0),
+                     c = corner(3) - corner(0);
+    const double volume = glm::dot(a, cross_of(b, c));
+    if (volume == 0 || !std::isfinite(1 / volume)) return false;
+    gradient[1] = cross_of(b, c) / volume;
+    gradient[2] = cross_of(c, a) / volume;
+    gradient[3] = cross_of(a, b) / volume;
+    gradient[0] = -(gradient[1] + gradient[2] + gradient[3]);
+    return true;
+}
+
+void Shell::append_faces_of(std::uint32_t number, const ShellTetrahedron& tetrahedron,
+                            const DrawnCorners& drawn, std::vector<ShellTriangle>& out) const {
     const std::uint32_t n = count();
     std::array<glm::dvec3, 4> place, gradient;
     std::array<std::uint32_t, 4> over{};
@@ -90,7 +100,7 @@ void Shell::append_faces_of(const ShellTetrahedron& tetrahedron, const DrawnCorn
         const auto& corners = mesh_.triangles[drawn.triangle];
         while (corners[over[k]] != index % n) ++over[k];
     }
-    if (!barycentric_gradients(place, gradient)) return;
+    if (!gradients(tetrahedron, gradient)) return;
     glm::dvec3 J_u(0), J_v(0), s_gradient(0);
     for (std::size_t k = 1; k < 4; ++k) {
         const glm::dvec2 uv =
@@ -110,6 +120,7 @@ void Shell::append_faces_of(const ShellTetrahedron& tetrahedron, const DrawnCorn
         ShellTriangle triangle;
         ShellFace& face = triangle.face;
         face.to_floor = -1;
+        face.cell = is_walked_ ? static_cast<std::int32_t>(number) : -1;
         for (std::size_t k = 0; k < 3; ++k) {
             triangle.index[k] = tetrahedron[corner[k]];
             triangle.corner[k] = over[corner[k]];
@@ -130,6 +141,7 @@ ShellTriangle Shell::flat_triangle(const DrawnCorners& drawn) const {
     triangle.index = indices_of(mesh_, drawn);
     triangle.corner = drawn.corner;
     triangle.face.to_floor = -1;
+    triangle.face.cell = -1;
     std::array<glm::vec3, 3> position;
     std::array<glm::vec2, 3> uv;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -144,14 +156,16 @@ ShellTriangle Shell::flat_triangle(const DrawnCorners& drawn) const {
 
 void Shell::append_faces(const DrawnCorners& drawn, std::vector<ShellTriangle>& out) const {
     if (depth_ == 0) return out.push_back(flat_triangle(drawn));
-    for (const ShellTetrahedron& tetrahedron :
-         tetrahedra(static_cast<std::uint32_t>(drawn.triangle)))
-        append_faces_of(tetrahedron, drawn, out);
+    const auto t = static_cast<std::uint32_t>(drawn.triangle);
+    std::uint32_t number = 3 * t;
+    for (const ShellTetrahedron& tetrahedron : tetrahedra(t))
+        append_faces_of(number++, tetrahedron, drawn, out);
 }
 
 PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriangle& piece,
-                            int subpixel_bits) {
+                            int subpixel_bits, std::int32_t first) {
     ShellFace row = triangle.face;
+    if (row.cell >= 0) row.cell += first;
     row.snap = static_cast<float>(std::ldexp(1.0, -subpixel_bits));
     for (std::size_t v = 0; v < 3; ++v) {
         const auto& weights = piece.weights[v].perspective;
@@ -161,13 +175,13 @@ PrimitiveVertices shell_row(const ShellTriangle& triangle, const AssembledTriang
     return std::bit_cast<PrimitiveVertices>(row);
 }
 
-AssembledTriangle over_mesh(const AssembledTriangle& piece, const ShellTriangle& triangle,
-                            const DrawnCorners& drawn) {
+AssembledTriangle over_mesh(const AssembledTriangle& piece,
+                            const std::array<std::uint32_t, 3>& corner, const DrawnCorners& drawn) {
     AssembledTriangle mapped = piece;
     for (std::size_t v = 0; v < 3; ++v) {
         mapped.weights[v] = {};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto at = std::find(drawn.corner.begin(), drawn.corner.end(), triangle.corner[k]);
+            const auto at = std::find(drawn.corner.begin(), drawn.corner.end(), corner[k]);
             const auto place = static_cast<std::size_t>(at - drawn.corner.begin());
             mapped.weights[v].perspective[place] += piece.weights[v].perspective[k];
             mapped.weights[v].window[place] += piece.weights[v].window[k];

@@ -163,7 +163,8 @@ std::vector<PlannedStage> material_stages(const Scene& scene, const Material& ma
         stages.push_back(*std::move(judge));
     stages.push_back(std::move(trace));
     if (has_clip_stage(material)) stages.push_back(chosen(material.clip, "clip"));
-    stages.push_back(make_stage(*find_stage("displace")));
+    const bool strips = shell_kind(material) == ShellKind::strips;
+    stages.push_back(make_stage(*find_stage(strips ? "displace-prism@published" : "displace")));
     stages.push_back(writes_depth(material) ? chosen(material.frag_depth, "frag-depth")
                                             : make_stage(*find_stage("frag-depth")));
     stages.push_back(chosen(material.surface, "surface"));

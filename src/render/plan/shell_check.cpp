@@ -1,5 +1,8 @@
 #include "render/plan/shell_check.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -29,6 +32,14 @@ bool takes_face_normal(std::string_view surface) {
            !surface.starts_with("normal-map");
 }
 
+/// The searches that go with a frame of shells; none for other frames.
+std::vector<std::string_view> searches_of_frame(std::string_view frame) {
+    if (frame == "frame-shell") return {"prism-exact", "prism-pom"};
+    if (frame == "frame-prism") return {"prism-gs"};
+    if (frame == "frame-prism@published") return {"prism-gs@published"};
+    return {};
+}
+
 /// Says what is wrong with a material, key by key.
 class Refusal {
   public:
@@ -54,33 +65,52 @@ class Refusal {
 
 bool is_of_shells(std::string_view stage) { return is_listed(ShellStages(), stage); }
 
+std::string_view frame_of_search(std::string_view trace) {
+    for (const std::string_view frame : {"frame-shell", "frame-prism", "frame-prism@published"})
+        if (std::ranges::count(searches_of_frame(frame), trace) != 0) return frame;
+    return "";
+}
+
 void check_shell(const Scene& scene, const Material& material) {
     const Refusal refuse(scene, material);
     const std::string trace = id_or_default(material, material.trace, "trace");
     const std::string surface = id_or_default(material, material.surface, "surface");
     const bool shell = draws_shell(material);
-    if (is_of_shells(trace) != shell)
+    const std::string shadow = id_or_default(material, material.shadow, "shadow");
+    if (is_of_shells(shadow) && shell_kind(material) != ShellKind::tetrahedra)
+        refuse.at(material.shadow, "shadow", shadow,
+                  "\"frame\": \"frame-shell\" beside it, whose tetrahedra it goes through");
+    const std::vector<std::string_view> searches = searches_of_frame(material.frame.id);
+    if (is_of_shells(trace) && !shell)
         refuse.at(material.trace, "trace", trace,
-                  shell ? "a search of shells, prism-exact or prism-pom: the frame is frame-shell"
-                        : "\"frame\": \"frame-shell\" beside it, or a search of heights");
+                  fmt::format("\"frame\": \"{}\" beside it, or a search of heights",
+                              frame_of_search(trace)));
     if (!shell) return;
+    if (std::ranges::count(searches, trace) == 0)
+        refuse.at(material.trace, "trace", trace,
+                  fmt::format("a search of shells, {}: the frame is {}",
+                              fmt::join(searches, " or "), material.frame.id));
+    if (shell_kind(material) == ShellKind::strips && material.seat != 0)
+        refuse.at("relief.seat", fmt::format("{}", material.seat),
+                  "0: frame-prism@published has the mesh at the relief's bottom");
     if (material.depth_in_tiles)
-        refuse.at("relief.depth", "a depth in tiles", "world units, of which frame-shell is built");
+        refuse.at("relief.depth", "a depth in tiles", "world units, of which shells are built");
     if (material.fade_from < material.fade_to)
-        refuse.at("relief.grazing_fade", "a depth that fades", "none: frame-shell has one depth");
+        refuse.at("relief.grazing_fade", "a depth that fades", "none: shells have one depth");
     if (material.cull == Cull::front)
-        refuse.at("cull", "front", "none or back: frame-shell is drawn by where rays enter");
+        refuse.at("cull", "front", "none or back: shells are drawn by where rays enter");
     if (material.clip.id == "clip-path")
         refuse.at(material.clip, "clip", "clip-path",
-                  "none or clip-uv: rays of frame-shell do not begin at its top");
+                  "none or clip-uv: rays of shells do not begin at their tops");
     if (takes_face_normal(surface))
         refuse.at(material.surface, "surface", surface,
                   "one that does without the face's normal, such as h2n-sobel: the faces of "
-                  "frame-shell are not the mesh's");
+                  "shells are not the mesh's");
     for (const Object& object : scene.objects)
         if (&scene.materials[object.material] == &material &&
             scene.meshes[object.mesh].normals.empty())
-            refuse.at(material.frame, "frame", "frame-shell on a mesh without vertex normals",
+            refuse.at(material.frame, "frame",
+                      material.frame.id + " on a mesh without vertex normals",
                       "normals, along which a shell is built");
 }
 

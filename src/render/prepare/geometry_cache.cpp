@@ -61,7 +61,8 @@ std::string geometry_key(const Scene& scene, const HardwareModel& hardware,
     key.add(scene.materials.size());
     for (const Material& material : scene.materials) {
         key.add(material.texture_matrix).add(material.cull).add_text(material.frame.id);
-        if (draws_shell(material)) key.add(material.depth).add(material.seat);
+        if (draws_shell(material))
+            key.add(material.depth).add(material.seat).add(walks_shell(material));
     }
     key.add(scene.objects.size());
     for (const Object& object : scene.objects)

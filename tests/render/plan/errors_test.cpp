@@ -86,6 +86,21 @@ const std::vector<BadScene> bad_scenes = {
     {"a shell without a search of shells",
      [](Scene& s) { s.materials[0].frame = stage("frame-shell", ""); },
      {"materials.stone.relief.trace", "linear", "prism-exact or prism-pom"}},
+    {"prisms with the search of tetrahedra",
+     [](Scene& s) { shell_of(s).frame = stage("frame-prism", ""); },
+     {"materials.stone.relief.trace", "prism-exact", "prism-gs"}},
+    {"a search of prisms without their frame",
+     [](Scene& s) { s.materials[0].trace = stage("prism-gs@published", ""); },
+     {"materials.stone.relief.trace", "prism-gs@published", "frame-prism@published"}},
+    {"prisms as listed below the mesh",
+     [](Scene& s) {
+         shell_of(s).frame = stage("frame-prism@published", "");
+         s.materials[0].trace = stage("prism-gs@published", "");
+     },
+     {"materials.stone.relief.seat", "1", "0"}},
+    {"a shadow through a shell that is none",
+     [](Scene& s) { s.materials[0].shadow = stage("shadow-shell", ""); },
+     {"materials.stone.relief.shadow", "shadow-shell", "frame-shell"}},
     {"a shell of a depth in tiles",
      [](Scene& s) { shell_of(s).depth_in_tiles = true; },
      {"materials.stone.relief.depth", "tiles", "world units"}},

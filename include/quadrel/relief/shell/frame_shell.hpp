@@ -19,8 +19,8 @@
 // Of depth 0 the mesh itself is drawn: uv and normal are the surface's own.
 #pragma once
 
-#include "quadrel/relief/frame/store.hpp"
 #include "quadrel/relief/shell/shell_face.hpp"
+#include "quadrel/relief/shell/shell_frame.hpp"
 
 namespace quadrel {
 
@@ -28,41 +28,17 @@ struct FrameShell : StageDefaults {
     static constexpr StageText text{"frame-shell", "frame",
                                     "affine texture space of the tetrahedra of a shell",
                                     "Hirche, Ehlert, Guthe, Doggett 2004"};
-    static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::relief_depth);
+    static constexpr auto inputs = shell_frame_inputs;
     static constexpr auto outputs = frame_outputs;
     static constexpr bool reads_vertices = true;
-
-    struct Params {
-        std::int32_t normal = 0;
-    };
-    static constexpr ValueName normal_names[] = {{0, "vertex"}, {1, "level"}};
-    static constexpr std::array parameters{choice<&Params::normal>(
-        "normal", "vertex: interpolated, smooth; level: across the planes of equal height",
-        normal_names, 0)};
+    using Params = ShellFrameParams;
+    static constexpr auto parameters = shell_frame_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         const ShellFaces<F> face(io);
-        const vec3<F> d = -to_viewer(io.template load<Value::P>(), io.frame());
-        const F depth = io.template load<Value::relief_depth>();
-        const Mask<F> yes(true), deep = depth > F(0);
-        const SurfaceJacobian<F> j{face.grad_u(), face.grad_v(), yes,
-                                   gradients_degenerate(face.grad_u(), face.grad_v())};
-        const vec2<F> rate(dot(j.grad_u, d), dot(j.grad_v, d));
-        const auto directions = uv_directions(j);
-        io.template store<Value::T>(directions.T);
-        io.template store<Value::B>(directions.B);
-        const vec3<F> smooth = normalize(io.template load<Value::vertex_normal>());
-        const vec3<F> level = select(deep, face.s_gradient() * -depth, smooth);
-        io.template store<Value::frame_normal>(params.normal == 0 ? smooth : level);
-        io.template store<Value::J>(std::array<vec3<F>, 2>{j.grad_u, j.grad_v});
-        io.template store<Value::r>(F(1));
-        io.template store<Value::uv_rate>(rate);
-        io.template store<Value::K>(rate * depth);
-        io.template store<Value::frame_status>(status_packet<F>(Status::hit));
-        io.template store<Value::frame_flags>(
-            select(j.uv_degenerate, Int<F>(HitFlag::uv_degenerate), Int<F>(0)));
+        store_shell_frame(io, face.grad_u(), face.grad_v(), face.s_gradient(), params);
     }
 };
 

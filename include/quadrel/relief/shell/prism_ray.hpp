@@ -62,26 +62,33 @@ PrismExit<F> prism_exit(const ShellFaces<F>& face, const vec3<F>& d, const vec3<
     return exit;
 }
 
+/// A ray that enters at `s`, without an end yet.
+template <class Io, class F = typename Io::Number>
+PrismRay<F> prism_ray_from(const Io& io, F s) {
+    PrismRay<F> ray;
+    ray.s = s;
+    ray.uv.uv = io.template load<Value::uv>();
+    ray.uv.depth = io.template load<Value::relief_depth>();
+    ray.uv.s_polygon = 0;
+    ray.uv.frame_status = io.template load<Value::frame_status>();
+    ray.uv.frame_flags = io.template load<Value::frame_flags>();
+    ray.uv.active = io.active() & (ray.uv.frame_status == status_packet<F>(Status::hit));
+    return ray;
+}
+
 template <class Io, class F = typename Io::Number>
 PrismRay<F> prism_ray(const Io& io) {
     const ShellFaces<F> face(io);
     const vec3<F> d = -to_viewer(io.template load<Value::P>(), io.frame());
     const PrismExit<F> exit =
         prism_exit(face, d, io.template load<Value::dPdx>(), io.template load<Value::dPdy>());
-    PrismRay<F> ray;
+    PrismRay<F> ray = prism_ray_from(io, clamp(face.s(), F(0), F(1)));
     ray.length = exit.length;
-    ray.s = clamp(face.s(), F(0), F(1));
     const F shift = dot(face.s_gradient(), d) * ray.length;
     ray.s_shift = select(exit.to_floor, F(1) - ray.s, shift);
-    ray.uv.uv = io.template load<Value::uv>();
     ray.uv.K = io.template load<Value::uv_rate>() * ray.length;
-    ray.uv.depth = io.template load<Value::relief_depth>();
     // Of depth 0 the shell is the mesh, and met at once.
     ray.ends_below = exit.to_floor | !(ray.uv.depth > F(0));
-    ray.uv.s_polygon = 0;
-    ray.uv.frame_status = io.template load<Value::frame_status>();
-    ray.uv.frame_flags = io.template load<Value::frame_flags>();
-    ray.uv.active = io.active() & (ray.uv.frame_status == status_packet<F>(Status::hit));
     return ray;
 }
 

@@ -233,7 +233,9 @@ void add_shells(Scenes& scenes) {
     const auto shell = [&](const std::string& name, const std::string& trace,
                            const Change& change) {
         add(scenes, fmt::format("E.6/{}/{}", name, trace), cruel, 30, trace, [&](StressScene& s) {
-            relief_of(s)["frame"] = "frame-shell";
+            const std::string frame(frame_of_search(trace));
+            relief_of(s)["frame"] = frame;
+            if (frame.ends_with("@published")) relief_of(s)["seat"] = 0;
             relief_of(s)["surface"] = "h2n-patch";
             relief_of(s)["frag_depth"] = "frag-depth";
             if (change) change(s);
@@ -245,7 +247,7 @@ void add_shells(Scenes& scenes) {
                 shell(fmt::format("{}, depth {}", shape, depth), trace, [&](StressScene& s) {
                     mesh_of(s) = Json::object({{"shape", shape}});
                     relief_of(s)["depth"] = depth;
-                    relief_of(s)["seat"] = 0.5;
+                    if (!trace.ends_with("@published")) relief_of(s)["seat"] = 0.5;
                 });
         for (const double height : {0.05, 0.0, -0.05, -0.2})
             shell(fmt::format("eye at {}", height), trace, [&](StressScene& s) {
