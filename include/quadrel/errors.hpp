@@ -8,7 +8,8 @@
 //     frame    the scene's frame, judge's search against  the same
 //
 // The judge's search has the surface that the scene's searches (bilinear patches, or blocks where
-// it reads texels as such) on level 0 under the sampler's wrap modes.
+// it reads texels as such) on level 0 under the sampler's wrap modes. Depth layers are judged by the
+// exact search of as many layers, which is right up to rounding and not proven.
 #pragma once
 
 #include <array>
@@ -31,7 +32,7 @@ enum class ErrorKind : std::int32_t {
     invented = 3,       ///< a hit where the judge has none
     missed = 4,         ///< none where the judge has one
     other_surface = 5,  ///< behind a part of the relief that it passed through, or beside the ray
-    not_judged = 6,     ///< no frame, no height map, or a ray that no one can follow
+    not_judged = 6,     ///< no frame, no map of heights or layers, or a ray that no one can follow
 };
 inline constexpr std::size_t error_kinds = 7;
 
@@ -74,6 +75,9 @@ struct ErrorSummary {
     std::uint64_t covered = 0;    ///< with a fragment
     std::uint64_t judged = 0;     ///< of these; the rest has no frame or no height map
     std::uint64_t certified = 0;  ///< of the judged ones, those whose truth is proven
+    /// Of the window, those that show another object than with the judges' searches, in scenes with
+    /// depth layers: rays that pass what they should meet, or are stopped by what is not there.
+    std::optional<std::uint64_t> other_object;
     std::string judges;           ///< a line a material: its exact frame and the judge's search
     std::string image;            ///< the file that was judged; empty: what the scene draws
     std::vector<ErrorPartSummary> parts;  ///< whole, search, frame; of an image the whole alone

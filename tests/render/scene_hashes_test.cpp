@@ -185,6 +185,7 @@ TEST(SameBits, InEveryRun) {
     EXPECT_TRUE(same_in_all_runs(render, load_at("rows/frame-shell", "33x27")));
     EXPECT_TRUE(same_in_all_runs(render, load_at("rows/shadow-shell", "33x27")));
     EXPECT_TRUE(same_in_all_runs(render, load_at("silhouette-cubes", "45x23")));
+    EXPECT_TRUE(same_in_all_runs(render, load_at("rows/multilayer-exact", "25x19")));
     EXPECT_TRUE(same_in_all_runs(render, varied_scene(1, Conventions::gl, 25, 17)));
     EXPECT_TRUE(same_in_all_runs(render, varied_scene(4, Conventions::d3d, 19, 21)));
 }

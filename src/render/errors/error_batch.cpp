@@ -131,15 +131,20 @@ TrueHit ErrorBatch::true_hit(int lane) const {
     const auto number = [&](Value v, int component = 0) {
         return truth.number(slot_of(v) + component, lane);
     };
+    const ErrorJudge& judge = *plan_->judge;
     TrueHit hit;
-    hit.field = {call_.textures[static_cast<int>(TextureSlot::height)],
-                 call_.textures[static_cast<int>(TextureSlot::max_mip)], plan_->judge->surface};
     hit.ray = {number(Value::uv), number(Value::uv, 1), number(Value::K), number(Value::K, 1),
                1 - static_cast<double>(call_.material->seat)};
     hit.status = static_cast<Status>(truth.integer(slot_of(Value::hit_status), lane));
     hit.s = number(Value::hit_s);
     hit.u = number(Value::hit_uv);
     hit.v = number(Value::hit_uv, 1);
+    if (judge.layers > 0) {
+        hit.of_layers(*call_.textures[static_cast<int>(TextureSlot::layers)], judge.layers);
+        return hit;
+    }
+    hit.field = {call_.textures[static_cast<int>(TextureSlot::height)],
+                 call_.textures[static_cast<int>(TextureSlot::max_mip)], judge.surface};
     hit.cell_x = number(Value::oracle_cell);
     hit.cell_y = number(Value::oracle_cell, 1);
     hit.place_x = number(Value::oracle_place);
@@ -161,6 +166,7 @@ std::uint32_t ErrorBatch::bits(const ChannelSource& channel, const Batch& drawn,
 
 std::uint32_t ErrorBatch::integer(ErrorMeasure measure, const JudgedValues& values,
                                   int lane) const {
+    if (measure == ErrorMeasure::certified && plan_->judge->layers > 0) return 0;
     if (measure == ErrorMeasure::certified)
         return batch(JudgedRun::truth).integer(slot_of(Value::certified), lane);
     if (measure == ErrorMeasure::cell)

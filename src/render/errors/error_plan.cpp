@@ -7,8 +7,10 @@
 
 #include "quadrel/relief/rooms.hpp"
 #include "quadrel/relief/shadow/light_ray.hpp"
+#include "quadrel/relief/trace/layer/stages.hpp"
 #include "render/draw/shell.hpp"
 #include "render/registry/added_stages.hpp"
+#include "render/registry/is_listed.hpp"
 
 namespace quadrel {
 namespace {
@@ -36,6 +38,16 @@ oracle::Surface surface_of(std::string_view trace) {
 
 const char* name_of(oracle::Surface surface) {
     return oracle::surface_names[static_cast<int>(surface)].name;
+}
+
+/// Searches of a front and a back; any other of layers takes two of each.
+using SearchesOfOneSolid = StageList<DualDepth, DualDepthPublished, DualDepthExact>;
+
+/// The judge of searches of layers. Nothing proves it: what it finds is right up to rounding.
+ErrorJudge layer_judge(std::string_view trace) {
+    const bool one = is_listed(SearchesOfOneSolid(), trace);
+    return {exact_frame, one ? DualDepthExact::text.id : MultilayerExact::text.id,
+            oracle::Surface::bilinear, one ? 2 : 4};
 }
 
 void set(ValueSet& values, std::span<const Value> list) {
@@ -74,7 +86,8 @@ Material judged_material(const Material& material, const ErrorJudge& judge, Judg
 }
 
 /// The values of a run that the channels' errors are differences of.
-ValueSet values_of_run(const std::vector<ChannelSource>& channels, JudgedRun run) {
+ValueSet values_of_run(const std::vector<ChannelSource>& channels, JudgedRun run,
+                       const ErrorJudge& judge) {
     ValueSet values;
     for (const ChannelSource& channel : channels) {
         if (!is_error(channel)) continue;
@@ -83,16 +96,18 @@ ValueSet values_of_run(const std::vector<ChannelSource>& channels, JudgedRun run
     }
     if (run == JudgedRun::truth) {
         set(values, judged_values(ErrorMeasure::kind));
-        set(values, values_and(oracle_outputs, Value::uv, Value::K));
+        set(values, std::array{Value::uv, Value::K});
+        if (judge.layers == 0) set(values, oracle_outputs);
     }
     return values;
 }
 
-/// shadow-oracle of light 0 after all else: colour keeps the shadow of the material's own stage.
+/// The judge's shadow of light 0 after all else: colour keeps that of the material's own stage.
 void append_shadow_judge(const Scene& scene, Material material, const ErrorJudge& judge,
                          const KernelTable& kernels, MaterialPlan& plan) {
-    material.shadow.id = "shadow-oracle";
-    material.shadow.parameters = {{"surface", name_of(judge.surface)}};
+    material.shadow.id = judge.layers == 0 ? "shadow-oracle" : "shadow-layers-exact";
+    material.shadow.parameters.clear();
+    if (judge.layers == 0) material.shadow.parameters = {{"surface", name_of(judge.surface)}};
     Wanted wanted;
     wanted.values.set(static_cast<std::size_t>(Value::shadow_visibility));
     wanted.lights.set(0);
@@ -109,7 +124,7 @@ MaterialPlan plan_run(const Scene& scene, const Material& material, const ErrorP
                       const KernelTable& kernels) {
     const Material judged = judged_material(material, *errors.judge, run);
     constexpr auto visibility = static_cast<std::size_t>(Value::shadow_visibility);
-    Wanted wanted{values_of_run(channels, run), {}};
+    Wanted wanted{values_of_run(channels, run, *errors.judge), {}};
     wanted.lights.set(0, wanted.values[visibility]);
     const bool judges_shadow =
         errors.shadows && run != JudgedRun::search && wanted.values[visibility];
@@ -152,17 +167,23 @@ std::optional<JudgedRun> judged_run(ErrorPart part) {
 }
 
 std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& material) {
-    if (material.noise || material.textures.count("height") == 0) return std::nullopt;
     if (draws_shell(material)) return std::nullopt;  // the judge knows polygons
     const std::vector<PlannedStage> stages = material_stages(scene, material);
     const PlannedStage& trace = *stage_of_room(stages, "trace");
-    // The judge knows heights, and straight rays that end on them.
-    if (reads_slot(trace, TextureSlot::layers) || trace.info->may_miss) return std::nullopt;
     const std::string own = trace.info->text.id;
+    if (reads_slot(trace, TextureSlot::layers)) {
+        // Those of billboards have a ray of their own.
+        const bool judged =
+            material.textures.count("layers") != 0 && !reads_slot(trace, TextureSlot::layers_2);
+        return judged ? std::optional(layer_judge(own)) : std::nullopt;
+    }
+    // Of heights it knows maps, and straight rays that end on them.
+    if (material.noise || material.textures.count("height") == 0 || trace.info->may_miss)
+        return std::nullopt;
     const std::string judge = stores(trace, Value::oracle_s)              ? own
                               : reads_slot(trace, TextureSlot::texel_max) ? "oracle-block"
                                                                           : "oracle-bilinear";
-    return ErrorJudge{exact_frame, judge, surface_of(judge)};
+    return ErrorJudge{exact_frame, judge, surface_of(judge), 0};
 }
 
 std::vector<Value> judged_values(ErrorMeasure measure) {
@@ -199,11 +220,12 @@ std::string judges_text(const Scene& scene) {
     std::vector<std::string> lines;
     for (const Material& material : scene.materials) {
         const auto judge = error_judge(scene, material);
-        lines.push_back(fmt::format("{}: {}", material.name,
-                                    judge ? fmt::format("{}, {}", judge->frame, judge->trace)
-                                    : material.textures.count("height") != 0
-                                        ? "not judged, rays may pass the relief"
-                                        : "not judged, no height map"));
+        lines.push_back(fmt::format(
+            "{}: {}", material.name,
+            judge ? fmt::format("{}, {}", judge->frame, judge->trace)
+            : material.textures.count("height") != 0 || material.textures.count("layers") != 0
+                ? "not judged, rays may pass the relief"
+                : "not judged, no height map"));
     }
     return fmt::format("{}", fmt::join(lines, "\n"));
 }

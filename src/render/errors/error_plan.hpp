@@ -27,10 +27,12 @@ std::optional<JudgedRun> judged_run(ErrorPart part);
 struct ErrorJudge {
     std::string frame;          ///< id of the exact frame: frame-face
     std::string trace;          ///< id of the judge's search
-    oracle::Surface surface{};  ///< that it searches
+    oracle::Surface surface{};  ///< that it searches, of heights
+    std::int32_t layers = 0;    ///< how many depth layers it searches in their place
 };
 
-/// What judges a material; none where its heights are no map.
+/// What judges a material; none where there is neither a map of heights nor one of layers, or where
+/// rays are no straight ones through a polygon.
 std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& material);
 
 struct ErrorPlan {

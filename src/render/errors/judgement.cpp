@@ -6,6 +6,7 @@
 
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/emerges.hpp"
+#include "render/errors/layer_truth.hpp"
 
 namespace quadrel {
 namespace {
@@ -54,8 +55,10 @@ ErrorKind kind_of_place(const TrueHit& truth, const FoundHit& found, double off)
     if (std::fabs(later) <= off) later = std::fabs(along) > off ? along : 0;
     if (later == 0 || later != later) return ErrorKind::other_surface;
     if (later < 0) return ErrorKind::early;
+    const double from = truth.s + off, to = truth.s + later - off;
     const bool emerges =
-        oracle::emerges(truth.field, truth.ray, truth.s + off, truth.s + later - off);
+        truth.layers > 0 ? leaves_layers(*truth.field.heights, truth.layers, truth.ray, from, to)
+                         : oracle::emerges(truth.field, truth.ray, from, to);
     return emerges ? ErrorKind::other_surface : ErrorKind::late;
 }
 
@@ -72,6 +75,20 @@ bool in_cell(double x, double true_x, double cell, double place, const GridAxis&
 }
 
 }  // namespace
+
+void TrueHit::of_layers(const SampledTexture& map, int count) {
+    field = {&map, &map, oracle::Surface::bilinear};
+    layers = count;
+    const double x = u * width_of(*this) - 0.5, y = v * height_of(*this) - 0.5;
+    cell_x = std::floor(x);
+    cell_y = std::floor(y);
+    place_x = x - cell_x;
+    place_y = y - cell_y;
+    const LayerSlope slope = layer_slope(map, count, ray, u, v, s);
+    gradient_u = slope.gradient_u;
+    gradient_v = slope.gradient_v;
+    condition = slope.condition;
+}
 
 double texels_apart(const TrueHit& truth, const FoundHit& found) {
     return length((found.u - truth.u) * width_of(truth), (found.v - truth.v) * height_of(truth));

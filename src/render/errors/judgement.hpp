@@ -8,12 +8,16 @@ namespace quadrel {
 
 /// The judge's hit and the ray that it is on.
 struct TrueHit {
-    oracle::Field field;
+    oracle::Field field;  ///< of layers, their map as if it were one of heights
+    int layers = 0;       ///< how many of these; 0: heights
     oracle::Ray ray;
     Status status = Status::none;
     double s = 0, u = 0, v = 0;
     double cell_x = 0, cell_y = 0, place_x = 0, place_y = 0;  ///< as oracle::Hit has them
     double gradient_u = 0, gradient_v = 0, condition = 0, bound = 0;
+
+    /// On so many of the map's layers; ray, s, u and v are set. Fills in the rest.
+    void of_layers(const SampledTexture& map, int count);
 
     /// Whether there is a truth: a hit, or nothing met, or a hit that is clipped.
     bool is_judged() const {

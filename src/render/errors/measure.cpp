@@ -24,6 +24,37 @@ RenderOptions render_options(const ErrorOptions& options, std::vector<std::strin
     return made;
 }
 
+/// The scene with the judge's search of layers; none where it has no others.
+std::optional<Scene> with_judged_layers(const Scene& scene) {
+    std::optional<Scene> judged;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const auto judge = error_judge(scene, scene.materials[m]);
+        if (!judge || judge->layers == 0) continue;
+        if (!judged) judged = scene;
+        StageChoice& trace = judged->materials[m].trace;
+        trace.id = judge->trace;
+        trace.parameters.clear();
+    }
+    return judged;
+}
+
+/// Pixels in which another object is seen, or one is where nothing should be.
+std::optional<std::uint64_t> count_other_objects(const Scene& scene, RenderOptions rendering) {
+    const std::optional<Scene> judged = with_judged_layers(scene);
+    if (!judged) return std::nullopt;
+    rendering.channels = {"A", "id.object"};
+    rendering.progress = {};
+    const Film drawn = render(scene, rendering), truth = render(*judged, rendering);
+    std::uint64_t other = 0;
+    for (std::size_t i = 0; i < drawn.find("A")->bits.size(); ++i) {
+        const auto seen = [&](const Film& film) {
+            return std::pair(film.find("A")->as_float(i) > 0, film.find("id.object")->bits[i]);
+        };
+        other += seen(drawn) != seen(truth);
+    }
+    return other;
+}
+
 ErrorSummary measure(const Scene& scene, const RenderOptions& rendering,
                      const ErrorOptions& options) {
     Film own;
@@ -31,6 +62,7 @@ ErrorSummary measure(const Scene& scene, const RenderOptions& rendering,
     film = render(scene, rendering);
     ErrorSummary summary = summarize_errors(film, options.worst);
     summary.judges = judges_text(scene);
+    if (rendering.judged == nullptr) summary.other_object = count_other_objects(scene, rendering);
     const ProbeCommand command(scene, select_kernels(rendering), rendering.isa);
     for (WorstPixel& pixel : summary.worst) pixel.command = command.text(pixel.x, pixel.y);
     return summary;

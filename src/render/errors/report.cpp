@@ -115,6 +115,9 @@ std::string to_text(const ErrorSummary& summary) {
                         summary.pixels, summary.covered,
                         percent(ratio(summary.covered, summary.pixels)), summary.judged,
                         percent(ratio(summary.certified, summary.judged)));
+    if (summary.other_object)
+        text += fmt::format("{} pixels show another object than with the judge's search\n",
+                            *summary.other_object);
     if (!summary.judges.empty()) text += "judged by\n" + summary.judges + "\n";
     if (summary.judged == 0) return text;
     return text + kinds_text(summary) + spreads_text(summary) + worst_text(summary);
@@ -135,6 +138,7 @@ std::string to_json(const ErrorSummary& summary) {
                       {"covered", summary.covered},
                       {"judged", summary.judged},
                       {"certified", summary.certified},
+                      {"other_object", summary.other_object ? Json(*summary.other_object) : Json()},
                       {"judges", summary.judges},
                       {"parts", parts},
                       {"worst", worst}};

@@ -96,7 +96,8 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
         plan.known.push_back(known_stages(plan.materials.back(), wanted.values, injected));
         check_runs(plan.materials.back(), plan.known.back(), material, asked);
         const auto judge = error_judge(scene, material);
-        plan.surfaces.push_back(judge ? std::optional(judge->surface) : std::nullopt);
+        plan.surfaces.push_back(judge && judge->layers == 0 ? std::optional(judge->surface)
+                                                            : std::nullopt);
     }
     return plan;
 }

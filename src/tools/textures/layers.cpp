@@ -39,6 +39,11 @@ glm::dvec4 curtain_at(int x, int y) {
     return {middle - half, middle + half, 1, 1};
 }
 
+/// 1 in the cloth, 0 beside it.
+glm::dvec4 cloth_at(int x, int y) {
+    return glm::dvec4(inside_cloth((x + 0.5) / size, (y + 0.5) / size) > 0 ? 1 : 0);
+}
+
 /// Half the thickness of a round bar, `distance` from its axis.
 double bar(double distance) {
     constexpr double radius = 0.034;
@@ -86,6 +91,7 @@ glm::dvec4 lattice_normal(int x, int y, int axis) {
 void write_layers(const std::filesystem::path& directory) {
     write_depths(directory / "curtain_layers.exr", 2,
                  make_grid<glm::dvec4>(size, size, curtain_at));
+    write_depths(directory / "curtain_cloth.exr", 2, make_grid<glm::dvec4>(size, size, cloth_at));
     write_depths(directory / "lattice_layers.exr", 4,
                  make_grid<glm::dvec4>(size, size, lattice_at));
     for (const int axis : {0, 1})
