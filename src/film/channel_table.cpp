@@ -83,6 +83,7 @@ void add_exact(Table& table) {
 }
 
 void add_frame(Table& table) {
+    add_vector(table, "frame_normal", "XYZ", "eye space, unit", "normal of the frame");
     add_vector(table, "J.U", "XYZ", "1 / eye-space length",
                "surface gradient of u: first row of J");
     add_vector(table, "J.V", "XYZ", "1 / eye-space length",

@@ -79,6 +79,31 @@ TEST(LevelOfDetail, FollowsTheHeightMap) {
     EXPECT_FALSE(follows_the_height_map<double>(&colour_map_first<double>));
 }
 
+/// The footprint of lane i of each quad is i + 1 texels long.
+using Rho = std::array<float, 4>;
+Rho rho_of_lanes(bool one_a_quad, StageFunction stage) {
+    SampledTexture height = sized(256);
+    height.sampler.quad_lod = one_a_quad ? 1 : 0;
+    StageBench<float> bench;
+    for (const Value v : lod_values) bench.want(v);
+    for (const Value v : {Value::dUVdx, Value::dUVdy}) bench.want(v);
+    for (int lane = 0; lane < 16; ++lane)
+        bench.at(Value::dUVdx, 0, lane) = static_cast<float>(lane % 4 + 1) / 256;
+    bench.call().textures[static_cast<int>(TextureSlot::height)] = &height;
+    stage(&bench.call());
+    for (int lane = 0; lane < 16; ++lane)
+        EXPECT_EQ(bench.at(Value::lod_lambda, 0, lane), log2(bench.at(Value::lod_rho, 0, lane)));
+    return {bench.at(Value::lod_rho, 0, 4), bench.at(Value::lod_rho, 0, 5),
+            bench.at(Value::lod_rho, 0, 6), bench.at(Value::lod_rho, 0, 7)};
+}
+
+/// As textureQueryLod of hardware that has one level for a quad.
+TEST(LevelOfDetail, MayBeLane0s) {
+    const StageFunction stage = &run_stage<LevelOfDetail, Quad<float>>;
+    EXPECT_EQ(rho_of_lanes(false, stage), (Rho{1, 2, 3, 4}));
+    EXPECT_EQ(rho_of_lanes(true, stage), (Rho{1, 1, 1, 1}));
+}
+
 /// Done to the place that textures share before each of them is asked for.
 using Meddle = std::function<void(SharedScales&, const SampledTexture&)>;
 

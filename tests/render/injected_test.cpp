@@ -5,6 +5,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/probe.hpp"
 #include "quadrel/raster/coverage.hpp"
+#include "quadrel/scene/load.hpp"
 #include "render/films.hpp"
 #include "render/plan/channel_source.hpp"
 #include "render/plan/plan.hpp"
@@ -78,6 +79,18 @@ Film moved(Film film, const std::string& channel) {
             plane.bits[i] = whole ? plane.bits[i] ^ 1u
                                   : std::bit_cast<std::uint32_t>(plane.as_float(i) * 0.75f + 0.01f);
     return film;
+}
+
+/// A frame that the search turns is stored twice; channels have it as the search leaves it, which
+/// is not what the search starts from.
+TEST(Injected, WhatIsStoredTwiceIsReplacedInTheEnd) {
+    const Scene scene = load_scene("rows/curved-quadric", {"size=[40,40]"});
+    const Film own = own_film(scene);
+    const Names turned{"T", "B.X", "B.Y", "B.Z", "J", "frame_normal"};
+    EXPECT_TRUE(same_bits(own, with_values(scene, turned, own)));
+    const Film film = with_values(scene, {"frame_normal"}, moved(own, "frame_normal.X"));
+    EXPECT_EQ(film.find("hit.s")->bits, own.find("hit.s")->bits);
+    EXPECT_NE(film.find("N.X")->bits, own.find("N.X")->bits);
 }
 
 /// Whether a change of a channel moves what stages make of it, and nothing else; the channel is the

@@ -9,8 +9,11 @@
 #include <glm/gtc/constants.hpp>
 
 #include "conformance/judge.hpp"
+#include "conformance/reruns.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/plan/prepared.hpp"
+#include "render/registry/added_stages.hpp"
 
 namespace quadrel::tools_tests {
 namespace {
@@ -149,6 +152,51 @@ TEST(Conformance, WhatLiesInAGapIsUnexplained) {
     const auto reports = judged(with(drawn(), "shadow.visibility", 5, [](float) { return 0.5f; }));
     EXPECT_EQ(count(reports, "shadow", Verdict::legal), 0u);
     EXPECT_GT(count(reports, "shadow", Verdict::unexplained), 100u);
+}
+
+/// Filters that give each height somewhat more: by no more than is permitted, or by more.
+TEST(Conformance, HeightsMayBeOffByAPart) {
+    const auto with_heights = [](double factor) {
+        RenderOptions options;
+        options.channels = channels();
+        PreparedRender prepared = prepare_render(scene(), options, select_kernels(options));
+        const conformance::ScaledHeights scaled(prepared.plan, factor);
+        return judged(draw(prepared, options));
+    };
+    const auto permitted = with_heights(1 + 0x1p-17);
+    EXPECT_GT(count(permitted, "hit", Verdict::perturbed), 100u);
+    EXPECT_EQ(count(permitted, "hit", Verdict::unexplained), 0u) << examples(permitted);
+    EXPECT_GT(count(with_heights(1.01), "hit", Verdict::unexplained), 20u);
+}
+
+/// A search that turns the frame: what channels have of it is the hit's, and no search starts from
+/// it. hit.s is a difference of heights.
+TEST(Conformance, ATurnedFrameBelongsToTheHit) {
+    const Scene curved = load_scene("rows/curved-quadric", {"size=[48,48]"});
+    RenderOptions options;
+    options.channels = channels();
+    options.channels.insert(options.channels.end(), {"T", "frame_normal", "r"});
+    const Film own = render(curved, options);
+    const auto count_with = [&](const char* channel, float by, const char* group, Verdict verdict) {
+        const Film film = with(own, channel, 7, [by](float x) { return x + by; });
+        const auto reports = conformance::judge(curved, film, {});
+        if (verdict != Verdict::unexplained) {
+            EXPECT_EQ(count(reports, Verdict::unexplained), 0u) << examples(reports);
+        }
+        return count(reports, group, verdict);
+    };
+    EXPECT_GT(count_with("T.X", 0x1p-21f, "hit", Verdict::rounded), 20u);
+    EXPECT_GT(count_with("frame_normal.Y", 0.01f, "hit", Verdict::unexplained), 20u);
+    EXPECT_GT(count_with("hit.s", 0x1p-22f, "hit", Verdict::rounded), 20u);
+    EXPECT_GT(count_with("hit.s", 0x1p-18f, "hit", Verdict::unexplained), 20u);
+
+    // What the normal is made of is the frame at the hit.
+    const Film turned = with(own, "frame_normal.Y", 7, [](float y) { return y + 0x1p-21f; });
+    options.injected = {{"frame_normal", std::make_shared<const Film>(turned), "test"}};
+    const auto reports = conformance::judge(curved, render(curved, options), {});
+    EXPECT_GT(count(reports, "hit", Verdict::rounded), 20u);
+    EXPECT_GT(count(reports, "normal", Verdict::inherited), 20u);
+    EXPECT_EQ(count(reports, Verdict::unexplained), 0u) << examples(reports);
 }
 
 /// What no error explains, stage by stage.

@@ -17,7 +17,7 @@ struct ShadeLambert : LitDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         shade_lit(
-            io, io.template load<Value::N>(), [](const vec3<F>&, F) { return F(0); },
+            io, io.template load<Value::N>(), [](const vec3<F>&, F) { return NoHighlight(); },
             params.gradients);
     }
 };

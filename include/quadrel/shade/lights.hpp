@@ -3,6 +3,8 @@
 //     ambient  = La Ma base                    per light, times the ambient occlusion in all
 //     diffuse  = Ld Md base max(N.L, 0) a      a = visibility I / (c + l d + q d^2)
 //     specular = Ls Ms s(L) a, or Ls s(L) a    where N.L > 0; s is the model's
+// Sums begin with their first term, not with 0: 0 + -0 is 0, but a GPU's compiler may leave 0 out
+// (GLSL 4.60, 4.7.1: zeros of two signs may be interchanged), and it is not what a person writes.
 // Colours are such that a white surface which faces a white light of intensity 1 is white: the
 // light's irradiance over pi.
 #pragma once
@@ -31,13 +33,22 @@ F attenuation(const vec3<F>& P, const auto& light) {
     return F(light.intensity) / sum;
 }
 
+/// A sum and one more term.
+template <Number F>
+vec3<F> sum_with(bool is_first, const vec3<F>& sum, const vec3<F>& term) {
+    return is_first ? term : sum + term;
+}
+
+/// What a model without a highlight gives for one.
+struct NoHighlight {};
+
 template <Number F>
 struct LightTerms {
     vec3<F> ambient = vec3<F>(F(0)), diffuse = vec3<F>(F(0)), specular = vec3<F>(F(0));
 };
 
 /// `specular(L, N.L)`: a number, to be multiplied by the light's and the material's colours, or a
-/// colour, by the light's alone. It is only used where N.L > 0.
+/// colour, by the light's alone, or NoHighlight. It is only used where N.L > 0.
 template <class Io, class Specular, class F = typename Io::Number>
 LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
                          const Specular& specular) {
@@ -50,20 +61,41 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
         const F cosine = dot(N, L);
         const auto highlight = specular(L, cosine);
-        const F lit = select(cosine > F(0), visible, F(0));
-        sum.ambient += uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base;
-        sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
-                       (max(cosine, F(0)) * visible);
-        if constexpr (std::is_same_v<decltype(highlight), const F>) {
-            sum.specular += uniform3<F>(light.specular) * uniform3<F>(material.specular) *
-                            select(lit > F(0), highlight * lit, F(0));  // a power may be infinite
-        } else {
-            sum.specular +=
-                uniform3<F>(light.specular) * select(lit > F(0), highlight * lit, vec3<F>(F(0)));
+        const auto add = [i](vec3<F>& to, const vec3<F>& term) { to = sum_with(i == 0, to, term); };
+        add(sum.ambient, uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base);
+        add(sum.diffuse, uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
+                             (max(cosine, F(0)) * visible));
+        using Highlight = std::remove_const_t<decltype(highlight)>;
+        if constexpr (!std::is_same_v<Highlight, NoHighlight>) {
+            const F lit = select(cosine > F(0), visible, F(0));
+            const Highlight none(F(0));
+            vec3<F> color = uniform3<F>(light.specular);
+            if constexpr (std::is_same_v<Highlight, F>)
+                color = color * uniform3<F>(material.specular);
+            // A power may be infinite.
+            add(sum.specular, color * select(lit > F(0), highlight * lit, none));
         }
     }
     sum.ambient = sum.ambient * io.template load<Value::occlusion>();
     return sum;
+}
+
+/// What the surface gives of itself: the material's emission and the emissive map.
+template <Number F>
+struct Emission {
+    bool is_there = false;
+    vec3<F> light = vec3<F>(F(0));
+
+    vec3<F> with(const vec3<F>& terms) const { return sum_with(!is_there, light, terms); }
+};
+
+template <class Io, class F = typename Io::Number>
+Emission<F> emission_at_hit(Io& io, std::int32_t gradients) {
+    const auto& own = io.material().emission;
+    const bool glows = own[0] != 0 || own[1] != 0 || own[2] != 0;
+    const bool has_map = io.template texture<TextureSlot::emissive>() != nullptr;
+    const vec4<F> map = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)), gradients);
+    return {glows || has_map, glows ? uniform3<F>(own) + rgb(map) : rgb(map)};
 }
 
 }  // namespace quadrel

@@ -49,14 +49,15 @@ void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specu
                std::int32_t gradients = 0) {
     using F = typename Io::Number;
     const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
-    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)), gradients);
+    const Emission<F> emissive = emission_at_hit(io, gradients);
     const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
-    const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
+    const vec3<F> matte = emissive.with(sum.ambient) + sum.diffuse;
+    constexpr bool shines = !std::is_same_v<decltype(specular(N, F(0))), NoHighlight>;
     io.template store<Value::light_ambient>(sum.ambient);
     io.template store<Value::light_diffuse>(sum.diffuse);
     io.template store<Value::light_specular>(sum.specular);
-    io.template store<Value::light_emissive>(emissive);
-    io.template store<Value::color>(emissive + sum.ambient + sum.diffuse + sum.specular);
+    io.template store<Value::light_emissive>(emissive.light);
+    io.template store<Value::color>(shines ? matte + sum.specular : matte);
     io.template store<Value::opacity>(base.w);
 }
 

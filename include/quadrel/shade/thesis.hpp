@@ -39,15 +39,14 @@ struct ShadeThesis : StageDefaults {
         const F default_shininess(io.material().shininess / 255.0f);
         const vec4<F> gloss = map_at_hit<TextureSlot::gloss>(
             io, vec4<F>(default_shininess, F(0.5f), zero, one), params.gradients);
-        const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(zero), params.gradients);
+        const Emission<F> emissive = emission_at_hit(io, params.gradients);
         const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
         const vec3<F> N = io.template load<Value::N>();
         const F shininess = max(F(255) * gloss.x, zero);
         const LightTerms<F> sum = sum_lights(io, rgb(base), N, [&](const vec3<F>& L, F) {
             return pow(max(dot(reflect(-L, N), V), zero), shininess);
         });
-        const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
-        const vec3<F> phong = emissive + sum.ambient + sum.diffuse + sum.specular;
+        const vec3<F> phong = emissive.with(sum.ambient) + sum.diffuse + sum.specular;
         const vec3<F> mirrored = reflect(-V, N);
         const vec3<F> bent = refract(-V, N, F(2) * gloss.y);
         const Mask<F> total = dot(bent, bent) == zero;
@@ -57,7 +56,7 @@ struct ShadeThesis : StageDefaults {
         io.template store<Value::light_ambient>(sum.ambient);
         io.template store<Value::light_diffuse>(sum.diffuse);
         io.template store<Value::light_specular>(sum.specular);
-        io.template store<Value::light_emissive>(emissive);
+        io.template store<Value::light_emissive>(emissive.light);
         io.template store<Value::light_reflection>(reflection);
         io.template store<Value::light_refraction>(refraction);
         io.template store<Value::color>(mix(mix(refraction, phong, base.w), reflection, gloss.z));

@@ -36,8 +36,10 @@ struct ShadeWelsh : StageDefaults {
                 io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
             const vec3<F> color =
                 uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * arriving;
-            total = saturate(total + saturate(color * dot(N, to_light(P, light))));
-            ambient += uniform3<F>(light.ambient) * uniform3<F>(material.ambient);
+            const vec3<F> lit = saturate(color * dot(N, to_light(P, light)));
+            total = i == 0 ? lit : saturate(total + lit);
+            ambient = sum_with(i == 0, ambient,
+                               uniform3<F>(light.ambient) * uniform3<F>(material.ambient));
         }
         ambient = ambient * io.template load<Value::occlusion>();
         io.template store<Value::light_ambient>(ambient * rgb(base));

@@ -23,8 +23,19 @@ ValueSet stored_values(const Scene& scene) {
     return stored;
 }
 
+/// Whether a search turns the frame, so that what shades and shadows the hit reads another one than
+/// the search itself.
+bool has_turned_frame(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& of) {
+        const std::vector<PlannedStage> stages = material_stages(scene, of);
+        return std::count_if(stages.begin(), stages.end(), [](const PlannedStage& stage) {
+                   return stores(stage, Value::frame_normal);
+               }) > 1;
+    });
+}
+
 /// Those of values, in the order of the data flow.
-std::vector<std::string> names_of_values(int lights) {
+std::vector<std::string> names_of_values(int lights, bool turned_frame) {
     std::vector<std::string> names;
     for (const char* group : {"uv", "P", "Ng", "dUVdx", "dUVdy", "dPdx", "dPdy", "relief.depth",
                               "T", "J", "r", "K", "hit", "frag.depth", "N"})
@@ -34,6 +45,9 @@ std::vector<std::string> names_of_values(int lights) {
     const auto after_t = std::find(names.begin(), names.end(), "T.Z") + 1;
     const char* const bitangent[] = {"B.X", "B.Y", "B.Z"};
     names.insert(after_t, std::begin(bitangent), std::end(bitangent));
+    if (turned_frame)
+        for (const std::string& name : expand_channels(std::vector<std::string>{"frame_normal"}))
+            names.push_back(name);
     for (int light = 0; light < lights; ++light)
         for (const char* what : {"visibility", "steps"})
             names.push_back(light == 0 ? fmt::format("shadow.{}", what)
@@ -76,7 +90,8 @@ ProgramChannel program_channel(const ChannelSource& source) {
 std::vector<std::string> exportable_channels(const Scene& scene, const std::string& language) {
     const ValueSet stored = stored_values(scene);
     std::vector<std::string> names;
-    for (const std::string& name : names_of_values(static_cast<int>(scene.lights.size()))) {
+    for (const std::string& name :
+         names_of_values(static_cast<int>(scene.lights.size()), has_turned_frame(scene))) {
         const ChannelSource source = channel_source(name);
         if (stored[static_cast<std::size_t>(source.value)]) names.push_back(name);
         const bool asks_lod = name == "dUVdy.V" && language != "glsl-es" && language != "wgsl";

@@ -24,6 +24,7 @@ constexpr std::array data_flow = {
     std::string_view{"relief.depth"},
     std::string_view{"T"},
     std::string_view{"B."},  // the bitangent; "B" is blue
+    std::string_view{"frame_normal"},
     std::string_view{"J"},
     std::string_view{"r"},
     std::string_view{"K"},

@@ -238,13 +238,13 @@ void Batch::run_stages(const MaterialPlan& plan, std::size_t first, std::size_t 
         own.light = stage.light;
         run_stage(stage, own, clock);
         check_border(stage);
-        if (injected_ != nullptr) inject_after(stage);
+        if (injected_ != nullptr) inject_after(plan, i);
     }
 }
 
-void Batch::inject_after(const PlannedStage& stage) {
+void Batch::inject_after(const MaterialPlan& plan, std::size_t stage) {
     const std::span quads(loaded_, static_cast<std::size_t>(quads_));
-    injected_->replace(stage, quads, [&](int slot, int lane, std::uint32_t bits) {
+    injected_->replace(plan, stage, quads, [&](int slot, int lane, std::uint32_t bits) {
         if (!has(slot)) return;
         const bool wide = real_slots[static_cast<std::size_t>(slot)] && scalar_bytes_ == 8;
         const double number = std::bit_cast<float>(bits);

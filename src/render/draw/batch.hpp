@@ -95,7 +95,7 @@ class Batch {
                     const StageCall& call, StageClock* clock);
     bool run_chains(const MaterialPlan& plan, StageCall call);
     void check_border(const PlannedStage& stage) const;
-    void inject_after(const PlannedStage& stage);
+    void inject_after(const MaterialPlan& plan, std::size_t stage);
 
     int scalar_bytes_;
     const ProbeCommand* command_;

@@ -47,15 +47,18 @@ class InjectedValues {
     /// Throws UsageError for an injection of whose values none of the plans computes and reads any.
     void check_used(std::span<const MaterialPlan> plans) const;
 
-    /// Calls `put(slot, lane, bits)` for every value that replaces one of those that `stage` has
-    /// stored: in lanes of the quads that are seen, where their image has a fragment. `bits` are a
+    /// Calls `put(slot, lane, bits)` for every value that replaces one of those that stage `number`
+    /// of the plan has stored and no later one stores again, since images have what is left in the
+    /// end: in lanes of the quads that are seen, where their image has a fragment. `bits` are a
     /// float's or an integer's.
     template <class Put>
-    void replace(const PlannedStage& stage, std::span<const QuadCoverage> quads,
+    void replace(const MaterialPlan& plan, std::size_t number, std::span<const QuadCoverage> quads,
                  const Put& put) const {
+        const PlannedStage& stage = plan.stages[number];
         for (const InjectedArray& array : arrays_) {
             if (!stores(stage, array.value)) continue;
             if (info(array.value).per_light && stage.light != array.light) continue;
+            if (!is_last_to_store(plan, number, array.value)) continue;
             for (std::size_t q = 0; q < quads.size(); ++q)
                 for (int lane = 0; lane < 4; ++lane) replace_lane(array, quads[q], q, lane, put);
         }

@@ -39,6 +39,7 @@ void add_geometry(Table& table) {
     add(table, "dUVdy", "UV", Value::dUVdy);
     add(table, "dPdx", "XYZ", Value::dPdx);
     add(table, "dPdy", "XYZ", Value::dPdy);
+    add(table, "frame_normal", "XYZ", Value::frame_normal);
     add(table, "J.U", "XYZ", Value::J);
     add(table, "J.V", "XYZ", Value::J, 3);
     add(table, "K", "UV", Value::K);

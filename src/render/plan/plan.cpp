@@ -141,6 +141,15 @@ bool stores(const PlannedStage& stage, Value v) {
     return std::find(outputs.begin(), outputs.end(), v) != outputs.end();
 }
 
+bool is_last_to_store(const MaterialPlan& plan, std::size_t stage, Value v) {
+    const PlannedStage& of = plan.stages[stage];
+    return std::none_of(plan.stages.begin() + static_cast<std::ptrdiff_t>(stage) + 1,
+                        plan.stages.end(), [&](const PlannedStage& later) {
+                            return stores(later, v) &&
+                                   (!info(v).per_light || later.light == of.light);
+                        });
+}
+
 bool grades_depth(const Material& material) {
     return material.depth_in_tiles || material.fade_from < material.fade_to;
 }

@@ -59,6 +59,10 @@ struct MaterialPlan {
     const StageInfo* needs_layers = nullptr;
 };
 
+/// Whether no later stage of the plan stores the value, of the same light where each has one: what
+/// stage number `stage` leaves is what channels show.
+bool is_last_to_store(const MaterialPlan& plan, std::size_t stage, Value v);
+
 /// Where the material's heights come from, which its default stages follow.
 HeightSource height_source(const Material& material);
 

@@ -169,7 +169,7 @@ void RangeBatch::run_stages(const MaterialPlan& plan) {
             stage.run(&call_);
         if (context_->too_many) return;
         ++stages_run_;
-        if (injected_ != nullptr) inject_after(stage);
+        if (injected_ != nullptr) inject_after(plan, i);
         if (stores(stage, Value::hit_uv)) name_place();
     }
 }
@@ -192,8 +192,8 @@ void RangeBatch::take_drawn(const PlannedStage& stage) {
         }
 }
 
-void RangeBatch::inject_after(const PlannedStage& stage) {
-    injected_->replace(stage, std::span(quad_, 1), [&](int slot, int lane, std::uint32_t bits) {
+void RangeBatch::inject_after(const MaterialPlan& plan, std::size_t stage) {
+    const auto put = [&](int slot, int lane, std::uint32_t bits) {
         void* const values = values_[static_cast<std::size_t>(slot)];
         if (values == nullptr) return;
         if (is_integer(slot)) {
@@ -202,7 +202,8 @@ void RangeBatch::inject_after(const PlannedStage& stage) {
         }
         const double number = std::bit_cast<float>(bits);
         static_cast<Ranged*>(values)[lane] = Ranged(number, number);
-    });
+    };
+    injected_->replace(plan, stage, std::span(quad_, 1), put);
 }
 
 /// What reads maps beside the hit reads them at places that move together.

@@ -50,7 +50,7 @@ class RangeBatch {
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
     void take_drawn(const PlannedStage& stage);
-    void inject_after(const PlannedStage& stage);
+    void inject_after(const MaterialPlan& plan, std::size_t stage);
     void name_place();
     void run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage);
     void follow(const MaterialPlan& plan, int quad, int lane, const std::vector<double>& borders);

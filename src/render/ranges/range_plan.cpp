@@ -32,7 +32,8 @@ std::vector<bool> known_stages(const MaterialPlan& plan, const ValueSet& wanted,
     for (std::size_t i = plan.stages.size(); injected != nullptr && i-- > 0;) {
         const PlannedStage& stage = plan.stages[i];
         known[i] = std::ranges::all_of(stage.info->outputs, [&](Value v) {
-            return !read[static_cast<std::size_t>(v)] || injected->has(v, stage.light);
+            return !read[static_cast<std::size_t>(v)] ||
+                   (injected->has(v, stage.light) && is_last_to_store(plan, i, v));
         });
         if (known[i]) continue;
         for (const Value v : stage.info->inputs) read.set(static_cast<std::size_t>(v));

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "render/plan/channel_source.hpp"
+#include "render/plan/plan.hpp"
 
 namespace quadrel::conformance {
 namespace {
@@ -22,7 +22,9 @@ const std::vector<KnownGroup>& known_groups() {
         {GroupKind::geometry, "uv", {"P", "uv", "Ng", "bary"}},
         {GroupKind::derivatives, "derivatives", {"dUVdx", "dUVdy", "dPdx", "dPdy"}},
         {GroupKind::level, "level", {"lod"}},
-        {GroupKind::frame, "frame", {"relief.depth", "T", "B.X", "B.Y", "B.Z", "J", "r", "K"}},
+        {GroupKind::frame,
+         "frame",
+         {"relief.depth", "T", "B.X", "B.Y", "B.Z", "frame_normal", "J", "r", "K"}},
         {GroupKind::hit, "hit", {"hit", "frag.depth", "Z"}},
         {GroupKind::normal, "normal", {"N"}},
         {GroupKind::shadow, "shadow", {"shadow"}},
@@ -40,19 +42,33 @@ bool belongs(const std::string& channel, const KnownGroup& group) {
     });
 }
 
+/// Values that a search of the scene stores.
+ValueSet values_of_searches(const Scene& scene) {
+    ValueSet values;
+    for (const Material& material : scene.materials)
+        for (const PlannedStage& stage : material_stages(scene, material))
+            if (std::string_view(stage.info->text.room) == "trace")
+                for (const Value v : stage.info->outputs) values.set(static_cast<std::size_t>(v));
+    return values;
+}
+
 }  // namespace
 
-std::vector<Group> groups_of(const Film& reference, const Film& found) {
+std::vector<Group> groups_of(const Scene& scene, const Film& reference, const Film& found) {
+    const ValueSet of_searches = values_of_searches(scene);
     std::vector<Group> groups;
     for (const KnownGroup& known : known_groups()) groups.push_back({known.kind, known.name, {}});
     for (const Plane& plane : found.planes) {
         if (reference.find(plane.name) == nullptr) continue;
-        const auto group = std::ranges::find_if(
+        const auto known = std::ranges::find_if(
             known_groups(), [&](const auto& g) { return belongs(plane.name, g); });
-        if (group == known_groups().end())
+        if (known == known_groups().end())
             throw std::logic_error("no group of channels has " + plane.name);
-        groups[static_cast<std::size_t>(group - known_groups().begin())].channels.push_back(
-            plane.name);
+        const bool is_turned =
+            known->kind == GroupKind::frame &&
+            of_searches[static_cast<std::size_t>(channel_source(plane.name).value)];
+        const GroupKind kind = is_turned ? GroupKind::hit : known->kind;
+        std::ranges::find(groups, kind, &Group::kind)->channels.push_back(plane.name);
     }
     std::erase_if(groups, [](const Group& group) { return group.channels.empty(); });
     return groups;

@@ -5,38 +5,22 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
 
+#include "conformance/bracket.hpp"
+#include "conformance/edges.hpp"
 #include "conformance/reruns.hpp"
+#include "conformance/rounding.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "quadrel/render.hpp"
-#include "render/plan/prepared.hpp"
 #include "render/probe/command.hpp"
-#include "render/ranges/limits.hpp"
 #include "render/registry/added_stages.hpp"
 
 namespace quadrel::conformance {
 namespace {
-
-/// What a value may be between; NaN where some result is.
-struct Bracket {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    bool nan = false;
-
-    void include(double value) {
-        nan |= std::isnan(value);
-        low = std::min(low, std::isnan(value) ? low : value);
-        high = std::max(high, std::isnan(value) ? high : value);
-    }
-    /// Ends are off by `rounding`.
-    bool contains(double value, double rounding) const {
-        return std::isnan(value) ? nan : low - rounding <= value && value <= high + rounding;
-    }
-};
 
 /// One group at a time, with the pixels that are still to be explained.
 class Judge {
@@ -51,7 +35,7 @@ class Judge {
         for (const Plane& plane : found.planes)
             if (find_channel(plane.name) != nullptr) names.push_back(plane.name);
         reference_ = reruns_.reference(names);
-        groups_ = groups_of(reference_, found);
+        groups_ = groups_of(scene, reference_, found);
         skipped_.resize(found.window.area(), false);
     }
 
@@ -80,6 +64,19 @@ class Judge {
     bool equals(const Film& film, const std::string& channel, std::size_t i) const {
         return film.find(channel)->bits[in(film, i)] == found_bits(channel, i);
     }
+    /// Planes of a group: those of a film, and the implementation's.
+    using Pairs = std::vector<std::pair<const Plane*, const Plane*>>;
+    Pairs pairs_with(const Film& film, const Group& group) const {
+        Pairs pairs;
+        for (const std::string& name : group.channels)
+            pairs.emplace_back(film.find(name), found_.find(name));
+        return pairs;
+    }
+    /// `at`: the pixel i of the frame in that film.
+    static bool are_equal(const Pairs& pairs, std::size_t at, std::size_t i) {
+        return std::ranges::all_of(
+            pairs, [&](const auto& of) { return of.first->bits[at] == of.second->bits[i]; });
+    }
     bool equals(const Film& film, const Group& group, std::size_t i) const {
         return std::ranges::all_of(group.channels,
                                    [&](const std::string& name) { return equals(film, name, i); });
@@ -91,18 +88,19 @@ class Judge {
     }
 
     /// What the group's stages make of an image of the values before, at these pixels.
-    Film made_of(const Group& group, const Film& image,
-                 const std::vector<std::size_t>& pixels) const {
+    Film made_of(const Group& group, const Film& image, const std::vector<std::size_t>& pixels,
+                 double heights = 1) const {
         return reruns_.made_of(group.channels, earlier_, image,
-                               squares_around(pixels, found_.window, image.window));
+                               squares_around(pixels, found_.window, image.window), heights);
     }
 
     GroupReport judge(const Group& group) {
         GroupReport report{group.name, {}, {}, {}};
         std::vector<std::size_t> pixels;
+        const Pairs sides = pairs_with(reference_, group);
         for (std::size_t i = 0; i < skipped_.size(); ++i) {
             if (skipped_[i]) continue;
-            if (equals(reference_, group, i))
+            if (are_equal(sides, i, i))
                 count(report, Verdict::same);
             else
                 pixels.push_back(i);
@@ -111,8 +109,10 @@ class Judge {
             judge_coverage(group, pixels, report);
             return report;
         }
-        if (!pixels.empty())
+        if (!pixels.empty()) {
             own_ = earlier_.empty() ? reference_ : made_of(group, given(pixels), pixels);
+            roundings_ = Roundings(own_, group.channels, options_.errors);
+        }
         std::set<std::size_t> departed(pixels.begin(), pixels.end());
         if (!pixels.empty()) take_inherited(group, pixels, report);
         for (const std::size_t i : pixels) departed.erase(i);
@@ -149,86 +149,39 @@ class Judge {
     void judge_coverage(const Group& group, std::vector<std::size_t>& pixels, GroupReport& report) {
         for (const std::size_t i : pixels) skipped_[i] = true;
         if (!pixels.empty()) {
-            const std::set<std::size_t> edges = beside_edges();
+            const std::set<std::size_t> edges = pixels_beside_edges(scene_, options_.limits);
             take(pixels, report, Verdict::coverage,
                  [&](std::size_t i) { return edges.contains(i); });
         }
         give_up(group, pixels, report);
     }
 
-    /// Pixels whose centre some edge may pass when its vertices snap otherwise.
-    std::set<std::size_t> beside_edges() const {
-        RenderOptions options;
-        options.channels = {"A"};
-        const PreparedRender prepared = plan_render(scene_, options, select_kernels(options));
-        const Viewport viewport{scene_.width, scene_.height, scene_.conventions};
-        const double snapping = budget_of_limits(options_.limits).snapping;
-        std::set<std::size_t> pixels;
-        for (const DrawnTriangle& triangle : prepared.geometry.triangles) {
-            const PixelRect& b = triangle.screen.bounds;
-            const PixelRect around = intersect({b.x0 - 1, b.y0 - 1, b.x1 + 1, b.y1 + 1},
-                                               {0, 0, scene_.width, scene_.height});
-            for (int y = around.y0; y < around.y1; ++y)
-                for (int x = around.x0; x < around.x1; ++x)
-                    if (is_beside(triangle.screen, x, y, snapping))
-                        pixels.insert(reference_.index(x, flip_row(viewport, y)));
-        }
-        return pixels;
-    }
-
-    /// Whether an edge passes a pixel's centre, window coordinates, no farther than `pixels` away.
-    static bool is_beside(const ScreenTriangle& triangle, int x, int y, double pixels) {
-        const std::int64_t unit = subpixel_units, cx = x * unit + unit / 2,
-                           cy = y * unit + unit / 2;
-        return std::ranges::any_of(triangle.edge, [&](const EdgeFunction& edge) {
-            const auto here = static_cast<double>(edge(cx, cy));
-            const double across = std::fabs(static_cast<double>(edge(cx + unit, cy)) - here) +
-                                  std::fabs(static_cast<double>(edge(cx, cy + unit)) - here);
-            return std::fabs(here) <= pixels * across;
-        });
-    }
-
     void take_inherited(const Group& group, std::vector<std::size_t>& pixels,
                         GroupReport& report) const {
+        const Pairs sides = pairs_with(own_, group);
         take(pixels, report, Verdict::inherited,
-             [&](std::size_t i) { return equals(own_, group, i); });
+             [&](std::size_t i) { return are_equal(sides, in(own_, i), i); });
     }
 
     void take_rounded(const Group& group, std::vector<std::size_t>& pixels,
                       GroupReport& report) const {
+        const Pairs sides = pairs_with(own_, group);
         take(pixels, report, Verdict::rounded, [&](std::size_t i) {
-            return std::ranges::all_of(group.channels, [&](const std::string& name) {
-                return equals(own_, name, i) || is_rounded(name, i);
-            });
+            for (std::size_t c = 0; c < sides.size(); ++c)
+                if (!is_rounded(sides[c], c, i)) return false;
+            return true;
         });
     }
 
-    /// A few roundings of the longest component of a channel's vector; none of integers.
-    double rounding(const std::string& name, std::size_t i) const {
-        if (own_.find(name)->type != ChannelType::float32) return 0;
-        double longest = 0;
-        for (const Plane& plane : own_.planes)
-            if (vector_of(plane.name) == vector_of(name))
-                longest =
-                    std::max(longest, std::fabs(static_cast<double>(plane.as_float(in(own_, i)))));
-        return options_.errors.rounding * longest;
-    }
-
-    bool is_rounded(const std::string& name, std::size_t i) const {
-        const double off = static_cast<double>(std::bit_cast<float>(found_bits(name, i))) -
-                           static_cast<double>(own_.find(name)->as_float(in(own_, i)));
-        return std::fabs(off) <= rounding(name, i);
-    }
-
-    /// What a component belongs to: "N" of N.X, "hit.UV" of hit.U, "color" of all of its terms.
-    static std::string vector_of(const std::string& name) {
-        if (name == "R" || name == "G" || name == "B" || name.starts_with("light."))
-            return "color";  // whose terms these are
-        if (name == "hit.U" || name == "hit.V") return "hit.UV";
-        const std::size_t dot = name.rfind('.');
-        const bool is_component = dot != std::string::npos && dot + 2 == name.size() &&
-                                  std::string("XYZUVRGB").find(name.back()) != std::string::npos;
-        return is_component ? name.substr(0, dot) : name;
+    /// Whether the implementation's value of a channel of the group is what is made of its own
+    /// earlier values, but for roundings.
+    bool is_rounded(const Pairs::value_type& sides, std::size_t channel, std::size_t i) const {
+        const auto& [own, found] = sides;
+        const std::size_t at = in(own_, i);
+        if (own->bits[at] == found->bits[i]) return true;
+        const double off =
+            static_cast<double>(found->as_float(i)) - static_cast<double>(own->as_float(at));
+        return std::fabs(off) <= roundings_.of(channel, at);
     }
 
     /// Behind hits at NaN: no specification says what look-ups there give.
@@ -264,40 +217,42 @@ class Judge {
                         GroupReport& report) const {
         const auto perturbations = perturbations_of(group.kind, options_.errors);
         if (perturbations.empty() || earlier_.empty()) return;
-        std::vector<std::vector<Bracket>> brackets(group.channels.size(),
-                                                   std::vector<Bracket>(pixels.size()));
+        std::map<std::size_t, std::vector<Bracket>> brackets;
+        for (const std::size_t i : pixels) brackets[i].resize(group.channels.size());
         const auto include = [&](const Film& film, const Perturbation& perturbation) {
             for (std::size_t c = 0; c < group.channels.size(); ++c) {
                 const Plane& plane = *film.find(group.channels[c]);
                 const double moved =
                     moved_along(plane.name, group.kind, perturbation, options_.texel);
-                for (std::size_t p = 0; p < pixels.size(); ++p)
-                    brackets[c][p].include(number(plane, plane.bits[in(film, pixels[p])]) - moved);
+                for (const std::size_t i : pixels)
+                    brackets[i][c].include(number(plane, plane.bits[in(film, i)]) - moved);
             }
         };
         include(own_, {});
         // Where all values before are the reference's but for roundings, these are as good.
         for (std::size_t c = 0; c < group.channels.size(); ++c) {
             const Plane& plane = *reference_.find(group.channels[c]);
-            for (std::size_t p = 0; p < pixels.size(); ++p)
-                if (!departed_.contains(pixels[p]))
-                    brackets[c][p].include(number(plane, plane.bits[pixels[p]]));
+            for (const std::size_t i : pixels)
+                if (!departed_.contains(i)) brackets[i][c].include(number(plane, plane.bits[i]));
         }
         const Film image = given(pixels);
-        for (const Perturbation& perturbation : perturbations)
-            include(
-                made_of(group, perturbed(image, group.kind, perturbation, options_.texel), pixels),
-                perturbation);
-        std::size_t next = 0;
-        take(pixels, report, Verdict::perturbed, [&](std::size_t i) {
-            const std::size_t p = next++;
-            for (std::size_t c = 0; c < group.channels.size(); ++c) {
-                const Plane& plane = *found_.find(group.channels[c]);
-                if (!brackets[c][p].contains(number(plane, plane.bits[i]), rounding(plane.name, i)))
-                    return false;
-            }
-            return true;
-        });
+        for (const Perturbation& perturbation : perturbations) {
+            include(made_of(group, perturbed(image, group.kind, perturbation, options_.texel),
+                            pixels, 1 + perturbation.texel),
+                    perturbation);
+            take(pixels, report, Verdict::perturbed,
+                 [&](std::size_t i) { return is_within(group, brackets[i], i); });
+            if (pixels.empty()) return;
+        }
+    }
+
+    bool is_within(const Group& group, const std::vector<Bracket>& brackets, std::size_t i) const {
+        for (std::size_t c = 0; c < group.channels.size(); ++c) {
+            const Plane& plane = *found_.find(group.channels[c]);
+            if (!brackets[c].contains(number(plane, plane.bits[i]), roundings_.of(c, in(own_, i))))
+                return false;
+        }
+        return true;
     }
 
     static double number(const Plane& plane, std::uint32_t bits) {
@@ -306,12 +261,14 @@ class Judge {
     }
 
     /// The parts of the frame whose ranges are computed: quads, since most take long, and no more
-    /// than so many; all that differs of a group that looks nothing up.
+    /// than so many; all that differs of levels and derivatives, which take next to nothing.
     std::vector<Window> windows(const Group& group, const std::vector<std::size_t>& pixels) const {
         if (group.kind == GroupKind::level) return {window_around(pixels, found_.window)};
         std::set<std::pair<int, int>> quads;
         for (const std::size_t i : pixels) quads.insert({y_of(i) / 2, x_of(i) / 2});
-        const std::size_t most = std::max<std::size_t>(options_.most_ranged, 1);
+        const std::size_t most = group.kind == GroupKind::derivatives
+                                     ? quads.size()
+                                     : std::max<std::size_t>(options_.most_ranged, 1);
         const std::size_t step = (quads.size() + most - 1) / most;
         std::vector<Window> chosen;
         std::size_t next = 0;
@@ -458,8 +415,9 @@ class Judge {
         for (auto name = group.channels.rbegin(); name != group.channels.rend(); ++name)
             if (!equals(reference_, *name, i)) differing = &*name;
         if (group.kind == GroupKind::coverage) return *differing;
-        for (const std::string& name : group.channels)
-            if (!equals(own_, name, i) && !is_rounded(name, i)) return name;
+        const Pairs sides = pairs_with(own_, group);
+        for (std::size_t c = 0; c < sides.size(); ++c)
+            if (!is_rounded(sides[c], c, i)) return group.channels[c];
         return *differing;
     }
 
@@ -469,8 +427,9 @@ class Judge {
     Reruns reruns_;
     ProbeCommand command_;
     Film reference_;
-    Film own_;  ///< of the group that is judged, around the pixels that differ: from the
-                ///< implementation's earlier values
+    Film own_;             ///< of the group that is judged, around the pixels that differ: from the
+                           ///< implementation's earlier values
+    Roundings roundings_;  ///< of that film
     std::vector<Group> groups_;
     std::vector<std::string> earlier_;  ///< channels of the groups before
     std::vector<bool> skipped_;         ///< pixels that one side alone covers

@@ -1,15 +1,22 @@
 // quadrel-conformance: exports scenes, has an implementation of OpenGL draw them, and explains
 // every value that is not the reference's.
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <exception>
+#include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+#include <tuple>
 
 #include "conformance/cases.hpp"
 #include "conformance/judge.hpp"
@@ -34,12 +41,17 @@ struct Arguments {
     std::vector<int> angles{0, 45, 75, 85};
     int size = 256;
     int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    bool all = false, json = false, markdown = false, planted = false, quiet = false;
+    bool all = false, json = false, markdown = false, planted = false, quiet = false,
+         resume = false;
     gl::RendererChoice renderer;
     std::string output, hardware;
     JudgeOptions judging;
     Bounds bounds;
 };
+
+bool is_json(const Arguments& arguments) {
+    return arguments.json || std::string_view(arguments.output).ends_with(".json");
+}
 
 struct Drawn {
     gl::ExportedScene scene;
@@ -59,13 +71,14 @@ Drawn exported(const Case& what, const std::string& hardware, int threads) {
     return {gl::read_exported_scene(folder), std::move(scene)};
 }
 
-/// Of the height map that the first material looks up; 0 where there is none.
+/// Of the height map or the layers that the first material looks up; 0 where there are none.
 TexelSize texel_size(const gl::ExportedScene& scene) {
-    for (const gl::ExportedSampler& sampler : scene.materials.front().samplers)
-        if (sampler.uniform.find("height") != std::string::npos) {
-            const gl::TextureLevel& level = scene.textures[sampler.texture].levels.front();
-            return {1.0 / level.width, 1.0 / level.height};
-        }
+    for (const char* const map : {"height", "layers"})
+        for (const gl::ExportedSampler& sampler : scene.materials.front().samplers)
+            if (sampler.uniform.find(map) != std::string::npos) {
+                const gl::TextureLevel& level = scene.textures[sampler.texture].levels.front();
+                return {1.0 / level.width, 1.0 / level.height};
+            }
     return {};
 }
 
@@ -89,7 +102,9 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
         {Verdict::unordered,
          [&] { return gl::draw_scene(with_comparisons(drawn->scene), {}, programs); }},
         {Verdict::defect,
-         [&] { return gl::draw_scene(with_sizes_of_level_0(drawn->scene), {}, programs); }}};
+         [&] { return gl::draw_scene(with_sizes_of_level_0(drawn->scene), {}, programs); }},
+        {Verdict::defect,
+         [&] { return gl::draw_scene(with_whole_levels(drawn->scene), {}, programs); }}};
     try {
         report.groups = judge(drawn->source, gl::draw_scene(drawn->scene, {}, programs), options);
     } catch (const std::runtime_error& error) {
@@ -128,9 +143,18 @@ bool run_planted(const Arguments& arguments, const std::string& hardware) {
 /// Rows side by side, each by a context of its own, in which its cases share their programs.
 class Workers {
   public:
-    Workers(const Arguments& arguments, const std::string& hardware)
-        : arguments_(arguments), hardware_(hardware), reports_(arguments.rows.size()) {
+    /// Cases that are `known` are taken as they are where they were drawn. `save` gets all that is
+    /// known after each row.
+    Workers(const Arguments& arguments, const std::string& hardware,
+            const std::vector<CaseReport>& known, std::function<void(std::vector<CaseReport>)> save)
+        : arguments_(arguments),
+          hardware_(hardware),
+          save_(std::move(save)),
+          reports_(arguments.rows.size()),
+          done_(arguments.rows.size(), false) {
         if (arguments.jobs > 1) judging_.threads = 1;
+        for (const CaseReport& one : known)
+            if (one.failure.empty()) known_[{one.row, one.map, one.angle}] = one;
     }
 
     /// The reports in the order of the rows.
@@ -147,10 +171,7 @@ class Workers {
                 threads.emplace_back([this, &context] { work_by(context); });
         }
         if (failure_) std::rethrow_exception(failure_);
-        std::vector<CaseReport> all;
-        for (std::vector<CaseReport>& row : reports_)
-            for (CaseReport& report : row) all.push_back(std::move(report));
-        return all;
+        return finished();
     }
 
   private:
@@ -168,18 +189,35 @@ class Workers {
         for (std::size_t row = next_++; row < reports_.size(); row = next_++) {
             gl::Programs programs;
             for (const std::string& map : arguments_.maps)
-                for (const int angle : arguments_.angles) {
-                    const Case what{arguments_.rows[row], map, angle, arguments_.size};
-                    say(what);
-                    reports_[row].push_back(run_case(what, hardware_, judging_, programs));
-                }
+                for (const int angle : arguments_.angles)
+                    reports_[row].push_back(
+                        report_of({arguments_.rows[row], map, angle, arguments_.size}, programs));
+            const std::lock_guard lock(mutex_);
+            done_[row] = true;
+            if (save_) save_(finished());
         }
     }
 
-    void say(const Case& what) {
-        if (arguments_.quiet) return;
-        const std::lock_guard lock(mutex_);
-        std::cerr << what.row << ' ' << what.map << ' ' << what.angle << '\n';
+    CaseReport report_of(const Case& what, gl::Programs& programs) {
+        const auto known = known_.find({what.row, what.map, what.angle});
+        if (known != known_.end()) return known->second;
+        const auto begin = std::chrono::steady_clock::now();
+        CaseReport report = run_case(what, hardware_, judging_, programs);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+        if (!arguments_.quiet) {
+            const std::lock_guard lock(mutex_);
+            std::cerr << what.row << ' ' << what.map << ' ' << what.angle << ' '
+                      << std::lround(1000 * taken.count()) << " ms\n";
+        }
+        return report;
+    }
+
+    /// Of the rows that are done, in their order.
+    std::vector<CaseReport> finished() const {
+        std::vector<CaseReport> all;
+        for (std::size_t row = 0; row < reports_.size(); ++row)
+            if (done_[row]) all.insert(all.end(), reports_[row].begin(), reports_[row].end());
+        return all;
     }
 
     void fail() {
@@ -190,21 +228,18 @@ class Workers {
 
     const Arguments& arguments_;
     const std::string& hardware_;
+    std::function<void(std::vector<CaseReport>)> save_;
     JudgeOptions judging_ = arguments_.judging;
+    std::map<std::tuple<std::string, std::string, int>, CaseReport> known_;
     std::vector<std::vector<CaseReport>> reports_;
+    std::vector<bool> done_;
     std::atomic<std::size_t> next_ = 0;
     std::mutex mutex_;
     std::exception_ptr failure_;
 };
 
-Report run_cases(const Arguments& arguments, const std::string& hardware) {
-    return {gl::gl_string(GL_RENDERER), gl::gl_string(GL_VERSION), hardware,
-            arguments.judging.limits, Workers(arguments, hardware).run()};
-}
-
 void write(const Arguments& arguments, const Report& report) {
-    const bool json = arguments.json || std::string_view(arguments.output).ends_with(".json");
-    const std::string text = json                 ? to_json(report).dump(2) + "\n"
+    const std::string text = is_json(arguments)   ? to_json(report).dump(2) + "\n"
                              : arguments.markdown ? to_markdown(report)
                                                   : to_text(report);
     if (arguments.output.empty()) {
@@ -215,6 +250,35 @@ void write(const Arguments& arguments, const Report& report) {
     AtomicFile file(arguments.output);
     file.write(text.data(), text.size());
     file.commit();
+}
+
+Report run_cases(const Arguments& arguments, const std::string& hardware) {
+    Report report{gl::gl_string(GL_RENDERER),
+                  gl::gl_string(GL_VERSION),
+                  hardware,
+                  arguments.judging.limits,
+                  arguments.size,
+                  arguments.judging.most_ranged,
+                  {}};
+    std::vector<CaseReport> known;
+    if (arguments.resume && std::filesystem::exists(arguments.output)) {
+        Report before = read_report(arguments.output);
+        known.swap(before.cases);
+        if (to_json(before) != to_json(report))
+            throw UsageError(
+                fmt::format("--resume: {} is of {}, hardware {}, limits {}, size {} "
+                            "and {} ranges, expected the same as here",
+                            printable(arguments.output), before.renderer, before.hardware,
+                            before.limits, before.size, before.most_ranged));
+    }
+    std::function<void(std::vector<CaseReport>)> save;
+    if (arguments.resume)
+        save = [&](std::vector<CaseReport> cases) {
+            report.cases = std::move(cases);
+            write(arguments, report);
+        };
+    report.cases = Workers(arguments, hardware, known, save).run();
+    return report;
 }
 
 void check(Arguments& arguments) {
@@ -228,6 +292,8 @@ void check(Arguments& arguments) {
                 throw UsageError("no row is called " + printable(row) +
                                  "; quadrel list scenes names them, as rows/linear");
     for (const std::string& map : arguments.maps) find_map(map);
+    if (arguments.resume && (arguments.output.empty() || !is_json(arguments)))
+        throw UsageError("--resume: expected an output as JSON to go on with (-o FILE.json)");
     if (arguments.all) arguments.rows = known;
     std::erase_if(arguments.rows, [&](const std::string& row) {
         return std::ranges::count(arguments.except, row) != 0;
@@ -278,6 +344,9 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_flag("--json", a.json, "as JSON, with every case");
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
     app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");
+    app.add_flag("--resume", a.resume,
+                 "write the output after each row, and take from it the cases that it has already; "
+                 "others that it has are dropped");
     gl::add_renderer_options(app, a.renderer);
     app.add_flag(
         "--planted", a.planted,

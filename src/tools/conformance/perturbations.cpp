@@ -34,7 +34,12 @@ std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedError
             if (u != 0 || v != 0) all.push_back({"weight", u * errors.weight, v * errors.weight});
     for (const double sign : {-1.0, 1.0}) all.push_back({"level", 0, 0, sign * errors.level});
     if (group == GroupKind::hit)
-        for (const double sign : {-1.0, 1.0}) all.push_back({"ray", 0, 0, 0, sign * errors.ray});
+        for (const double sign : {-1.0, 1.0}) {
+            all.push_back({"ray", 0, 0, 0, sign * errors.ray});
+            all.push_back({"rate", 0, 0, 0, 0, sign * errors.ray});
+        }
+    for (const double sign : {-1.0, 1.0})
+        all.push_back({"texel", 0, 0, 0, 0, 0, sign * errors.texel});
     return all;
 }
 
@@ -46,6 +51,7 @@ Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
     for (const char* channel : {"dUVdx.U", "dUVdx.V", "dUVdy.U", "dUVdy.V"})
         scale(film, channel, exp2(perturbation.level));
     for (const char* channel : {"K.U", "K.V"}) scale(film, channel, 1 + perturbation.ray);
+    scale(film, "r", 1 + perturbation.rate);
     return film;
 }
 

@@ -1,6 +1,7 @@
 // Permitted errors that cannot be had as a range: a look-up's texel weights, its level of detail,
-// the ray's K. The stages of a group run once more on an implementation's own earlier values, moved
-// by such an error; what it has must lie between the results.
+// what it filters, the ray's K and depth rate. The stages of a group run once more on an
+// implementation's own earlier values, moved by such an error; what it has must lie between the
+// results.
 #pragma once
 
 #include <string>
@@ -18,9 +19,11 @@ struct PermittedErrors {
     /// 16 ulp of a vector's longest component: GLSL permits 2 to 7 for each square root, quotient
     /// and normalize, of which a stage has a few in a row.
     double rounding = 0x1p-19;
-    double weight = 0x1p-9;  ///< of a texel, each axis
+    double height = 0x1p-22;  ///< of hit.s: two ulp of the relief's height, 1
+    double weight = 0x1p-9;   ///< of a texel, each axis
     double level = 0x1p-4;
-    double ray = 0x1p-20;    ///< of K, relative
+    double ray = 0x1p-20;    ///< of K, and of r, relative
+    double texel = 0x1p-16;  ///< of a filtered height, relative: `filtered` of data/limits
     double depth = 0x1p-20;  ///< of a fragment in its window, relative: 16 ulp
 };
 
@@ -30,6 +33,8 @@ struct Perturbation {
     double u = 0, v = 0;  ///< the place of look-ups moves by so many texels of the height map
     double level = 0;     ///< gradients are those of a footprint 2^level as long
     double ray = 0;       ///< K grows by this part of it
+    double rate = 0;      ///< r grows by this part of it, by which rays bend over curved reliefs
+    double texel = 0;     ///< heights grow by this part of them
 };
 
 /// Those that a group's stages may make; none of groups that look nothing up.
@@ -39,8 +44,8 @@ struct TexelSize {
     double u = 0, v = 0;  ///< in UV; 0: there is no height map
 };
 
-/// The earlier values, moved. What a search starts from moves with uv, what is looked up at a hit
-/// with hit.uv.
+/// The earlier values, moved; heights are not among them. What a search starts from moves with uv,
+/// what is looked up at a hit with hit.uv.
 Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
                const TexelSize& texel);
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace quadrel::conformance {
@@ -134,66 +134,62 @@ std::string to_text(const Report& report) {
     return unexplained.empty() ? text : text + "\nunexplained:\n" + unexplained;
 }
 
-std::string to_markdown(const Report& report) {
-    const std::vector<RowSum> rows = sums(report);
-    const std::vector<std::size_t> used = used_verdicts(rows);
-    std::string text = "| rows | cases | equal bit for bit |", line = "|---|---|---|";
-    for (const std::size_t v : used) {
-        text += fmt::format(" {} |", verdict_names[v]);
-        line += "---|";
-    }
-    text += "\n" + line + "\n";
-    // Rows that are the same all over stand together.
-    std::string equal;
-    std::size_t equal_cases = 0;
-    for (const RowSum& row : rows) {
-        if (row.cases == 0 || row.equal_cases != row.cases) continue;
-        equal += (equal.empty() ? "`" : " `") + row.row + "`";
-        equal_cases += row.cases;
-    }
-    const auto append = [&](const std::string& names, std::size_t cases, std::size_t same,
-                            const Counts& counts) {
-        text += fmt::format("| {} | {} | {} |", names, cases, same);
-        for (const std::size_t v : used)
-            text += fmt::format(" {} |", share(counts[v], total(counts)));
-        text += "\n";
-    };
-    Counts all_same{};
-    for (const RowSum& row : rows)
-        if (row.cases != 0 && row.equal_cases == row.cases) add(all_same, row.counts);
-    if (!equal.empty()) append(equal, equal_cases, equal_cases, all_same);
-    for (const RowSum& row : rows)
-        if (row.cases != 0 && row.equal_cases != row.cases)
-            append("`" + row.row + "`", row.cases, row.equal_cases, row.counts);
+namespace {
+
+/// One row of a table in Markdown, shares of the verdicts that are used.
+std::string line_of(const std::string& first, const Counts& counts,
+                    const std::vector<std::size_t>& used) {
+    std::string text = "| " + first + " |";
+    for (const std::size_t v : used) text += fmt::format(" {} |", share(counts[v], total(counts)));
+    return text + "\n";
+}
+
+std::string head_of(const std::string& first, std::size_t columns,
+                    const std::vector<std::size_t>& used) {
+    std::string text = "| " + first + " |", line = "|";
+    for (std::size_t i = 0; i < columns + used.size(); ++i) line += "---|";
+    for (const std::size_t v : used) text += fmt::format(" {} |", verdict_names[v]);
+    return text + "\n" + line + "\n";
+}
+
+/// Channels of one place in the data flow, over all rows.
+std::string table_of_groups(const Report& report, const std::vector<std::size_t>& used) {
+    std::vector<std::string> names;
+    std::map<std::string, Counts> sums;
+    for (const CaseReport& one : report.cases)
+        for (const GroupReport& group : one.groups) {
+            add(sums[group.name], group.counts);
+            // In the order of the data flow, of which some rows have less than others.
+            if (std::ranges::count(names, group.name) == 0) names.push_back(group.name);
+        }
+    std::string text = head_of("channels", 1, used);
+    for (const std::string& name : names) text += line_of(name, sums.at(name), used);
     return text;
 }
 
-nlohmann::ordered_json to_json(const Report& report) {
-    nlohmann::ordered_json json{{"renderer", report.renderer},
-                                {"version", report.version},
-                                {"hardware", report.hardware},
-                                {"limits", report.limits},
-                                {"cases", nlohmann::ordered_json::array()}};
-    for (const CaseReport& one : report.cases) {
-        nlohmann::ordered_json entry{{"row", one.row}, {"map", one.map}, {"angle", one.angle}};
-        if (!one.refusal.empty()) entry["refusal"] = one.refusal;
-        if (!one.failure.empty()) entry["failure"] = one.failure;
-        for (const GroupReport& group : one.groups) {
-            nlohmann::ordered_json& counts = entry["groups"][group.name];
-            for (std::size_t v = 0; v < verdict_count; ++v)
-                if (group.counts[v] != 0) counts[verdict_names[v]] = group.counts[v];
-            for (const Unexplained& pixel : group.examples)
-                counts["examples"].push_back(
-                    {{"channel", pixel.channel},
-                     {"pixel", {pixel.x, pixel.y}},
-                     {"reference", fmt::format("{:#010x}", pixel.reference)},
-                     {"found", fmt::format("{:#010x}", pixel.found)},
-                     {"command", pixel.command}});
-            if (!group.note.empty()) counts["note"] = group.note;
-        }
-        json["cases"].push_back(std::move(entry));
+}  // namespace
+
+std::string to_markdown(const Report& report) {
+    const std::vector<RowSum> rows = sums(report);
+    const std::vector<std::size_t> used = used_verdicts(rows);
+    std::string text =
+        table_of_groups(report, used) + "\n" + head_of("rows | cases | equal bit for bit", 3, used);
+    const auto is_equal = [](const RowSum& row) { return row.equal_cases == row.cases; };
+    // Rows that are the same all over stand together.
+    RowSum equal;
+    for (const RowSum& row : rows) {
+        if (row.cases == 0 || !is_equal(row)) continue;
+        equal.row += (equal.row.empty() ? "`" : " `") + row.row + "`";
+        equal.cases += row.cases;
+        add(equal.counts, row.counts);
     }
-    return json;
+    if (equal.cases > 0)
+        text += line_of(fmt::format("{0} | {1} | {1}", equal.row, equal.cases), equal.counts, used);
+    for (const RowSum& row : rows)
+        if (row.cases != 0 && !is_equal(row))
+            text += line_of(fmt::format("`{}` | {} | {}", row.row, row.cases, row.equal_cases),
+                            row.counts, used);
+    return text;
 }
 
 }  // namespace quadrel::conformance

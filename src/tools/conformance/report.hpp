@@ -1,6 +1,7 @@
 // What conformance found, for people and tools.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@ namespace quadrel::conformance {
 
 struct Report {
     std::string renderer, version, hardware, limits;
+    int size = 0;                 ///< pixels a side
+    std::size_t most_ranged = 0;  ///< as JudgeOptions has it
     std::vector<CaseReport> cases;
 };
 
@@ -25,8 +28,11 @@ bool conforms(const Report& report, const Bounds& bounds);
 
 /// A line a row, counts over its maps and angles; what is unexplained below.
 std::string to_text(const Report& report);
-/// The same table in Markdown, rows of the same counts together.
+/// Tables in Markdown: a line for the channels of each place in the data flow, over all rows, and
+/// a line a row, those that are equal bit for bit together.
 std::string to_markdown(const Report& report);
 nlohmann::ordered_json to_json(const Report& report);
+/// What to_json has written to a file. Throws InputError.
+Report read_report(const std::filesystem::path& file);
 
 }  // namespace quadrel::conformance

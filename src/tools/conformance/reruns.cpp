@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -22,7 +23,35 @@ void copy_rows(const Film& film, const Plane& from, const Window& window, const 
                     to.bits.begin() + static_cast<std::ptrdiff_t>(into.index(window.x0, y)));
 }
 
+/// Texels of all levels, the last one's included.
+std::size_t size_of(const TextureView& view) {
+    std::size_t end = 0;
+    for (int l = 0; l < view.levels; ++l)
+        end = std::max(end, static_cast<std::size_t>(view.offset[l]) +
+                                static_cast<std::size_t>(view.width[l]) *
+                                    static_cast<std::size_t>(view.height[l]) *
+                                    static_cast<std::size_t>(view.channels * view.faces));
+    return end;
+}
+
 }  // namespace
+
+ScaledHeights::ScaledHeights(RenderPlan& plan, double factor) {
+    using enum TextureSlot;
+    for (std::size_t m = 0; m < plan.textures.size(); ++m)
+        for (const TextureSlot slot : {height, layers, layers_2, layers_3}) {
+            const auto of = static_cast<std::size_t>(slot);
+            if (plan.textures[m].owned[of] == nullptr) continue;
+            TextureView& view = plan.textures[m].sampled[of].view;
+            std::vector<float>& texels = texels_.emplace_back(size_of(view));
+            std::transform(view.texels, view.texels + texels.size(), texels.begin(), [&](float h) {
+                return static_cast<float>(static_cast<double>(h) * factor);
+            });
+            view.texels = texels.data();
+            plan.uniforms[m].heights_bounded = 0;
+            plan.uniforms[m].maxima = nullptr;
+        }
+}
 
 Film Reruns::reference(const std::vector<std::string>& channels) const {
     RenderOptions options;
@@ -45,9 +74,11 @@ RenderOptions Reruns::options(const std::vector<std::string>& channels,
 
 Film Reruns::made_of(const std::vector<std::string>& channels,
                      const std::vector<std::string>& names, const Film& image,
-                     const std::vector<Window>& parts) const {
+                     const std::vector<Window>& parts, double heights) const {
     const RenderOptions with_image = options(channels, names, image);
     PreparedRender prepared = prepare_render(scene_, with_image, select_kernels(with_image));
+    std::optional<ScaledHeights> scaled;
+    if (heights != 1) scaled.emplace(prepared.plan, heights);
     Film whole{image.frame, image.window, {}};
     for (const Window& window : parts) {
         prepared.window = window;

@@ -9,8 +9,19 @@
 #include "quadrel/film/film.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/scene.hpp"
+#include "render/plan/render_plan.hpp"
 
 namespace quadrel::conformance {
+
+/// The height maps and layers of a prepared render, all texels multiplied; not what is baked from
+/// them. Bounds that searches know of the heights hold no longer, and are taken away.
+class ScaledHeights {
+  public:
+    ScaledHeights(RenderPlan& plan, double factor);
+
+  private:
+    std::vector<std::vector<float>> texels_;
+};
 
 class Reruns {
   public:
@@ -21,9 +32,9 @@ class Reruns {
     Film reference(const std::vector<std::string>& channels) const;
 
     /// What stages make of the values `names` of an image: a film of its window, drawn in parts of
-    /// it, elsewhere 0.
+    /// it, elsewhere 0. Look-ups of heights give `heights` times what maps have.
     Film made_of(const std::vector<std::string>& channels, const std::vector<std::string>& names,
-                 const Film& image, const std::vector<Window>& parts) const;
+                 const Film& image, const std::vector<Window>& parts, double heights = 1) const;
 
     /// The same as ranges that `limits` permits: `take` gets a film of each of the windows, which
     /// lie in that of the image. Throws UsageError where a stage has none.

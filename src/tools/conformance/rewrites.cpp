@@ -93,4 +93,12 @@ gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene) {
     return with(std::move(scene), sizes_of_levels);
 }
 
+gl::ExportedScene with_whole_levels(gl::ExportedScene scene) {
+    for (gl::ExportedMaterial& material : scene.materials)
+        for (gl::ExportedSampler& sampler : material.samplers)
+            if (sampler.state.min == Filter::nearest && sampler.state.mip == MipFilter::linear)
+                sampler.state.mip = MipFilter::nearest;
+    return scene;
+}
+
 }  // namespace quadrel::conformance

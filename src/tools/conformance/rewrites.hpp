@@ -16,6 +16,11 @@ gl::ExportedScene with_comparisons(gl::ExportedScene scene);
 /// different ones.
 gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene);
 
+/// The scene with samplers that choose the nearest level where they choose the nearest texel: what
+/// textureLod with a whole level gives, since of two levels the other one has weight 0 (OpenGL 4.6,
+/// 8.14.3, and 2.3.4.1 about the error of that: 1 part in 10^5).
+gl::ExportedScene with_whole_levels(gl::ExportedScene scene);
+
 /// Whether a fragment shader looks textures up in a loop by implicit derivatives, which are
 /// undefined once fragments of a quad leave it at different steps (GLSL 4.60, 8.9).
 bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene);

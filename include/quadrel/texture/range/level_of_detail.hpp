@@ -124,6 +124,16 @@ inline bool all_magnified(const SampledTexture&, const Gradients<Ranges>&, const
     return false;
 }
 
+/// Each lane's own or lane 0's: look-ups with implicit derivatives may have a level for the quad.
+inline LodRecord<Ranges> lod_of_quad(const LodRecord<Ranges>& own) {
+    LodRecord<Ranges> lod = own;
+    for (Ranges LodRecord<Ranges>::*number : {&LodRecord<Ranges>::rho, &LodRecord<Ranges>::lambda,
+                                              &LodRecord<Ranges>::level, &LodRecord<Ranges>::frac})
+        for (int i = 1; i < 4; ++i)
+            (lod.*number).lane[i] = join((own.*number).lane[i], (own.*number).lane[0]);
+    return lod;
+}
+
 /// `lambda` is the level before clamps, with what samplers are off by; look-ups clamp it again.
 inline LodRecord<Ranges> select_level(const SampledTexture& texture, const Ranges& rho,
                                       const Ranges& lambda) {

@@ -1,0 +1,41 @@
+#include "conformance/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrel::conformance {
+namespace {
+
+/// What a component belongs to: "N" of N.X, "hit.UV" of hit.U, "color" of all of its terms.
+std::string vector_of(const std::string& name) {
+    if (name == "R" || name == "G" || name == "B" || name.starts_with("light."))
+        return "color";  // whose terms these are
+    if (name == "hit.U" || name == "hit.V") return "hit.UV";
+    const std::size_t dot = name.rfind('.');
+    const bool is_component = dot != std::string::npos && dot + 2 == name.size() &&
+                              std::string("XYZUVRGB").find(name.back()) != std::string::npos;
+    return is_component ? name.substr(0, dot) : name;
+}
+
+}  // namespace
+
+Roundings::Roundings(const Film& film, const std::vector<std::string>& channels,
+                     const PermittedErrors& errors)
+    : rounding_(errors.rounding) {
+    for (const std::string& name : channels) {
+        Channel& channel = channels_.emplace_back();
+        if (film.find(name)->type != ChannelType::float32) continue;
+        if (name == "hit.s") channel.least = errors.height;
+        for (const Plane& plane : film.planes)
+            if (vector_of(plane.name) == vector_of(name)) channel.vector.push_back(&plane);
+    }
+}
+
+double Roundings::of(std::size_t channel, std::size_t pixel) const {
+    double longest = 0;
+    for (const Plane* plane : channels_[channel].vector)
+        longest = std::max(longest, std::fabs(static_cast<double>(plane->as_float(pixel))));
+    return std::max(rounding_ * longest, channels_[channel].least);
+}
+
+}  // namespace quadrel::conformance

@@ -1,0 +1,33 @@
+// By how much a few roundings may move the values of channels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "conformance/perturbations.hpp"
+#include "quadrel/film/film.hpp"
+
+namespace quadrel::conformance {
+
+/// Of channels of a film, which must outlive it and keep its planes.
+class Roundings {
+  public:
+    Roundings() = default;
+    Roundings(const Film& film, const std::vector<std::string>& channels,
+              const PermittedErrors& errors);
+
+    /// Of the longest component of the channel's vector at a pixel of the film; of hit.s no less
+    /// than of the relief's height, of which it is a difference. 0 of integers.
+    double of(std::size_t channel, std::size_t pixel) const;
+
+  private:
+    struct Channel {
+        std::vector<const Plane*> vector;  ///< all of its components; none of integers
+        double least = 0;
+    };
+
+    std::vector<Channel> channels_;
+    double rounding_ = 0;
+};
+
+}  // namespace quadrel::conformance
