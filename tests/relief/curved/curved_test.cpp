@@ -433,6 +433,33 @@ TEST(PrismFree, MeetsTheFirstSurfaceOnASphere) {
     EXPECT_FALSE(meets_the_first({"relief-binary"}));
 }
 
+/// Where normals meet within a step, as of quads that are next to a line in texture space, rays end
+/// somewhere, by numbers.
+TEST(PrismFree, RaysStayWhereNormalsMeet) {
+    int turned = 0;
+    for (int seed = 0; seed < rounds(16); ++seed) {
+        SphereRays rays(0.5f, grazing, Random(seed));
+        Batch<float>& b = rays.batch;
+        Random random(seed + 100);
+        each(b, [&](int lane) {
+            // dUVdx and dUVdy along (3, 2), but for rounding.
+            const float along = static_cast<float>(random.uniform(-3, 3));
+            const dvec2 line(3, 2), rounded(random.uniform(0, 1e-4), 0);
+            b.set(Value::dUVdx, lane, line * double(along) + rounded * double(seed % 4));
+            b.set(Value::dUVdy, lane, line * 1e-3);
+        });
+        b.run("prism-free");
+        each(b, [&](int lane) {
+            for (int c = 0; c < 6; ++c) EXPECT_TRUE(std::isfinite(b.real(Value::J, lane, c)));
+            for (int c = 0; c < 2; ++c) EXPECT_TRUE(std::isfinite(b.real(Value::hit_uv, lane, c)));
+            EXPECT_TRUE(std::isfinite(b.real(Value::hit_s, lane)));
+            EXPECT_FALSE(std::isnan(b.real(Value::frame_normal, lane)));
+            turned += rays.status(lane) != Status::hit;
+        });
+    }
+    EXPECT_GT(turned, 0);
+}
+
 /// Lanes without a frame and broken maps say so; without depth nothing moves.
 TEST(CurvedRows, WhatCannotBeSearchedSaysSo) {
     for (const char* id : curved_rows) {

@@ -76,7 +76,8 @@ class BentRay {
     /// Whether it goes up.
     Mask<F> rises() const { return g_ < F(0); }
 
-    /// A step of `length` in the lanes of `mask`.
+    /// A step of `length` in the lanes of `mask`; where the surface's normals meet, nothing that it
+    /// leads to is a number: there the ray stays.
     void advance(Mask<F> mask, F length) {
         const F half = length * F(0.5f);
         const vec3<F> n_half = turned(rate(p_, here.s)) * half;
@@ -90,10 +91,13 @@ class BentRay {
         const F g = g_ - dot(n, e_half);
         const vec2<F> uv = here.uv + rho * length;
         const F s = here.s + g_half * length;
+        const vec3<F> turned_by = turn + n;
+        mask =
+            mask & is_finite(dot(turned_by, turned_by) + dot(e, e) + dot(p, p) + dot(uv, uv) + s);
         here.uv = select(mask, uv, here.uv);
         here.s = select(mask, s, here.s);
         here.sigma = select(mask, here.sigma + length, here.sigma);
-        turn = select(mask, turn + n, turn);
+        turn = select(mask, turned_by, turn);
         e_ = select(mask, e, e_);
         p_ = select(mask, p, p_);
         g_ = select(mask, g, g_);
@@ -105,13 +109,14 @@ class BentRay {
         const F square = dot(half, half);
         return (N * (F(1) - square) + angle) / (F(1) + square);
     }
-    /// J at depth s, in the directions of the fragment.
+    /// J at depth s, in the directions of the fragment; the fragment's where normals meet.
     std::array<vec3<F>, 2> J_at(F s) const {
         std::array<vec3<F>, 2> J;
         for (int c = 0; c < 3; ++c) {
             const vec2<F> column = rate(vec2<F>(J_[0][c], J_[1][c]), s);
-            J[0][c] = column.x;
-            J[1][c] = column.y;
+            const Mask<F> known = is_finite(column.x + column.y);
+            J[0][c] = select(known, column.x, J_[0][c]);
+            J[1][c] = select(known, column.y, J_[1][c]);
         }
         return J;
     }
