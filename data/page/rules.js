@@ -10,8 +10,9 @@ function differingAnswers(a, b, tolerance) {
 }
 /* One probe: what this GPU is seen to do, or why it could not be asked, and each preset beside it. */
 function askedProbe(asking, presets, probe) {
-  const { id, question, tolerance } = probe, floats = (numbers) => new Float32Array(asking.records(numbers).buffer);
-  const own = probe.answers.map(floats), about = { asked: floats(question.asked), exact: own[presets.indexOf("exact")] };
+  const { id, question, tolerance } = probe, floats = (bits) => new Float32Array(bits.buffer);
+  const bits = probe.answers.map((numbers) => asking.records(numbers));
+  const own = bits.map((of, k) => floats(k ? of.map((word, i) => word ^ bits[0][i]) : of)), about = { asked: floats(asking.records(question.asked)), exact: own[presets.indexOf("exact")] };
   const { words, permits } = ruleWords[id], result = { id, missing: probe.missing || asking.missing(question) };
   let seen = null;
   if (!result.missing)
@@ -81,18 +82,19 @@ async function openTab(name) {
   const isRules = name === "rules";
   for (const tab of document.querySelectorAll("#tabs button")) tab.ariaSelected = String(tab.value === name);
   byId("rules").hidden = !isRules;
-  for (const part of [byId("judge"), byId("controls"), document.querySelector("main")]) if (part) part.hidden = isRules;
+  for (const part of [byId("summary"), byId("judge"), byId("controls"), document.querySelector("main")]) if (part) part.hidden = isRules;
   if (isRules) state.more.tab = name;
   else delete state.more.tab;
   if (state.choice) remember();
   if (!isRules) sizePanels();
   if (!isRules || rulesAsked) return rulesAsked;
   byId("rules").replaceChildren(html("p", { className: "lead" }, "Asking…"));
-  const described = judgedScene.rules;
-  rulesAsked = askRules(described).then((results) => {
+  const ask = async () => {
+    const described = JSON.parse(await unpackedText(judgedScene.rules)), results = await askRules(described);
     document.body.dataset.rules = JSON.stringify(results);
     showRules(described, results);
-  }).catch((error) => {
+  };
+  rulesAsked = ask().catch((error) => {
     document.body.dataset.rules = JSON.stringify({ error: error.message });
     byId("rules").replaceChildren(html("p", { className: "lead unequal" }, `The probes could not be asked: ${error.message}.`));
   });

@@ -10,6 +10,8 @@ async function inflated(bytes) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
+/* What packed_text did, undone. */
+const unpackedText = async (base64) => new TextDecoder().decode(await inflated(bytesOf(base64)));
 /* What packed_bits (src/page/bits.hpp) did, undone. */
 async function unpackedBits(base64, count, earlier) {
   const bytes = await inflated(bytesOf(base64)), head = 5;

@@ -105,4 +105,6 @@ std::string packed_bits(std::span<const std::uint32_t> bits, std::span<const std
     return base64(deflated(best));
 }
 
+std::string packed_text(const std::string& text) { return base64(deflated(text)); }
+
 }  // namespace quadrel::page

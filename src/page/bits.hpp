@@ -15,4 +15,7 @@ namespace quadrel::page {
 std::string packed_bits(std::span<const std::uint32_t> bits,
                         std::span<const std::uint32_t> earlier = {}, std::size_t width = 0);
 
+/// Text in a zlib stream, in base64.
+std::string packed_text(const std::string& text);
+
 }  // namespace quadrel::page

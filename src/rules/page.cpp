@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bake/wrap_names.hpp"
+#include "io/document/json.hpp"
 #include "io/scene/setting_words.hpp"
 #include "page/bits.hpp"
 #include "rules/ask/shader_text.hpp"
@@ -121,9 +122,14 @@ std::string missing_in_browsers(const Probe& probe) {
 
 Json answers_json(const Probe& probe, Numbers& numbers) {
     Json answers = Json::array();
+    Words first;
     for (const auto& [name, hardware] : hardware_words) {
         Words words;
         append_bits(answers_of_quadrel(probe, hardware_model(hardware)), words);
+        if (first.empty())
+            first = words;
+        else  // presets agree in most, which takes no room then
+            for (std::size_t i = 0; i < words.size(); ++i) words[i] ^= first[i];
         answers.push_back(numbers.add_parts(words, 4));
     }
     return answers;
@@ -131,7 +137,7 @@ Json answers_json(const Probe& probe, Numbers& numbers) {
 
 }  // namespace
 
-Json probes_for_page() {
+std::string probes_for_page() {
     Numbers numbers;
     Json presets = Json::array(), probes = Json::array();
     for (const auto& [name, hardware] : hardware_words) presets.push_back(name);
@@ -148,11 +154,12 @@ Json probes_for_page() {
         if (!missing.empty()) probes.back()["question"].erase("fragment");
     }
     const Words& all = numbers.all();
-    return {{"vertex", vertex_text(head)},
-            {"presets", presets},
-            {"probes", probes},
-            {"lengths", numbers.lengths()},
-            {"numbers", page::packed_bits(all)}};
+    const Json described{{"vertex", vertex_text(head)},
+                         {"presets", presets},
+                         {"probes", probes},
+                         {"lengths", numbers.lengths()},
+                         {"numbers", page::packed_bits(all)}};
+    return page::packed_text(described.dump());
 }
 
 }  // namespace quadrel::rules

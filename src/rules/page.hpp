@@ -1,7 +1,7 @@
 // The probes for a page that puts them to a browser's own GPU.
 #pragma once
 
-#include "io/document/json.hpp"
+#include <string>
 
 namespace quadrel::rules {
 
@@ -9,7 +9,8 @@ namespace quadrel::rules {
 /// shader in GLSL ES 3.0, triangles, textures and numbers, and the answers of each preset of
 /// `hardware`; or why a browser cannot be asked. Numbers are bits in lists, all of them packed one
 /// after the other ("numbers", with their "lengths"), and the rest has the lists' numbers: one for
-/// each component, x first.
-Json probes_for_page();
+/// each component, x first; of the answers of all presets but the first, what differs from its
+/// bits. JSON, by page::packed_text.
+std::string probes_for_page();
 
 }  // namespace quadrel::rules

@@ -84,8 +84,11 @@ TEST_F(JudgePageInABrowser, ProbesTellPlantedRules) {
         {"dFdy(pixel.x * pixel.y)", "dFdx(pixel.x * pixel.y)", "derivatives", "other", false},
         {"textureSize(map0, int(asked.x))", "textureSize(map0, 0)", "texture-size",
          "204 of 256 another's", false}};
-    std::string page = plain_page();
-    for (const Planted& error : errors) page = with_planted(page, error.from, error.to);
+    // The shaders are packed.
+    std::string changed = "this.program(fragment";
+    for (const Planted& error : errors)
+        changed += fmt::format(".replace(\"{}\", \"{}\")", error.from, error.to);
+    const std::string page = with_planted(plain_page(), "this.program(fragment)", changed + ")");
     const Json results = Judged(page, "#tab=rules").data("rules");
     for (const Planted& error : errors) {
         const Json& result = result_of(results, error.id);
