@@ -5,13 +5,13 @@
 // surfaces, prism-free and curved-quadric, published or not: their ranges take long and say little.
 #pragma once
 
+#include "quadrel/relief/range_normals.hpp"
 #include "quadrel/relief/range_words.hpp"
 #include "quadrel/relief/shadow/range_horizon.hpp"
 #include "quadrel/relief/shadow/range_layers.hpp"
 #include "quadrel/relief/shadow/range_rising.hpp"
 #include "quadrel/relief/shell/range_prism.hpp"
 #include "quadrel/relief/stages.hpp"
-#include "quadrel/relief/surface/range_patch.hpp"
 #include "quadrel/relief/trace/cone/range_cones.hpp"
 #include "quadrel/relief/trace/layer/range_solids.hpp"
 #include "quadrel/relief/trace/march/range_step_bounds.hpp"

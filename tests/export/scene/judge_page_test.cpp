@@ -156,10 +156,11 @@ void add_gap(Film& film, std::size_t pixel) {
 }
 
 TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
+    const Scene scene = small_scene();
     JudgePage options;
     options.scene.language = "glsl-es";
     options.scene.channels = {"N", "A"};
-    const ExportContent content = export_content(small_scene(), options.scene);
+    const ExportContent content = export_content(scene, options.scene);
     Film film = content.expected;
     film.add("gpu.paths.N.Z", ChannelType::uint32, 1);
     const std::size_t pixel = film.index(5, 4);

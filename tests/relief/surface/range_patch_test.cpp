@@ -1,7 +1,7 @@
 // The slopes of all patches that a place may be in, against those at places of the range.
-#include "quadrel/relief/surface/range_patch.hpp"
 #include "effort.hpp"
 #include "quadrel/relief/range_words.hpp"
+#include "quadrel/texture/range/patch.hpp"
 #include "relief/exact/exact_search.hpp"
 #include "relief/stress_maps.hpp"
 

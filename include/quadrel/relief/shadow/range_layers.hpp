@@ -90,19 +90,10 @@ class RisingThroughLayers {
     /// Over all rays from 0 to `to`, how much a layer's depth grows as t does.
     RealInterval slope_over(int layer, double to) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        const RealInterval unknown(-infinity, infinity), x = at_.x.over(0, to),
-                                                         y = at_.y.over(0, to);
-        const RealInterval columns(std::floor(x.lo - 0.5), std::floor(x.hi - 0.5));
-        const RealInterval rows(std::floor(y.lo - 0.5), std::floor(y.hi - 0.5));
-        if ((columns.width() + 1) * (rows.width() + 1) > most_patches) return unknown;
         PatchGradients gradients;
-        for (int c = 0; c < 4; ++c) gradients.x[c] = gradients.y[c] = {infinity, -infinity};
-        for (double j = rows.lo; j <= rows.hi; ++j)
-            for (double i = columns.lo; i <= columns.hi; ++i)
-                if (!include_gradients(gradients, layers_.texels(), i, j,
-                                       weights_in({x.lo - 0.5, x.hi - 0.5}, i),
-                                       weights_in({y.lo - 0.5, y.hi - 0.5}, j)))
-                    return unknown;
+        if (!gradients_over(gradients, layers_.texels(), at_.x.over(0, to), at_.y.over(0, to),
+                            most_patches))
+            return {-infinity, infinity};
         return gradients.x[layer] * (at_.x.rate * RealInterval(at_.x.texels)) +
                gradients.y[layer] * (at_.y.rate * RealInterval(at_.y.texels));
     }

@@ -57,18 +57,10 @@ class RisingRays {
     /// Over all rays from 0 to `to`, how much the field rises as t does.
     RealInterval slope_over(double to) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        const RealInterval unknown(-infinity, infinity), x = x_.over(0, to), y = y_.over(0, to);
-        const RealInterval columns(std::floor(x.lo - 0.5), std::floor(x.hi - 0.5));
-        const RealInterval rows(std::floor(y.lo - 0.5), std::floor(y.hi - 0.5));
-        if ((columns.width() + 1) * (rows.width() + 1) > most_patches) return unknown;
         PatchGradients gradients;
-        for (int c = 0; c < 4; ++c) gradients.x[c] = gradients.y[c] = {infinity, -infinity};
-        for (double j = rows.lo; j <= rows.hi; ++j)
-            for (double i = columns.lo; i <= columns.hi; ++i)
-                if (!include_gradients(gradients, field_.texels(), i, j,
-                                       weights_in({x.lo - 0.5, x.hi - 0.5}, i),
-                                       weights_in({y.lo - 0.5, y.hi - 0.5}, j)))
-                    return unknown;
+        if (!gradients_over(gradients, field_.texels(), x_.over(0, to), y_.over(0, to),
+                            most_patches))
+            return {-infinity, infinity};
         return gradients.x[0] * (x_.rate * RealInterval(x_.texels)) +
                gradients.y[0] * (y_.rate * RealInterval(y_.texels));
     }

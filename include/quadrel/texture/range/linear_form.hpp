@@ -39,6 +39,25 @@ bool include_gradients(PatchGradients& all, const Texels& level, double i, doubl
     return true;
 }
 
+/// All gradients that patches have over ranges of texel coordinates; false where more than `most`
+/// patches are met, or one of what is no number.
+template <class Texels>
+bool gradients_over(PatchGradients& all, const Texels& level, const RealInterval& x,
+                    const RealInterval& y, double most) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const RealInterval centred_x(x.lo - 0.5, x.hi - 0.5), centred_y(y.lo - 0.5, y.hi - 0.5);
+    const RealInterval column(std::floor(centred_x.lo), std::floor(centred_x.hi));
+    const RealInterval row(std::floor(centred_y.lo), std::floor(centred_y.hi));
+    if (!((column.width() + 1) * (row.width() + 1) <= most)) return false;
+    for (int c = 0; c < 4; ++c) all.x[c] = all.y[c] = {infinity, -infinity};
+    for (double j = row.lo; j <= row.hi; ++j)
+        for (double i = column.lo; i <= column.hi; ++i)
+            if (!include_gradients(all, level, i, j, weights_in(centred_x, i),
+                                   weights_in(centred_y, j)))
+                return false;
+    return true;
+}
+
 /// One coordinate: its middle, what it has of named errors, and how far it may be beside that.
 struct SharedCoordinate {
     double middle, part[3], own;
@@ -59,22 +78,13 @@ struct SharedCoordinate {
 /// are met.
 template <class Texels>
 bool linear_form(LinearForm& form, const Texels& level, const Ranged& u, const Ranged& v) {
-    constexpr double most = 9, infinity = std::numeric_limits<double>::infinity();
+    constexpr double most = 9;
     if (u.named == 0 || u.named != v.named || !u.is_bounded() || !v.is_bounded()) return false;
     const RealInterval x = texel_coordinates(u.range(), level.width(), level.sampler());
     const RealInterval y = texel_coordinates(v.range(), level.height(), level.sampler());
     if (std::max(x.magnitude(), y.magnitude()) > 0x1p24) return false;
-    const RealInterval column(std::floor(x.lo - 0.5), std::floor(x.hi - 0.5));
-    const RealInterval row(std::floor(y.lo - 0.5), std::floor(y.hi - 0.5));
-    if ((column.width() + 1) * (row.width() + 1) > most) return false;
     PatchGradients gradients;
-    for (int c = 0; c < 4; ++c) gradients.x[c] = gradients.y[c] = {infinity, -infinity};
-    const RealInterval centred_x(x.lo - 0.5, x.hi - 0.5), centred_y(y.lo - 0.5, y.hi - 0.5);
-    for (double j = row.lo; j <= row.hi; ++j)
-        for (double i = column.lo; i <= column.hi; ++i)
-            if (!include_gradients(gradients, level, i, j, weights_in(centred_x, i),
-                                   weights_in(centred_y, j)))
-                return false;
+    if (!gradients_over(gradients, level, x, y, most)) return false;
     const SharedCoordinate of_x(u, x, level.width()), of_y(v, y, level.height());
     TexelRange middle = TexelRange::nothing();
     if (!include_linear(middle, level, of_x.middle, of_y.middle)) return false;

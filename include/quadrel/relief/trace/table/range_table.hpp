@@ -162,4 +162,24 @@ class DistanceTable<slot, Io> {
     vec2<F> direction_;
 };
 
+/// Of a rate that may be 0, no later than ever: beyond s = 1 all exits are the same.
+template <>
+inline Ranges PrismAxis<Ranges>::exit() const {
+    constexpr double ever = 1e6;
+    const Ranges ahead = select(rate > Ranges(0), box + Ranges(1), box);
+    Ranges result = (ahead - start) / rate;
+    for (int lane = 0; lane < 4; ++lane) {
+        if (!rate.lane[lane].is_bounded() || !start.lane[lane].is_bounded()) continue;
+        const RealInterval speed = rate.lane[lane].range();
+        if (!speed.has_zero()) continue;
+        const RealInterval at = start.lane[lane].range(), here = box.lane[lane].range();
+        double least = ever;
+        if (speed.hi > 0) least = std::min(least, (here.lo + 1 - at.hi) / speed.hi);
+        if (speed.lo < 0) least = std::min(least, (here.hi - at.lo) / speed.lo);
+        const double rounded_down = least - (std::fabs(least) + 1) * 0x1p-20;
+        result.lane[lane] = Ranged(std::max(rounded_down, 0.0), ever);
+    }
+    return result;
+}
+
 }  // namespace quadrel
