@@ -32,8 +32,9 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_COMPONENTS_ALL program development)
 set(what "Shades in 2x2 fragment quads, as a GPU does, and runs relief- and
-parallax-mapping algorithms where each of their bits can be looked at. What it writes, EXR images with
-every intermediate value as a channel, is the ground truth that GPU ports are judged by.")
+parallax-mapping algorithms where each of their bits can be looked at. What it
+writes, EXR images with every intermediate value as a channel, is the ground
+truth that GPU ports are judged by.")
 set(same_version "quadrel (= ${PROJECT_VERSION})")
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME quadrel)
@@ -59,8 +60,8 @@ if(minor)
   set(CPACK_DEBIAN_DEBIAN_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION} (Python module)
 ${what}
 .
-This package has the module quadrel: renders, probes and comparisons as arrays of
-numpy.")
+This package has the module quadrel: renders, probes and comparisons as arrays
+of numpy.")
   # Python names a module's file by its minor version.
   set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version},\
  python3 (>= 3.${minor}~), python3 (<< 3.${next_minor}~), python3-numpy")

@@ -69,9 +69,9 @@ std::vector<std::string> known_requests() {
 
 [[noreturn]] void reject(const std::string& request) {
     const std::string nearest = nearest_word(request, known_requests());
-    throw UsageError("channels: found \"" + request + "\", expected " +
-                     (nearest.empty() ? "a channel" : "\"" + nearest + "\" perhaps, or another") +
-                     " of `quadrel list channels`");
+    const std::string hint = nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?";
+    throw UsageError("channels: found \"" + request + "\", expected a channel or group" + hint +
+                     " (see `quadrel list channels`)");
 }
 
 }  // namespace

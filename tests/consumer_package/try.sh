@@ -20,7 +20,7 @@ $install /packages/quadrel_*.deb >/dev/null
 cd /tmp
 quadrel render thesis-teapot --size 64x64 --preview teapot.png -o teapot.exr
 quadrel render bricks-png --size 16x16 -o png.exr
-quadrel render bricks-45 --size 16x16 --limits gl -o ranges.exr
+quadrel render bricks-45 --size 4x4 --channels uv --limits gl -o ranges.exr
 quadrel export --stage trace/linear | grep -q void
 zcat /usr/share/man/man1/quadrel-render.1.gz | grep -q SYNOPSIS
 test -e /usr/share/bash-completion/completions/quadrel
