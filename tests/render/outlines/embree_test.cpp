@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "effort.hpp"
-#include "quadrel/quad/value.hpp"
 #include "quadrel/scene/displace.hpp"
 #include "quadrel/texture/of_texels.hpp"
 #include "render/films.hpp"
@@ -69,14 +68,13 @@ Scene traced_scene(const Mesh& mesh) {
 struct SeenPixel {
     glm::dvec3 direction;
     std::optional<double> t;
-    bool starts_below = false;  ///< met where its fragment enters
 };
 
 /// All pixels of the scene, in doubles; rays of fragments are their own, which snapping moves by
 /// up to 1/256 of a pixel.
 std::vector<SeenPixel> seen_pixels(const Scene& scene) {
     RenderOptions options;
-    options.channels = {"A", "P", "hit.P", "hit.flags"};
+    options.channels = {"A", "P", "hit.P"};
     options.number = "double";
     const Film film = render(scene, options);
     const glm::dmat4 unproject = glm::inverse(glm::dmat4(scene.camera.projection));
@@ -88,13 +86,12 @@ std::vector<SeenPixel> seen_pixels(const Scene& scene) {
                                   value(film, name + ".Z", x, y));
             };
             if (value(film, "A", x, y) > 0) {
-                pixels.push_back({glm::normalize(point("P")), glm::length(point("hit.P")),
-                                  (bits(film, "hit.flags", x, y) & HitFlag::start_below) != 0});
+                pixels.push_back({glm::normalize(point("P")), glm::length(point("hit.P"))});
                 continue;
             }
             const glm::dvec4 far = unproject * glm::dvec4((2 * x + 1.0) / scene.width - 1,
                                                           1 - (2 * y + 1.0) / scene.height, 1, 1);
-            pixels.push_back({glm::normalize(glm::dvec3(far) / far.w), std::nullopt, false});
+            pixels.push_back({glm::normalize(glm::dvec3(far) / far.w), std::nullopt});
         }
     return pixels;
 }
@@ -106,9 +103,10 @@ enum class Agreement : std::size_t {
     passed,    ///< one ray passes an edge of the relief that the other meets, within the bound
     outlined,  ///< and so at the outline: one of them misses
     snapped,   ///< a ray beside, within what snapping moves, has the other answer
-    /// Along a face that is seen edge-on snapping moves where a ray enters by more than itself: one
-    /// that so begins below the surface is met there, within half a pixel of it.
-    entered,
+    /// Rays are followed past the sides of a tetrahedron by what snapping may have moved them
+    /// (prism_ray.hpp), which along a side that is seen edge-on is more than itself: met there,
+    /// within half a pixel of the surface.
+    beyond,
     wrong,  ///< nothing explains it
     count
 };
@@ -162,9 +160,8 @@ Agreement agreement_of(const SeenPixel& seen, const EmbreeFacets& traced, const 
             return Agreement::snapped;
     }
     const double half = seen.t ? doubts.pixel * *seen.t / 2 + off : 0;
-    const bool enters =
-        seen.t && seen.starts_below && traced.distance(seen.direction * *seen.t, half) <= half;
-    return enters ? Agreement::entered : Agreement::wrong;
+    const bool near = seen.t && traced.distance(seen.direction * *seen.t, half) <= half;
+    return near ? Agreement::beyond : Agreement::wrong;
 }
 
 /// A shape as its shell is drawn, and the tetrahedra's own surface.
@@ -196,10 +193,15 @@ struct DrawnShell {
 
 int count_of(const Agreements& tally, Agreement of) { return tally[static_cast<std::size_t>(of)]; }
 
+/// All but a few of these are errors.
+int unexplained(const Agreements& tally) {
+    return count_of(tally, Agreement::wrong) + count_of(tally, Agreement::beyond);
+}
+
 void print_agreements(const char* shape, const char* against, const Agreements& tally) {
     fmt::print(
         "{} against {}: {} missed by both, {} the same, {} passed, {} outlined, {} snapped, {} "
-        "entered, {} wrong\n",
+        "beyond, {} wrong\n",
         shape, against, tally[0], tally[1], tally[2], tally[3], tally[4], tally[5], tally[6]);
 }
 
@@ -213,10 +215,10 @@ TEST(EmbreeShells, TetrahedraAreMetWhereTheyAre) {
         EXPECT_EQ(count_of(tally, Agreement::wrong), 0) << shape.name;
         EXPECT_GT(count_of(tally, Agreement::same), drawn.pixels() / 8) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::snapped), drawn.pixels() / 50) << shape.name;
-        EXPECT_LE(count_of(tally, Agreement::entered), drawn.pixels() / 4000) << shape.name;
+        EXPECT_LE(count_of(tally, Agreement::beyond), drawn.pixels() / 25000) << shape.name;
         const auto wrong_with = [&](const CellMap& of, Split split) {
             const ReliefFacets planted(shape.mesh, of, traced_depth, drawn.to_eye, split);
-            return count_of(drawn.beside(EmbreeFacets(planted.facets()), 0), Agreement::wrong);
+            return unexplained(drawn.beside(EmbreeFacets(planted.facets()), 0));
         };
         const int few = drawn.pixels() / 100;
         EXPECT_GT(wrong_with(map, Split::by_corner), few / 2) << shape.name << ", wrong split";
@@ -256,13 +258,13 @@ TEST(EmbreeShells, DisplacedMeshesAreMetWithinTheBound) {
         const Agreements tally = tally_of(traced_depth, bound);
         print_agreements(shape.name, "the displaced mesh", tally);
         EXPECT_EQ(count_of(tally, Agreement::wrong), 0) << shape.name;
+        EXPECT_LE(count_of(tally, Agreement::beyond), drawn.pixels() / 25000) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::passed), drawn.pixels() / 20) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::outlined), drawn.pixels() / 50) << shape.name;
         // A relief that is deeper by some bounds is noticed, and so is a bound of less.
         const double deeper = traced_depth + 8 * bound;
-        EXPECT_GT(count_of(tally_of(deeper, bound), Agreement::wrong), drawn.pixels() / 100);
-        EXPECT_GT(count_of(tally_of(traced_depth, bound / 50), Agreement::wrong),
-                  drawn.pixels() / 500);
+        EXPECT_GT(unexplained(tally_of(deeper, bound)), drawn.pixels() / 100);
+        EXPECT_GT(unexplained(tally_of(traced_depth, bound / 50)), drawn.pixels() / 500);
     }
 }
 
