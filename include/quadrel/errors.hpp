@@ -8,8 +8,8 @@
 //     frame    the scene's frame, judge's search against  the same
 //
 // The judge's search has the surface that the scene's searches (bilinear patches, or blocks where
-// it reads texels as such) on level 0 under the sampler's wrap modes. Depth layers are judged by the
-// exact search of as many layers, which is right up to rounding and not proven.
+// it reads texels as such) on level 0 under the sampler's wrap modes. Depth layers are judged by
+// the exact search of as many layers, which is right up to rounding and not proven.
 #pragma once
 
 #include <array>
@@ -78,8 +78,8 @@ struct ErrorSummary {
     /// Of the window, those that show another object than with the judges' searches, in scenes with
     /// depth layers: rays that pass what they should meet, or are stopped by what is not there.
     std::optional<std::uint64_t> other_object;
-    std::string judges;           ///< a line a material: its exact frame and the judge's search
-    std::string image;            ///< the file that was judged; empty: what the scene draws
+    std::string judges;  ///< a line a material: its exact frame and the judge's search
+    std::string image;   ///< the file that was judged; empty: what the scene draws
     std::vector<ErrorPartSummary> parts;  ///< whole, search, frame; of an image the whole alone
     std::vector<WorstPixel> worst;        ///< of the whole: by uv, then by normal and colour
 };

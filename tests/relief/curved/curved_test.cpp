@@ -483,5 +483,20 @@ TEST(CurvedRows, WhatCannotBeSearchedSaysSo) {
     }
 }
 
+/// Seen facets whose normal is turned away lie outside of the surface's outline: nothing is there
+/// to be drawn. Normals towards the viewer without a frame are those of a damaged one.
+TEST(CurvedRows, RaysPastTheOutlineMiss) {
+    for (const char* id : curved_rows) {
+        SphereRays rays(0.5f, grazing, Random(3));
+        for (const int lane : {5, 6})
+            rays.batch.integer(Value::frame_status, lane) = static_cast<int>(Status::no_frame);
+        rays.batch.set(Value::frame_normal, 6, -dvec3(rays.batch.vector3(Value::frame_normal, 6)));
+        rays.batch.run(id);
+        EXPECT_EQ(rays.status(5), Status::no_frame) << id;
+        EXPECT_EQ(rays.status(6), Status::clip) << id;
+        EXPECT_EQ(rays.batch.real(Value::hit_depth, 6), 0) << id;
+    }
+}
+
 }  // namespace
 }  // namespace quadrel::test

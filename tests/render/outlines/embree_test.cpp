@@ -103,14 +103,18 @@ enum class Agreement : std::size_t {
     passed,    ///< one ray passes an edge of the relief that the other meets, within the bound
     outlined,  ///< and so at the outline: one of them misses
     snapped,   ///< a ray beside, within what snapping moves, has the other answer
-    wrong,     ///< nothing explains it
+    /// Rays are followed past the sides of a tetrahedron by what snapping may have moved them
+    /// (prism_ray.hpp), which along a side that is seen edge-on is more than itself: met there,
+    /// within half a pixel of the surface.
+    beyond,
+    wrong,  ///< nothing explains it
     count
 };
 using Agreements = std::array<int, static_cast<std::size_t>(Agreement::count)>;
 
 /// Where rays are in doubt by a part of a pixel, and surfaces by a distance in space.
 struct Doubts {
-    double angle;    ///< of two snapping steps
+    double pixel;    ///< an angle; two snapping steps are a 128th of it
     double surface;  ///< how far what is traced may be from what is shown
 };
 
@@ -122,19 +126,19 @@ double along_ray(double distance, double cosine) {
     return distance * (1 + 1 / std::max(cosine, 1e-9));
 }
 
-/// Eight rays around.
-std::array<glm::dvec3, 8> rays_around(const glm::dvec3& d, double angle) {
+/// Rays around, up to that angle away: what is thin is not passed over.
+std::vector<glm::dvec3> rays_around(const glm::dvec3& d, double angle) {
     const glm::dvec3 right = glm::normalize(glm::cross(d, glm::dvec3(0, 1, 0)));
     const glm::dvec3 up = glm::cross(right, d);
-    std::array<glm::dvec3, 8> rays;
-    for (std::size_t k = 0; k < 8; ++k) {
-        const double turn = double(k) * 0.7853981633974483;
-        rays[k] = glm::normalize(d + (right * std::cos(turn) + up * std::sin(turn)) * angle);
+    std::vector<glm::dvec3> rays;
+    for (int k = 0; k < 24; ++k) {
+        const double turn = k * 0.7853981633974483, away = angle / (1 << (k / 8));
+        rays.push_back(glm::normalize(d + (right * std::cos(turn) + up * std::sin(turn)) * away));
     }
     return rays;
 }
 
-/// `other`: the shell's own surface, where `traced` is another one.
+/// `shown`: the shell's own surface, where `traced` is another one.
 Agreement agreement_of(const SeenPixel& seen, const EmbreeFacets& traced, const EmbreeFacets& shown,
                        const Doubts& doubts) {
     const auto met = traced.trace(seen.direction);
@@ -147,14 +151,17 @@ Agreement agreement_of(const SeenPixel& seen, const EmbreeFacets& traced, const 
     const glm::dvec3 first = seen.direction * (shell_first ? *seen.t : met->t);
     if (doubts.surface > 0 && (shell_first ? traced : shown).distance(first, 2 * off) <= off)
         return met && seen.t ? Agreement::passed : Agreement::outlined;
-    for (const glm::dvec3& beside : rays_around(seen.direction, doubts.angle)) {
+    const double angle = doubts.pixel * 2 / 256;
+    for (const glm::dvec3& beside : rays_around(seen.direction, angle)) {
         const auto other = traced.trace(beside);
         if (!other && !seen.t) return Agreement::snapped;
-        const double moved = off + doubts.angle * (other ? other->t : 0);
+        const double moved = off + angle * (other ? other->t : 0);
         if (other && seen.t && std::abs(other->t - *seen.t) <= along_ray(moved, other->cosine))
             return Agreement::snapped;
     }
-    return Agreement::wrong;
+    const double half = seen.t ? doubts.pixel * *seen.t / 2 + off : 0;
+    const bool near = seen.t && traced.distance(seen.direction * *seen.t, half) <= half;
+    return near ? Agreement::beyond : Agreement::wrong;
 }
 
 /// A shape as its shell is drawn, and the tetrahedra's own surface.
@@ -179,19 +186,23 @@ struct DrawnShell {
         const double pixel = 2 * std::tan(0.4363323129985824) / scene.height;  // half of 50 degrees
         Agreements tally{};
         for (const SeenPixel& one : seen)
-            ++tally[static_cast<std::size_t>(
-                agreement_of(one, traced, shown, {pixel * 2 / 256, surface}))];
+            ++tally[static_cast<std::size_t>(agreement_of(one, traced, shown, {pixel, surface}))];
         return tally;
     }
 };
 
 int count_of(const Agreements& tally, Agreement of) { return tally[static_cast<std::size_t>(of)]; }
 
+/// All but a few of these are errors.
+int unexplained(const Agreements& tally) {
+    return count_of(tally, Agreement::wrong) + count_of(tally, Agreement::beyond);
+}
+
 void print_agreements(const char* shape, const char* against, const Agreements& tally) {
     fmt::print(
         "{} against {}: {} missed by both, {} the same, {} passed, {} outlined, {} snapped, {} "
-        "wrong\n",
-        shape, against, tally[0], tally[1], tally[2], tally[3], tally[4], tally[5]);
+        "beyond, {} wrong\n",
+        shape, against, tally[0], tally[1], tally[2], tally[3], tally[4], tally[5], tally[6]);
 }
 
 /// Hits and outline are those of the tetrahedra, to rounding, but for what snapping moves.
@@ -204,9 +215,10 @@ TEST(EmbreeShells, TetrahedraAreMetWhereTheyAre) {
         EXPECT_EQ(count_of(tally, Agreement::wrong), 0) << shape.name;
         EXPECT_GT(count_of(tally, Agreement::same), drawn.pixels() / 8) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::snapped), drawn.pixels() / 50) << shape.name;
+        EXPECT_LE(count_of(tally, Agreement::beyond), drawn.pixels() / 25000) << shape.name;
         const auto wrong_with = [&](const CellMap& of, Split split) {
             const ReliefFacets planted(shape.mesh, of, traced_depth, drawn.to_eye, split);
-            return count_of(drawn.beside(EmbreeFacets(planted.facets()), 0), Agreement::wrong);
+            return unexplained(drawn.beside(EmbreeFacets(planted.facets()), 0));
         };
         const int few = drawn.pixels() / 100;
         EXPECT_GT(wrong_with(map, Split::by_corner), few / 2) << shape.name << ", wrong split";
@@ -246,13 +258,13 @@ TEST(EmbreeShells, DisplacedMeshesAreMetWithinTheBound) {
         const Agreements tally = tally_of(traced_depth, bound);
         print_agreements(shape.name, "the displaced mesh", tally);
         EXPECT_EQ(count_of(tally, Agreement::wrong), 0) << shape.name;
+        EXPECT_LE(count_of(tally, Agreement::beyond), drawn.pixels() / 25000) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::passed), drawn.pixels() / 20) << shape.name;
         EXPECT_LE(count_of(tally, Agreement::outlined), drawn.pixels() / 50) << shape.name;
         // A relief that is deeper by some bounds is noticed, and so is a bound of less.
         const double deeper = traced_depth + 8 * bound;
-        EXPECT_GT(count_of(tally_of(deeper, bound), Agreement::wrong), drawn.pixels() / 100);
-        EXPECT_GT(count_of(tally_of(traced_depth, bound / 50), Agreement::wrong),
-                  drawn.pixels() / 500);
+        EXPECT_GT(unexplained(tally_of(deeper, bound)), drawn.pixels() / 100);
+        EXPECT_GT(unexplained(tally_of(traced_depth, bound / 50)), drawn.pixels() / 500);
     }
 }
 

@@ -92,6 +92,19 @@ void store_turned_frame(const Io& io, const SearchRay<F>& ray, const vec3<F>& no
                                                        select(turns, turn(J[1]), own[1])});
 }
 
+/// Where the facet is seen and the normal is turned away, the fragment lies outside of the curved
+/// surface's outline: its ray comes in nowhere and is a miss, not one without a frame, which would
+/// be drawn as it is.
+template <class Io, class F = typename Io::Number>
+SearchRay<F> with_passing_rays(const Io& io, const SearchRay<F>& ray) {
+    const vec3<F> V = to_viewer(io.template load<Value::P>(), io.frame());
+    const Mask<F> passes = (ray.frame_status == status_packet<F>(Status::no_frame)) &
+                           (dot(io.template load<Value::frame_normal>(), V) <= F(0));
+    SearchRay<F> changed = ray;
+    changed.frame_status = select(passes, status_packet<F>(Status::clip), ray.frame_status);
+    return changed;
+}
+
 /// Stores where a search has ended.
 template <class Io, class F = typename Io::Number>
 void store_path(const Io& io, const SearchRay<F>& ray, const PathBracket<F>& bracket,

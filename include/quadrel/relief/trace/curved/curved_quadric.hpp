@@ -97,7 +97,7 @@ struct CurvedQuadric : HeightSearch {
         const Int<F> otherwise =
             select(path.descends, status_packet<F>(Status::floor), status_packet<F>(Status::clip));
         const Int<F> status = select(bracket.found, status_packet<F>(Status::hit), otherwise);
-        store_path(io, path.ray, bracket, end,
+        store_path(io, with_passing_rays(io, path.ray), bracket, end,
                    select(bracket.met_nan, status_packet<F>(Status::nan), status));
         store_turned_frame(io, path.ray, quadric.normal_at(end.sigma),
                            io.template load<Value::J>());

@@ -210,7 +210,7 @@ struct PrismFree : HeightSearch {
         const Int<F> status = select(bracket.found, status_packet<F>(Status::hit), otherwise);
         const F part = bracket.below;
         const PathPoint<F> end = piece(part);
-        store_path(io, ray, bracket, end,
+        store_path(io, with_passing_rays(io, ray), bracket, end,
                    select(bracket.met_nan, status_packet<F>(Status::nan), status));
         const vec3<F> turn = turn_before * (F(1) - part) + path.turn * part;
         const vec3<F> N = io.template load<Value::frame_normal>();
