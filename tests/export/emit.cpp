@@ -86,7 +86,8 @@ constexpr Planted all_planted[] = {
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
-    {"shade-lambert", "0.0f + light0_diffuse", "light0_diffuse", "0 + x taken for x"}};
+    {"shade-lambert", "light_specular = vec3(0.0f)", "light_specular = vec3(-0.0f)",
+     "a zero of the other sign"}};
 
 /// `text` with the first `right` as `wrong`; empty where it has none.
 std::string with_error(const std::string& text, const Planted& planted) {

@@ -34,11 +34,13 @@ TEST(Export, EachLanguageCompiles) {
 }
 
 TEST(Export, LinesAreShort) {
-    std::ifstream shader(std::string(QUADREL_EXPORTED_FOLDER) + "/all.glsl.frag");
-    int lines = 0;
-    for (std::string line; std::getline(shader, line); ++lines)
-        EXPECT_LE(line.size(), 120u) << line;
-    EXPECT_GT(lines, 1000);
+    for (const char* file : {"all.glsl.frag", "all.es.frag", "all.hlsl.frag", "each.wgsl"}) {
+        std::ifstream shader(std::string(QUADREL_EXPORTED_FOLDER) + "/" + file);
+        int lines = 0;
+        for (std::string line; std::getline(shader, line); ++lines)
+            EXPECT_LE(line.size(), 120u) << file << ": " << line;
+        EXPECT_GT(lines, 1000) << file;
+    }
 }
 
 }  // namespace

@@ -68,12 +68,12 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         using Highlight = std::remove_const_t<decltype(highlight)>;
         if constexpr (!std::is_same_v<Highlight, NoHighlight>) {
             const F lit = select(cosine > F(0), visible, F(0));
-            const Highlight none(F(0));
+            const Highlight dark(F(0));
             vec3<F> color = uniform3<F>(light.specular);
             if constexpr (std::is_same_v<Highlight, F>)
                 color = color * uniform3<F>(material.specular);
             // A power may be infinite.
-            add(sum.specular, color * select(lit > F(0), highlight * lit, none));
+            add(sum.specular, color * select(lit > F(0), highlight * lit, dark));
         }
     }
     sum.ambient = sum.ambient * io.template load<Value::occlusion>();

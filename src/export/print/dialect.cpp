@@ -9,6 +9,7 @@
 
 #include "export/print/hlsl.hpp"
 #include "export/print/wgsl.hpp"
+#include "export/print/wrapped_line.hpp"
 
 namespace quadrel::recorded {
 
@@ -122,8 +123,7 @@ std::string Dialect::uniform(const Uniform& uniform) const {
 
 std::string Dialect::uniforms(const std::vector<Uniform>& all, const std::string&) const {
     std::string lines;
-    for (const Uniform& of : all)
-        lines += uniform(of) + (of.comment.empty() ? "" : "  // " + of.comment) + "\n";
+    for (const Uniform& of : all) lines += commented_line(uniform(of), of.comment);
     return lines;
 }
 

@@ -1,6 +1,7 @@
 #include "export/print/fold.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -196,6 +197,7 @@ Node* Folder::simplified(Node node) {
     if (Node* const result = computed(node)) return result;
     if (Node* const result = counted(node)) return result;
     if (Node* const result = whole_again(node)) return result;
+    subtract_negative(node);
     const auto& arguments = node.arguments;
     if (node.kind == Kind::select) {
         if (arguments[0]->kind == Kind::literal)
@@ -289,6 +291,15 @@ Node* Folder::simple_sum(const Node& node) {
         if (is_literal(*b, 1)) return a;
     }
     return node.text == "/" && is_literal(*b, 1) ? a : nullptr;
+}
+
+/// x + -2 is x - 2.
+void Folder::subtract_negative(Node& node) {
+    if (!is_operation(node, Kind::binary, "+")) return;
+    const Node& b = *node.arguments[1];
+    if (b.kind != Kind::literal || !(b.value < 0) || b.value == INT_MIN) return;
+    node.text = "-";
+    node.arguments[1] = literal(b.type, -b.value);
 }
 
 Node* Folder::computed(const Node& node) {

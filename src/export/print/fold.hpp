@@ -33,6 +33,7 @@ class Folder {
     Node* simplified(Node node);
     Node* simple_logic(Node& node);
     Node* simple_sum(const Node& node);
+    void subtract_negative(Node& node);
     Node* computed(const Node& node);
     Node* counted(const Node& node);
     Node* whole_again(const Node& node);

@@ -6,12 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "export/print/expressions.hpp"
+#include "export/print/wrapped_line.hpp"
+
 namespace quadrel::recorded {
 namespace {
 
 using Kind = Node::Kind;
-
-constexpr int unary_level = 2;
 
 bool is_map(const Uniform& uniform) { return uniform.type.rfind("sampler", 0) == 0; }
 
@@ -193,9 +194,7 @@ std::string WgslDialect::uniforms(const std::vector<Uniform>& all, const std::st
     int binding = 0;
     const auto place = [&] { return "@group(0) @binding(" + std::to_string(binding++) + ") "; };
     for (const Uniform& of : all)
-        if (!is_map(of))
-            members +=
-                "    " + uniform(of) + (of.comment.empty() ? "" : "  // " + of.comment) + "\n";
+        if (!is_map(of)) members += commented_line("    " + uniform(of), of.comment);
     if (!members.empty())
         members = "struct Uniforms {\n" + members + "}\n" + place() +
                   "var<uniform> uniforms: Uniforms;\n";

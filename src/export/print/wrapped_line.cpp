@@ -1,5 +1,6 @@
 #include "export/print/wrapped_line.hpp"
 
+#include <algorithm>
 #include <climits>
 #include <cstring>
 
@@ -35,12 +36,23 @@ std::string wrapped_line(const std::string& line) {
             fewest = open;
             at = i;
         }
+        // Too long is better than never broken.
+        for (std::size_t i = longest_line; at == std::string::npos && i < rest.size(); ++i)
+            if (is_comment ? rest[i] == ' ' : breaks_at(rest, i)) at = i;
         if (at == std::string::npos) break;
         result += rest.substr(0, at) + "\n";
         rest = indent + rest.substr(at + 1);
         lead = indent.size();
     }
     return result + rest;
+}
+
+std::string commented_line(const std::string& code, const std::string& comment) {
+    if (comment.empty()) return code + "\n";
+    const std::string beside = code + "  // " + comment;
+    if (beside.size() < longest_line - 1) return beside + "\n";
+    const std::string indent(std::min(code.find_first_not_of(' '), code.size()), ' ');
+    return wrapped_line(indent + "// " + comment) + "\n" + code + "\n";
 }
 
 }  // namespace quadrel::recorded

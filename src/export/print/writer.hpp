@@ -3,9 +3,9 @@
 
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "export/print/assignments.hpp"
 #include "export/print/dialect.hpp"
 #include "export/print/helpers.hpp"
 #include "export/print/locals.hpp"
@@ -16,7 +16,7 @@ namespace quadrel::recorded {
 class Writer {
   public:
     Writer(Graph& graph, const Locals& locals, const Dialect& dialect)
-        : graph_(graph), locals_(locals), dialect_(dialect) {}
+        : graph_(graph), locals_(locals), dialect_(dialect), expressions_(graph, dialect) {}
 
     /// `inputs` in the order in which the function has them; those that it does not read are left
     /// out. No local has a name of `taken`.
@@ -31,25 +31,13 @@ class Writer {
     const std::vector<Named>& outputs() const { return graph_.outputs; }
 
   private:
-    /// Assignments under one condition, or under none.
-    struct Group {
-        const Node* condition;
-        std::vector<std::string> lines;
-    };
-
     void choose_inputs(const std::vector<std::string>& order);
     void write_parameters();
     void write_body(const std::string& name);
     std::string unique(const std::string& hint, const char* otherwise);
 
-    // Expressions: `within` is the weakest operator that needs no parentheses.
-    int level_of(const Node& node) const;
-    std::string symbol(const Node& node) const;
-    std::string operands(const Node& node, int level) const;
-    std::string text(const Node* node, int within) const;
-    std::string bare(const Node& node, int level) const;
-    std::string literal(const Node& node) const;
-    std::string name_of(const Variable* variable) const;
+    std::string text(const Node* node, int within) const { return expressions_.text(node, within); }
+    std::string name_of(const Variable* variable) const { return expressions_.name_of(variable); }
 
     // Statements.
     void line(int depth, const std::string& text);
@@ -62,21 +50,15 @@ class Writer {
     std::string begin_of(const Loop& loop) const;
     std::string condition_of(const Loop& loop) const;
     void write_assignments(const Event& event, const Event* leave, int depth);
-    std::vector<Group> groups_of(const Event& event) const;
-    bool are_independent(const Event& event) const;
-    bool touches(const Node* node, const Variable* variable) const;
-    static void join_groups(std::vector<Group>& groups);
-    bool leaves_by_group(std::vector<Group>& groups, const Event& leave) const;
-    void write_groups(const std::vector<Group>& groups, bool independent, int depth);
+    void write_groups(const std::vector<AssignmentGroup>& groups, bool independent, int depth);
     std::string leave_line(const Event& leave) const;
 
     Graph& graph_;
     const Locals& locals_;
     const Dialect& dialect_;
+    Expressions expressions_;
     std::string out_;
     std::set<std::string> names_;
-    std::unordered_map<const Node*, std::string> local_names_;
-    std::unordered_map<const Variable*, std::string> variable_names_;
     std::set<std::string> changed_outputs_;  ///< outputs of an input's name
     std::vector<Named> inputs_;
 };

@@ -28,10 +28,9 @@ std::string joined(const std::vector<std::string>& lines) {
 
 std::string statement(const std::string& text) { return wrapped_line("    " + text) + "\n"; }
 
-std::string target_value(const std::string& type, const std::array<std::string, 4>& parts) {
+std::string target_value(const std::string& type, const std::vector<std::string>& parts) {
     std::string text = type + "(";
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        text += (i == 0 ? "" : ", ") + (parts[i].empty() ? std::string("0.0") : parts[i]);
+    for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
     return text + ")";
 }
 

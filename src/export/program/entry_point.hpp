@@ -1,7 +1,6 @@
 // Where a shader begins, in each language: what it is handed, and what it hands on.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -20,8 +19,8 @@ struct FragmentText {
     std::string functions;
     std::vector<std::string> statements;  ///< of the entry point, before it hands values on
     std::vector<Named> values;            ///< that these give names to
-    /// Of each pass the targets, of each target its components; "" where there is none.
-    std::vector<std::vector<std::array<std::string, 4>>> passes;
+    /// Of each pass the targets, of each target what its four components are made of, in order.
+    std::vector<std::vector<std::vector<std::string>>> passes;
     std::string depth, discard;  ///< depth to write, and when not to; empty: none
     std::string lod_map;         ///< map whose level of detail is asked for; empty: none
 };
@@ -84,7 +83,7 @@ std::unique_ptr<EntryPoint> find_entry_point(std::string_view language, const Di
 /// A statement of a body, in lines to read.
 std::string statement(const std::string& text);
 
-/// `float4(x, 0.0, ...)`: a target's components, 0 where there is none.
-std::string target_value(const std::string& type, const std::array<std::string, 4>& parts);
+/// `float4(x, 0.0, ...)`: what a target's four components are made of.
+std::string target_value(const std::string& type, const std::vector<std::string>& parts);
 
 }  // namespace quadrel::recorded

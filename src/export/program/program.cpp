@@ -1,8 +1,10 @@
 #include "export/program/program.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <set>
+#include <span>
 
 #include "export/print/wrapped_line.hpp"
 #include "export/program/entry_point.hpp"
@@ -36,7 +38,7 @@ Component component_of(const ProgramChannel& channel) {
 std::string expression_of(const ProgramChannel& channel, const Dialect& dialect) {
     switch (channel.kind) {
         case Kind::none:
-            return "";
+            return "0.0";
         case Kind::coverage:
             return "1.0";
         case Kind::z:
@@ -86,16 +88,42 @@ ValueTypes wanted_values(const ProgramRequest& request) {
     return wanted;
 }
 
-std::vector<std::vector<std::array<std::string, 4>>> targets_of(const ProgramRequest& request,
-                                                                const Dialect& dialect) {
-    std::vector<std::vector<std::array<std::string, 4>>> passes;
+/// How many channels, from the first of these on, are a whole vector; 0: it is none.
+std::size_t components_of_vector(std::span<const ProgramChannel> channels) {
+    if (channels.front().kind != Kind::value) return 0;
+    const Component first = component_of(channels.front());
+    for (const std::size_t n : {2, 3, 4}) {
+        if (first.type != vector_of(static_cast<int>(n)) || n > channels.size()) continue;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (channels[i].kind != Kind::value) return 0;
+            const Component of = component_of(channels[i]);
+            if (of.name != first.name || of.index != static_cast<int>(i)) return 0;
+        }
+        return n;
+    }
+    return 0;
+}
+
+/// What a target's vec4 is made of.
+std::vector<std::string> parts_of(std::span<const ProgramChannel> channels,
+                                  const Dialect& dialect) {
+    std::vector<std::string> parts;
+    while (!channels.empty()) {
+        const std::size_t whole = components_of_vector(channels);
+        parts.push_back(whole > 0 ? component_of(channels.front()).name
+                                  : expression_of(channels.front(), dialect));
+        channels = channels.subspan(std::max<std::size_t>(whole, 1));
+    }
+    return parts;
+}
+
+std::vector<std::vector<std::vector<std::string>>> targets_of(const ProgramRequest& request,
+                                                              const Dialect& dialect) {
+    std::vector<std::vector<std::vector<std::string>>> passes;
     for (int p = 0; p < request.pass_count; ++p) {
         auto& pass = passes.emplace_back();
-        for (int t = 0; t < request.passes[p].target_count; ++t) {
-            auto& target = pass.emplace_back();
-            for (std::size_t c = 0; c < 4; ++c)
-                target[c] = expression_of(request.passes[p].channels[t][c], dialect);
-        }
+        for (int t = 0; t < request.passes[p].target_count; ++t)
+            pass.push_back(parts_of(request.passes[p].channels[t], dialect));
     }
     return passes;
 }

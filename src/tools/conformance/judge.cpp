@@ -120,9 +120,9 @@ class Judge {
         departed.insert(pixels.begin(), pixels.end());
         if (!pixels.empty() && group.kind > GroupKind::hit) take_undefined(pixels, report);
         if (!pixels.empty()) take_perturbed(group, pixels, report);
-        if (!pixels.empty()) take_legal(group, pixels, report);
         if (!pixels.empty() && group.kind == GroupKind::geometry)
             take_other_object(group, pixels, report);
+        if (!pixels.empty()) take_legal(group, pixels, report);
         if (!pixels.empty() && options_.implicit_in_loops) take_divergent(group, pixels, report);
         if (!pixels.empty()) take_redrawn(group, pixels, report);
         give_up(group, pixels, report);

@@ -29,6 +29,7 @@
 #include "gl/context/context.hpp"
 #include "gl/context/renderer_choice.hpp"
 #include "gl/scene/draw_scene.hpp"
+#include "gl/scene/objects.hpp"
 #include "quadrel/error.hpp"
 #include "run_tool.hpp"
 #include "text/printable.hpp"
@@ -107,6 +108,8 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
          [&] { return gl::draw_scene(with_whole_levels(drawn->scene), {}, programs); }}};
     try {
         report.groups = judge(drawn->source, gl::draw_scene(drawn->scene, {}, programs), options);
+    } catch (const gl::TooLarge& error) {
+        report.refusal = error.what();
     } catch (const std::runtime_error& error) {
         report.failure = error.what();
     }

@@ -40,6 +40,11 @@ std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedError
         }
     for (const double sign : {-1.0, 1.0})
         all.push_back({"texel", 0, 0, 0, 0, 0, sign * errors.texel});
+    for (const double sign : {-1.0, 1.0})
+        for (std::size_t axis = 0; group == GroupKind::shadow && axis < 3; ++axis) {
+            all.push_back({"normal"});
+            all.back().tilt[axis] = sign * errors.normal;
+        }
     return all;
 }
 
@@ -52,6 +57,8 @@ Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
         scale(film, channel, exp2(perturbation.level));
     for (const char* channel : {"K.U", "K.V"}) scale(film, channel, 1 + perturbation.ray);
     scale(film, "r", 1 + perturbation.rate);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        shift(film, std::string("frame_normal.") + "XYZ"[axis], perturbation.tilt[axis]);
     return film;
 }
 

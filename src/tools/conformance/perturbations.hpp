@@ -4,6 +4,7 @@
 // results.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,10 @@ struct PermittedErrors {
     double height = 0x1p-22;  ///< of hit.s: two ulp of the relief's height, 1
     double weight = 0x1p-9;   ///< of a texel, each axis
     double level = 0x1p-4;
-    double ray = 0x1p-20;    ///< of K, and of r, relative
-    double texel = 0x1p-16;  ///< of a filtered height, relative: `filtered` of data/limits
-    double depth = 0x1p-20;  ///< of a fragment in its window, relative: 16 ulp
+    double ray = 0x1p-20;     ///< of K, and of r, relative
+    double normal = 0x1p-20;  ///< of each component of the frame\'s normal
+    double texel = 0x1p-16;   ///< of a filtered height, relative: `filtered` of data/limits
+    double depth = 0x1p-20;   ///< of a fragment in its window, relative: 16 ulp
 };
 
 /// One way to move what a group's stages are given.
@@ -35,6 +37,7 @@ struct Perturbation {
     double ray = 0;       ///< K grows by this part of it
     double rate = 0;      ///< r grows by this part of it, by which rays bend over curved reliefs
     double texel = 0;     ///< heights grow by this part of them
+    std::array<double, 3> tilt{};  ///< is added to the frame\'s normal, which has lights behind it
 };
 
 /// Those that a group's stages may make; none of groups that look nothing up.

@@ -28,7 +28,7 @@ class Programs {
 /// at the lowest sample that something covers; where samples lie is the implementation's. Pixels
 /// that nothing covers hold what Quadrel's do, where a pass with channel A is drawn. Throws
 /// InputError for a shader that does not compile, with the compiler's message, and
-/// std::runtime_error for what the context lacks.
+/// std::runtime_error for what the context lacks (TooLarge for textures that it does not take).
 Film draw_scene(const ExportedScene& scene, const std::vector<int>& passes = {});
 Film draw_scene(const ExportedScene& scene, const std::vector<int>& passes, Programs& programs);
 

@@ -31,7 +31,28 @@ void upload_level(const ExportedTexture& texture, GLint level) {
                      bytes + static_cast<std::size_t>(face) * a_face);
 }
 
+GLint limit(GLenum name) {
+    GLint most = 0;
+    glGetIntegerv(name, &most);
+    return most;
+}
+
+/// Without it such a texture would be read as black.
+void check_size(const ExportedTexture& texture) {
+    const TextureLevel& finest = texture.levels.front();
+    const GLint side = limit(texture.target == GL_TEXTURE_CUBE_MAP ? GL_MAX_CUBE_MAP_TEXTURE_SIZE
+                                                                   : GL_MAX_TEXTURE_SIZE);
+    const GLint layers =
+        texture.target == GL_TEXTURE_2D_ARRAY ? limit(GL_MAX_ARRAY_TEXTURE_LAYERS) : texture.layers;
+    if (finest.width > side || finest.height > side || texture.layers > layers)
+        throw TooLarge(
+            fmt::format("texture {}: found {}x{}, {} layers, expected at most {} a side "
+                        "and {} layers, which this OpenGL takes",
+                        texture.name, finest.width, finest.height, texture.layers, side, layers));
+}
+
 void upload(const ExportedTexture& texture) {
+    check_size(texture);
     const auto levels = static_cast<GLint>(texture.levels.size());
     for (GLint level = 0; level < levels; ++level) upload_level(texture, level);
     glTexParameteri(texture.target, GL_TEXTURE_MAX_LEVEL, levels - 1);

@@ -3,12 +3,18 @@
 
 #include <epoxy/gl.h>
 
+#include <stdexcept>
 #include <vector>
 
 #include "gl/context/program.hpp"
 #include "gl/scene/manifest.hpp"
 
 namespace quadrel::gl {
+
+/// A texture has more texels a side, or more layers, than the context takes.
+struct TooLarge : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// The vertices and indices of a scene; bound as long as it lives.
 class SceneBuffers {

@@ -1,0 +1,89 @@
+#include "export/print/assignments.hpp"
+
+#include <algorithm>
+
+namespace quadrel::recorded {
+
+using Kind = Node::Kind;
+
+namespace {
+
+/// Whether the text of `node` reads the variable.
+bool touches(const Node* node, const Variable* variable, const Expressions& expressions) {
+    if (expressions.is_named(node)) return false;
+    if (node->kind == Kind::read)
+        return expressions.name_of(node->variable) == expressions.name_of(variable);
+    return std::any_of(node->arguments.begin(), node->arguments.end(), [&](const Node* argument) {
+        return touches(argument, variable, expressions);
+    });
+}
+
+}  // namespace
+
+std::vector<AssignmentGroup> groups_of(const Event& event, const Expressions& expressions) {
+    std::vector<AssignmentGroup> groups;
+    for (const Assignment& of : event.assignments) {
+        const Node& value = *of.value;
+        const std::string name = expressions.name_of(of.variable);
+        const auto is_old = [&](const Node* node) {
+            return node->kind == Kind::read && node->variable == of.variable &&
+                   node->index == of.version - 1 && !expressions.is_named(node);
+        };
+        const bool is_open = !expressions.is_named(&value);
+        const Node* condition = nullptr;
+        std::string assigned;
+        if (is_open && value.kind == Kind::select && is_old(value.arguments[2])) {
+            condition = value.arguments[0];
+            assigned = expressions.text(value.arguments[1], choice_level);
+        } else if (is_open && value.kind == Kind::binary && value.text == "||" &&
+                   is_old(value.arguments[0])) {
+            condition = value.arguments[1];
+            assigned = "true";
+        } else {
+            assigned = expressions.text(&value, choice_level);
+            if (assigned == name) continue;
+        }
+        if (groups.empty() || groups.back().condition != condition)
+            groups.push_back({condition, {}});
+        groups.back().lines.push_back(name + " = " + assigned + ";");
+    }
+    return groups;
+}
+
+bool are_independent(const Event& event, const Expressions& expressions) {
+    for (const Assignment& a : event.assignments)
+        for (const Assignment& b : event.assignments)
+            if (&a != &b && touches(a.value, b.variable, expressions)) return false;
+    return true;
+}
+
+void join_groups(std::vector<AssignmentGroup>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        for (std::size_t j = i + 1; j < groups.size();) {
+            if (groups[j].condition != groups[i].condition) {
+                ++j;
+                continue;
+            }
+            groups[i].lines.insert(groups[i].lines.end(), groups[j].lines.begin(),
+                                   groups[j].lines.end());
+            groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(j));
+        }
+    }
+}
+
+bool leaves_by_group(std::vector<AssignmentGroup>& groups, const Event& leave, const Locals& locals,
+                     const Expressions& expressions) {
+    const Node* const stay = leave.value;
+    if (locals.condition_of(&leave) != nullptr || stay->kind != Kind::unary || stay->text != "!" ||
+        expressions.is_named(stay))
+        return false;
+    const auto found = std::find_if(
+        groups.begin(), groups.end(),
+        [&](const AssignmentGroup& group) { return group.condition == stay->arguments[0]; });
+    if (found == groups.end()) return false;
+    found->lines.emplace_back("break;");
+    std::rotate(found, found + 1, groups.end());
+    return true;
+}
+
+}  // namespace quadrel::recorded
