@@ -36,8 +36,8 @@ class ShellCells {
         static_assert(Io::reads_vertices, "the stage does not declare reads_vertices");
         row_ = load_int<F>(io.call().primitive + io.first_lane()) * Int<F>(floats_a_row);
         // Lanes beyond the last quad have the row of some triangle, of whatever material.
-        const Int<F> cell = integer(offsetof(ShellFace, cell), 0), none(0);
-        row_ = select(io.active() & (cell >= none), cell, none) * Int<F>(floats_a_row);
+        const Int<F> cell = integer(offsetof(ShellFace, cell), 0), zero(0);
+        row_ = select(io.active() & (cell >= zero), cell, zero) * Int<F>(floats_a_row);
     }
 
     void move_to(Mask<F> mask, Int<F> row) {
