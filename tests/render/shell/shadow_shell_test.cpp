@@ -269,14 +269,14 @@ int open_sides(const PlacedCells& placed) {
             const ShellCell& cell = placed.cells[i];
             float depth = 0;
             for (int c = 0; c < 4; ++c) depth += c == k ? 0 : cell.s[c];
-            const std::int32_t next = cell.neighbour[k];
+            const std::int32_t next = cell.link[k];
             EXPECT_EQ(depth == 3, next == ShellCell::below);
             EXPECT_TRUE(depth != 0 || next == ShellCell::outside);
             open += next == ShellCell::outside && depth != 0;
-            if (next < 0) continue;
-            const ShellCell& other = placed.cells[static_cast<std::size_t>(next - 7)];
-            EXPECT_EQ(other.neighbour[cell.back[k]], static_cast<std::int32_t>(i) + 7);
-            EXPECT_EQ(other.back[cell.back[k]], k);
+            if (next < ShellCell::first_link) continue;
+            const std::int32_t row = (next - ShellCell::first_link) / 4, back = next % 4;
+            const ShellCell& other = placed.cells[static_cast<std::size_t>(row - 7)];
+            EXPECT_EQ(other.link[back], ShellCell::link_to(static_cast<std::int32_t>(i) + 7, k));
         }
     return open;
 }
