@@ -260,17 +260,16 @@ void append_cells(const Scene& scene, const std::vector<DrawnTriangle>& triangle
         throw InputError(scene.file.string(), "objects",
                          fmt::format("shells of {} tetrahedra", cells.size()),
                          fmt::format("at most {} with all faces that are drawn", most));
-    const auto moved = [&](std::int32_t row) {
-        return row < 0 ? row : row + static_cast<std::int32_t>(first);
-    };
+    const auto moved = static_cast<std::int32_t>(first);
     for (std::size_t i = 0; i < first; ++i) {
         if (!walks_shell(scene.materials[triangles[i].material])) continue;
         auto face = std::bit_cast<ShellFace>(rows.vertices[i]);
-        face.cell = moved(face.cell);
+        if (face.cell >= 0) face.cell += moved;
         rows.vertices[i] = std::bit_cast<PrimitiveVertices>(face);
     }
     for (ShellCell cell : cells) {
-        for (std::int32_t& neighbour : cell.neighbour) neighbour = moved(neighbour);
+        for (std::int32_t& link : cell.link)
+            if (link >= ShellCell::first_link) link += 4 * moved;
         rows.vertices.push_back(std::bit_cast<PrimitiveVertices>(cell));
     }
 }

@@ -3,13 +3,14 @@
 //
 // Source: C. Dachsbacher, N. Tatarchuk, "Prism Parallax Occlusion Mapping with Accurate Silhouette
 // Generation", I3D 2007, of which neither a listing nor the whole text could be found: there is no
-// row of it as published. As others describe it: entry and exit on the faces of a prism, and a march between both with the
-// direction in texture space taken as constant. Corrects it as J. Hirche et al., "Hardware
-// Accelerated Per-Pixel Displacement Mapping", 2004, do: in a tetrahedron the direction is constant
-// (shell_face.hpp). Steps are as long in all of them, 1 / steps of the shell's depth in the world
-// and at most `most`; a tetrahedron has one at least. Where a ray enters is tested, too, and so is
-// where it leaves. Misses what is thinner than a step. Exact where heights are linear between two
-// samples; a ray that meets nothing is a miss, CLIP, but at the shell's bottom.
+// row of it as published. As others describe it: entry and exit on the faces of a prism, and a
+// march between both with the direction in texture space taken as constant. Corrects it as J.
+// Hirche et al., "Hardware Accelerated Per-Pixel Displacement Mapping", 2004, do: in a tetrahedron
+// the direction is constant (shell_face.hpp). Steps are as long in all of them, 1 / steps of the
+// shell's depth in the world and at most `most`; a tetrahedron has one at least. Where a ray enters
+// is tested, too, and so is where it leaves. Misses what is thinner than a step. Exact where
+// heights are linear between two samples; a ray that meets nothing is a miss, CLIP, but at the
+// shell's bottom.
 #pragma once
 
 #include "quadrel/relief/shell/prism_march.hpp"

@@ -60,8 +60,7 @@ struct ShadowShell : StageDefaults {
         Cells(const ShellPart<F>& part, const SampledTexture& map, Mask<F> lanes)
             : Cells(part, map, cell_grid(map.view.width[0], map.view.height[0], map.sampler),
                     lanes) {}
-        Cells(const ShellPart<F>& part, const SampledTexture& map, const Grid& cells,
-              Mask<F> lanes)
+        Cells(const ShellPart<F>& part, const SampledTexture& map, const Grid& cells, Mask<F> lanes)
             : CellSearch<F>(make_cell_ray(search_ray_of(part, lanes), map, cells, 0.5f), lanes),
               grid(cells),
               height(part.height_at(F(0))),

@@ -11,19 +11,27 @@ namespace quadrel {
 /// A tetrahedron, in the place of the PrimitiveVertices of a triangle of the mesh. Eye space and
 /// world units.
 struct ShellCell {
-    /// What lies behind a face, in the place of a tetrahedron's row.
-    static constexpr std::int32_t outside = -1;  ///< the shell's top, or an open border
-    static constexpr std::int32_t below = -2;    ///< the shell's bottom
+    /// What lies behind a face.
+    static constexpr std::int32_t outside = 0;  ///< the shell's top, or an open border
+    static constexpr std::int32_t below = 1;    ///< the shell's bottom
+    static constexpr std::int32_t first_link = 4;
+    /// A tetrahedron by its row, met by the face opposite of its corner `back`.
+    static constexpr std::int32_t link_to(std::int32_t row, std::int32_t back) {
+        return first_link + 4 * row + back;
+    }
 
-    float origin[3];            ///< of the corner 0
-    float gradient[4][3];       ///< of the barycentric coordinates of the corners
-    float uv[4][2];             ///< at the corners
-    float s[4];                 ///< depth below the shell's top there
-    std::int32_t neighbour[4];  ///< row behind the face opposite of each corner
-    std::int32_t back[4];       ///< which corner of the neighbour lies opposite of that face
-    float unused[45];
+    float origin[3];       ///< of the corner 0
+    float gradient[4][3];  ///< of the barycentric coordinates of the corners
+    float uv[4][2];        ///< at the corners
+    float s[4];            ///< depth below the shell's top there
+    float unused[48];
+    std::int32_t link[4];  ///< what lies behind the face opposite of each corner
+    float unused_too;
 };
 static_assert(sizeof(ShellCell) == sizeof(PrimitiveVertices), "rows of one array");
+// Rows of triangles, taken for tetrahedra, lead nowhere.
+static_assert(offsetof(ShellCell, link) >= offsetof(PrimitiveVertices, unused));
+static_assert(offsetof(ShellFace, cell) >= offsetof(PrimitiveVertices, unused));
 
 /// One tetrahedron a lane.
 template <Number F>
@@ -36,12 +44,16 @@ class ShellCells {
         static_assert(Io::reads_vertices, "the stage does not declare reads_vertices");
         row_ = load_int<F>(io.call().primitive + io.first_lane()) * Int<F>(floats_a_row);
         // Lanes beyond the last quad have the row of some triangle, of whatever material.
-        const Int<F> cell = integer(offsetof(ShellFace, cell), 0), none(0);
-        row_ = select(io.active() & (cell >= none), cell, none) * Int<F>(floats_a_row);
+        const Int<F> cell = integer(offsetof(ShellFace, cell), 0), zero(0);
+        row_ = select(io.active() & (cell >= zero), cell, zero) * Int<F>(floats_a_row);
     }
 
-    void move_to(Mask<F> mask, Int<F> row) {
+    /// On to what a link leads to, which is a tetrahedron where `mask`; returns its corner `back`.
+    Int<F> follow(Mask<F> mask, Int<F> link) {
+        const Int<F> place = select(mask, link - Int<F>(ShellCell::first_link), Int<F>(0));
+        const Int<F> row = shift_right<2>(place);
         row_ = select(mask, row * Int<F>(floats_a_row), row_);
+        return place - row * Int<F>(4);
     }
 
     vec3<F> origin() const { return vector(offsetof(ShellCell, origin), 0); }
@@ -51,8 +63,7 @@ class ShellCells {
                 number(offsetof(ShellCell, uv), 2 * corner + 1)};
     }
     F s(int corner) const { return number(offsetof(ShellCell, s), corner); }
-    Int<F> neighbour(int corner) const { return integer(offsetof(ShellCell, neighbour), corner); }
-    Int<F> back(int corner) const { return integer(offsetof(ShellCell, back), corner); }
+    Int<F> link(int corner) const { return integer(offsetof(ShellCell, link), corner); }
 
   private:
     static constexpr std::int32_t floats_a_row = sizeof(ShellCell) / sizeof(float);

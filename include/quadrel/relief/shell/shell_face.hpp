@@ -38,8 +38,8 @@ struct ShellFace {
     float s_gradient[3];   ///< gradient of s
     float to_floor;        ///< which of the face's corners lies opposite of the bottom; -1: none
     float snap;            ///< pixels from one place of the window's lattice to the next
-    std::int32_t cell;     ///< row of its tetrahedron (shell_cell.hpp); -1 where nothing reads it
     float unused[47];
+    std::int32_t cell;  ///< row of its tetrahedron (shell_cell.hpp); -1 where nothing reads it
 };
 static_assert(sizeof(ShellFace) == sizeof(PrimitiveVertices), "rows of one array");
 

@@ -18,12 +18,12 @@ inline constexpr int most_shell_cells = 65536;
 /// The part of a ray in one tetrahedron.
 template <Number F>
 struct ShellPart {
-    F length;                ///< world units until it leaves
-    vec2<F> uv, uv_rate;     ///< where the ray is, and a world unit on
-    F s, s_rate;             ///< depth below the shell's top, likewise
-    Int<F> neighbour, back;  ///< where it leaves to
-    F error;                 ///< of s, at most, where the ray is
-    vec2<F> uv_error;        ///< likewise
+    F length;             ///< world units until it leaves
+    vec2<F> uv, uv_rate;  ///< where the ray is, and a world unit on
+    F s, s_rate;          ///< depth below the shell's top, likewise
+    Int<F> link;          ///< where it leaves to
+    F error;              ///< of s, at most, where the ray is
+    vec2<F> uv_error;     ///< likewise
 
     vec2<F> uv_at(F along) const { return uv + uv_rate * along; }
     F height_at(F along) const { return (F(1) - s) - s_rate * along; }
@@ -51,8 +51,7 @@ class ShellWalk {
         const F never(std::numeric_limits<Scalar<F>>::infinity()), zero(0);
         ShellPart<F> part;
         part.length = never;
-        part.neighbour = Int<F>(ShellCell::outside);
-        part.back = Int<F>(-1);
+        part.link = Int<F>(ShellCell::outside);
         const vec2<F> uv = cells_.uv(0);
         const F s = cells_.s(0);
         part.uv = uv;
@@ -71,8 +70,7 @@ class ShellWalk {
             const F leaves = select(ahead, max(weight, zero) / -rate, never);
             const Mask<F> first = leaves < part.length;
             part.length = select(first, leaves, part.length);
-            part.neighbour = select(first, cells_.neighbour(k), part.neighbour);
-            part.back = select(first, cells_.back(k), part.back);
+            part.link = select(first, cells_.link(k), part.link);
             if (k == 0) continue;
             const vec2<F> du = cells_.uv(k) - uv;
             const F ds = cells_.s(k) - s;
@@ -114,12 +112,11 @@ class ShellWalk {
     /// On to the next tetrahedron, where `mask`, or out.
     void cross_over(Mask<F> mask, const ShellPart<F>& part) {
         const Mask<F> crosses = mask & active;
-        darken(crosses & (part.neighbour == Int<F>(ShellCell::below)));
-        active = active & !(crosses & (part.neighbour == Int<F>(ShellCell::outside)));
+        darken(crosses & (part.link == Int<F>(ShellCell::below)));
+        active = active & !(crosses & (part.link == Int<F>(ShellCell::outside)));
         const Mask<F> on = crosses & active;
         travelled = select(on, travelled + part.length, travelled);
-        entered_ = select(on, part.back, entered_);
-        cells_.move_to(on, part.neighbour);
+        entered_ = select(on, cells_.follow(on, part.link), entered_);
     }
 
     /// Stores visibility: 0 also behind a surface without relief.

@@ -51,8 +51,7 @@ std::vector<ShellCell> shell_cells(const Shell& shell, const Mesh& mesh, std::in
                     face.corner[to++] = shell.place_of(tetrahedron[i]);
                 }
                 ShellCell& cell = cells.back();
-                cell.neighbour[k] = bottom ? ShellCell::below : ShellCell::outside;
-                cell.back[k] = -1;
+                cell.link[k] = bottom ? ShellCell::below : ShellCell::outside;
                 std::sort(face.corner.begin(), face.corner.end());
                 if (has_volume && !bottom) faces.push_back(face);
             }
@@ -63,8 +62,7 @@ std::vector<ShellCell> shell_cells(const Shell& shell, const Mesh& mesh, std::in
         if (a.corner != b.corner) continue;
         const auto link = [&](const CellFace& from, const CellFace& to) {
             ShellCell& cell = cells[static_cast<std::size_t>(from.cell)];
-            cell.neighbour[from.opposite] = first + to.cell;
-            cell.back[from.opposite] = to.opposite;
+            cell.link[from.opposite] = ShellCell::link_to(first + to.cell, to.opposite);
         };
         link(a, b);
         link(b, a);
