@@ -9,6 +9,7 @@
 #include "quadrel/relief/shadow/light_ray.hpp"
 #include "render/draw/shell.hpp"
 #include "render/registry/added_stages.hpp"
+#include "render/registry/judged_search.hpp"
 
 namespace quadrel {
 namespace {
@@ -156,8 +157,7 @@ std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& materi
     if (draws_shell(material)) return std::nullopt;  // the judge knows polygons
     const std::vector<PlannedStage> stages = material_stages(scene, material);
     const PlannedStage& trace = *stage_of_room(stages, "trace");
-    // The judge knows heights, and straight rays that end on them.
-    if (reads_slot(trace, TextureSlot::layers) || trace.info->may_miss) return std::nullopt;
+    if (!is_judged(*trace.info)) return std::nullopt;
     const std::string own = trace.info->text.id;
     const std::string judge = stores(trace, Value::oracle_s)              ? own
                               : reads_slot(trace, TextureSlot::texel_max) ? "oracle-block"

@@ -14,7 +14,7 @@ void require_judged(const ErrorSummary& summary, const Scene& scene) {
     const char* const found = summary.covered == 0 ? "nothing to judge: no pixel is covered"
                               : !has_map ? "nothing to judge: no material has a height map"
                                          : "nothing to judge: no covered pixel has a height map, a "
-                                           "frame and a straight ray that cannot pass it";
+                                           "frame and a straight ray";
     throw InputError(scene.file.string(), "", found, "objects in view whose heights are a map");
 }
 
