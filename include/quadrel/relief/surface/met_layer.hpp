@@ -43,6 +43,15 @@ struct MetLayer {
 /// What the normal of a met layer is made of.
 inline constexpr auto met_layer_inputs = values_and(relief_normal_inputs, Value::hit_s);
 
+/// Takes what is nearer of a slot's map, if there is one.
+template <TextureSlot slot, class Io, class F>
+void look_at_slot(const Io& io, MetLayer<F>& met) {
+    const SampledTexture* const map = io.template texture<slot>();
+    if (map == nullptr) return;
+    met.look_at(*map, io.template context<slot>(), io.template load<Value::hit_uv>(),
+                io.template load<Value::hit_s>());
+}
+
 /// Stores the normal of the nearest layer of the maps in these slots; one without a map has none.
 template <TextureSlot... layers, class Io>
 void store_met_normal(Io& io) {
@@ -52,13 +61,7 @@ void store_met_normal(Io& io) {
     vec3<F> n(F(0));
     if (when(deep)) {
         MetLayer<F> met;
-        const auto look_at = [&]<TextureSlot slot>() {
-            const SampledTexture* const map = io.template texture<slot>();
-            if (map == nullptr) return;
-            met.look_at(*map, io.template context<slot>(), io.template load<Value::hit_uv>(),
-                        io.template load<Value::hit_s>());
-        };
-        (look_at.template operator()<layers>(), ...);
+        (look_at_slot<layers>(io, met), ...);
         const vec3<F> up = relief_normal<Io, F>(io, -met.slope, depth);
         n = select(deep, select(met.is_back, -up, up), n);
     }
