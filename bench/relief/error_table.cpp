@@ -1,6 +1,6 @@
 // quadrel-relief-errors [ROW]...: how late and how early searches are on the bilinear field, and
 // what they cost, as a Markdown table. A ROW is an id and parameters: "linear steps=32". Without
-// rows, a choice of all classes.
+// rows, a choice of all classes; --tables: tables by direction; --curved: see curved_table.hpp.
 //
 // 4000 random rays a figure, in double, over maps of 128 x 128 texels that repeat, a tenth of a
 // tile deep, at 45, 70 and 85 degrees, level 0, against texel-exact. "Late" and "early": further
@@ -9,18 +9,15 @@
 
 #include <cmath>
 #include <exception>
-#include <functional>
 
 #include "quadrel/error.hpp"
-#include "quadrel/num/math.hpp"
-#include "relief/fragments.hpp"
+#include "relief/curved_table.hpp"
+#include "relief/error_maps.hpp"
 
 namespace quadrel::bench {
 namespace {
 
-constexpr int texels = 128, rays = 4000;
-constexpr double depth = 0.1;
-constexpr int angles[] = {45, 70, 85};
+constexpr int rays = 4000;
 
 const std::vector<std::string> standard_rows{
     "linear steps=32",
@@ -59,74 +56,6 @@ const std::vector<std::string> table_rows{
     "vdm bake.columns=64 bake.directions=33 bake.curvatures=1",
 };
 
-/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), in [0, 1).
-double random(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
-/// A lattice of random values that repeats, `cells` a side, bilinear between them.
-double value_noise(int x, int y, int cells) {
-    const auto lattice = [cells](int i, int j) {
-        std::uint64_t state =
-            static_cast<std::uint64_t>((cells * 1024 + j % cells) * 1024 + i % cells);
-        return random(state);
-    };
-    const double px = double(x) * cells / texels, py = double(y) * cells / texels;
-    const int i = static_cast<int>(px), j = static_cast<int>(py);
-    const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
-    const double f = smooth(px - i), g = smooth(py - j);
-    return (lattice(i, j) * (1 - f) + lattice(i + 1, j) * f) * (1 - g) +
-           (lattice(i, j + 1) * (1 - f) + lattice(i + 1, j + 1) * f) * g;
-}
-
-double fractal(int x, int y) {
-    double sum = 0, weight = 0.5;
-    for (int cells = 4; cells <= 64; cells *= 2, weight /= 2)
-        sum += weight * value_noise(x, y, cells);
-    return sum / 0.96875;
-}
-
-struct NamedMap {
-    const char* name;
-    std::function<double(int x, int y)> height;
-};
-
-const std::vector<NamedMap>& maps() {
-    static std::uint64_t state = 1;
-    static const std::vector<NamedMap> all{
-        {"fractal", fractal},
-        {"spikes", [](int, int) { return random(state) < 1.0 / 128 ? 1.0 : 0.0; }},
-        {"walls", [](int x, int y) { return x % 16 == 0 || y % 16 == 0 ? 1.0 : 0.0; }},
-        {"checker", [](int x, int y) { return (x / 8 + y / 8) % 2 == 0 ? 1.0 : 0.0; }},
-    };
-    return all;
-}
-
-std::shared_ptr<const Texture> make_map(const NamedMap& map) {
-    Image image;
-    image.width = image.height = texels;
-    image.channels = 1;
-    for (int y = 0; y < texels; ++y)
-        for (int x = 0; x < texels; ++x)
-            image.values.push_back(static_cast<float>(map.height(x, y)));
-    TextureOptions options;
-    options.mip_rule = MipRule::none;
-    return make_texture(image, options);
-}
-
-void set_rays(Fragments& fragments, double degrees) {
-    std::uint64_t state = 7;
-    const double theta = degrees * 0.017453292519943295, kappa = depth * sin(theta) / cos(theta);
-    for (int lane = 0; lane < fragments.count(); ++lane) {
-        const double azimuth = 6.283185307179586 * random(state);
-        const double u = random(state), v = random(state);
-        fragments.set_ray(lane, u, v, kappa * cos(azimuth), kappa * sin(azimuth), cos(theta));
-    }
-}
-
 /// Per cent late and early, mean distance in texels, look-ups a ray, memory of baked maps where the
 /// row says how they are baked.
 struct Figures {
@@ -147,11 +76,6 @@ Figures measure(Fragments& fragments, const Row& row, const std::vector<double>&
     }
     return {100 * sum.late / rays, 100 * sum.early / rays, sum.distance / rays, sum.fetches / rays,
             row.baking.empty() ? 0 : fragments.baked_mebibytes()};
-}
-
-std::string number(double x) {
-    if (x < 0.005) return "0";
-    return x < 99.5 ? fmt::format("{:.2g}", x) : fmt::format("{:.0f}", x);
 }
 
 /// One cell of the table: a figure at all angles.
@@ -184,17 +108,13 @@ void print_row(const std::string& name, const std::vector<std::vector<Figures>>&
 }
 
 void print_table(const std::vector<Row>& rows) {
-    fmt::print("| search | |");
-    for (const NamedMap& map : maps()) fmt::print(" {} |", map.name);
-    fmt::print("\n|---|---|");
-    for (std::size_t i = 0; i < maps().size(); ++i) fmt::print("---|");
-    fmt::print("\n");
+    print_head("search");
     std::vector<std::vector<std::vector<Figures>>> all(rows.size());
     SamplerState sampler;
     sampler.mip = MipFilter::none;
     const Row exact("texel-exact");
-    for (const NamedMap& map : maps()) {
-        const auto texture = make_map(map);
+    for (const NamedMap& map : error_maps()) {
+        const auto texture = make_error_map(map);
         Fragments fragments(rays, depth);
         fragments.bind(*texture, sampler);
         for (auto& row : all) row.emplace_back();
@@ -219,6 +139,10 @@ int main(int argc, char** argv) {
     try {
         std::vector<std::string> texts(argv + 1, argv + argc);
         if (texts.empty()) texts = bench::standard_rows;
+        if (texts == std::vector<std::string>{"--curved"}) {
+            bench::print_curved_table();
+            return 0;
+        }
         if (texts == std::vector<std::string>{"--tables"}) texts = bench::table_rows;
         std::vector<bench::Row> rows;
         for (const std::string& text : texts) rows.emplace_back(text);

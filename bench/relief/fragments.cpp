@@ -74,6 +74,17 @@ void Fragments::set_ray(int lane, double u, double v, double Ku, double Kv, doub
     set(Value::P, 2, -1);
 }
 
+void Fragments::curve_base(double curvature) {
+    constexpr double pixel = 0.01;  // tiles
+    for (int lane = 0; lane < count_; ++lane) {
+        const auto i = static_cast<std::size_t>(lane);
+        reals_[slot(Value::dPdx, 0)][i] = reals_[slot(Value::dPdy, 1)][i] = pixel;
+        reals_[slot(Value::dUVdx, 0)][i] = reals_[slot(Value::dUVdy, 1)][i] = pixel;
+        reals_[slot(Value::frame_normal, 0)][i] = lane % 2 * pixel * curvature;
+        reals_[slot(Value::frame_normal, 1)][i] = lane / 2 % 2 * pixel * curvature;
+    }
+}
+
 void Fragments::bind(const Texture& height, const SamplerState& sampler) {
     height_ = &height;
     baked_ = {};

@@ -31,6 +31,8 @@ class Fragments {
     Fragments(int count, double depth);
 
     void set_ray(int lane, double u, double v, double Ku, double Kv, double cosine);
+    /// Bends the base: `curvature` in 1 / tile, the same along every direction.
+    void curve_base(double curvature);
     /// The height map, from which the maps that a row reads are baked. Must outlive the runs.
     void bind(const Texture& height, const SamplerState& sampler);
     void run(const Row& row);

@@ -143,6 +143,20 @@ ExitCode run_layers(const BakeArguments& arguments) {
     return bake_layers(layers);
 }
 
+/// Tables by direction grow with each of their dimensions: what one takes.
+void say_memory(BakeKind kind, const Texture& map) {
+    if (kind != BakeKind::ddm && kind != BakeKind::gdm && kind != BakeKind::vdm) return;
+    const TextureView& view = map.view();
+    double texels = 0;
+    for (int level = 0; level < view.levels; ++level)
+        texels += static_cast<double>(view.width[level]) * view.height[level] * view.faces;
+    const int directions = view.width[0] / view.width[1];
+    tell(fmt::format("quadrel: {} x {} columns, {} {}, {} x {} directions: {:.2g} MiB of memory",
+                     view.width[1], view.height[1], view.faces,
+                     kind == BakeKind::vdm ? "curvatures" : "slices", directions, directions,
+                     texels * sizeof(float) / (1 << 20)));
+}
+
 ExitCode run_bake(const BakeArguments& arguments) {
     if (arguments.kind == depth_layers_kind) return run_layers(arguments);
     if (!arguments.layers.mesh.empty())
@@ -170,6 +184,7 @@ ExitCode run_bake(const BakeArguments& arguments) {
     outputs.commit();
     for (const std::string& output : {arguments.output, arguments.packed})
         if (!output.empty()) say_written(output);
+    say_memory(kind, *map);
     return ExitCode::ok;
 }
 

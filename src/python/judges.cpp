@@ -4,7 +4,7 @@
 #include <cmath>
 #include <variant>
 
-#include "film/compare/tolerances.hpp"
+#include "film/compare/compared_images.hpp"
 #include "film/legal/judge_images.hpp"
 #include "film/legal/ranged_channels.hpp"
 #include "python/bindings.hpp"
@@ -29,12 +29,6 @@ struct Comparison {
     std::string encode = "none";
 };
 
-struct Images {
-    ComparableImage reference, test;
-    CompareRules rules;
-    Preparation preparation;
-};
-
 ComparableImage image_of(const ImageSource& source) {
     if (const auto* file = std::get_if<std::string>(&source)) return read_comparable(*file);
     const NamedFilm& named = *std::get<std::shared_ptr<NamedFilm>>(source);
@@ -47,7 +41,7 @@ ComparableImage image_of(const ImageSource& source) {
     return image;
 }
 
-void keep_region(const Comparison& comparison, Images& images) {
+void keep_region(const Comparison& comparison, ComparedImages& images) {
     Film &reference = images.reference.film, &test = images.test.film;
     std::optional<Window> kept;
     if (comparison.overlap) kept = intersection(reference.window, test.window);
@@ -64,9 +58,9 @@ void keep_region(const Comparison& comparison, Images& images) {
     images.preparation.window = kept;
 }
 
-Images read_images(const ImageSource& reference, const ImageSource& test,
-                   const Comparison& comparison) {
-    Images images{image_of(reference), image_of(test), {}, {}};
+ComparedImages read_images(const ImageSource& reference, const ImageSource& test,
+                           const Comparison& comparison) {
+    ComparedImages images{image_of(reference), image_of(test), {}, {}};
     if (comparison.flip_y) flip_y(images.test.film);
     std::vector<ChannelMapping> mappings;
     for (const auto& [of_reference, of_test] : comparison.mappings)
@@ -79,8 +73,6 @@ Images read_images(const ImageSource& reference, const ImageSource& test,
     Preparation& preparation = images.preparation;
     preparation.reference_file = images.reference.file.string();
     preparation.test_file = images.test.file.string();
-    preparation.reference_storage = storage_text(images.reference);
-    preparation.test_storage = storage_text(images.test);
     preparation.flip_y = comparison.flip_y;
     const auto encoding = parse_encoding(comparison.encode);
     if (!encoding)
@@ -111,25 +103,14 @@ ToleranceRule rule_of(const std::string& kind, const std::string& channel, doubl
     return rule(&Tolerance::fraction);
 }
 
-void prepare(const Comparison& comparison, Images& images) {
-    Film &reference = images.reference.film, &test = images.test.film;
+void prepare(const Comparison& comparison, ComparedImages& images) {
     std::vector<ToleranceRule> rules;
     for (const auto& [kind, channel, value] : comparison.tolerances)
         rules.push_back(rule_of(kind, channel, value));
-    std::vector<bool> left_out = std::move(images.rules.left_out);
-    images.rules = match_tolerances(rules, reference, test);
-    images.rules.left_out = std::move(left_out);
-    if (!comparison.channels.empty())
-        keep_channels("channels", comparison.channels, reference, test);
-    images.preparation.by_value = compare_by_value(reference, test);
-    // They stay integers in what is allowed: no tolerance for all channels is for them.
-    for (const std::string& name : images.preparation.by_value)
-        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
-    images.rules.encodings =
-        encode_both(images.reference, images.test, images.preparation.encoding);
+    prepare_comparison(rules, "channels", comparison.channels, images);
 }
 
-void blame_stage(const Scene& scene, const Images& images, CompareReport& report) {
+void blame_stage(const Scene& scene, const ComparedImages& images, CompareReport& report) {
     const Film &reference = images.reference.film, &test = images.test.film;
     report.blame = find_blame(reference, test, images.rules, report);
     if (!report.blame) return;
@@ -152,7 +133,7 @@ py::tuple compare_images(const ImageSource& reference, const ImageSource& test,
     CompareReport report;
     {
         const Unlocked unlocked;
-        Images images = read_images(reference, test, comparison);
+        ComparedImages images = read_images(reference, test, comparison);
         prepare(comparison, images);
         report = compare(images.reference.film, images.test.film, images.rules);
         if (blamed) blame_stage(*blamed, images, report);
@@ -167,7 +148,7 @@ py::tuple judge_images(const ImageSource& reference, const ImageSource& test,
     LegalReport report;
     {
         const Unlocked unlocked;
-        Images images = read_images(reference, test, comparison);
+        ComparedImages images = read_images(reference, test, comparison);
         if (!comparison.channels.empty())
             keep_ranged_channels("channels", comparison.channels, images.reference.film,
                                  images.test.film);
@@ -175,6 +156,8 @@ py::tuple judge_images(const ImageSource& reference, const ImageSource& test,
         rules.left_out = std::move(images.rules.left_out);
         report =
             judge_images(images.reference, images.test, rules, images.preparation.encoding).report;
+        images.preparation.reference_storage = storage_text(images.reference);
+        images.preparation.test_storage = storage_text(images.test);
         report.preparation = images.preparation;
     }
     return told(report, report.passes());

@@ -172,6 +172,26 @@ TEST(Bake, PacksForOtherPrograms) {
     EXPECT_EQ(map.cones->view().width[0], load_heights()->view().width[0]);
 }
 
+/// What a table by direction takes is said when it is made, and why one that is not made is not.
+TEST(Bake, SaysTheMemoryOfTablesByDirection) {
+    const TemporaryFolder folder;
+    const CacheFolder cache;
+    const auto bake_table = [&](const char* slices, const char* kind) {
+        return run({"bake", heights, "--kind", kind, "--param", "columns=8", "--param",
+                    "directions=32", "--param", slices, "-o", (folder / "t.exr").string()});
+    };
+    // 8 x 8 columns, 16 slices, 32 x 32 directions: 2^20 floats, and a little.
+    const Outcome made = bake_table("slices=16", "ddm");
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("8 x 8 columns, 16 slices, 32 x 32 directions: 4 MiB"),
+              std::string::npos)
+        << made.err;
+    EXPECT_EQ(
+        run({"bake", heights, "--kind", "max-mip", "--no-cache", "-o", (folder / "m.exr").string()})
+            .err.find("MiB"),
+        std::string::npos);
+}
+
 /// A tetrahedron, in OBJ; without its last face it is open.
 std::string tetrahedron(bool closed) {
     std::string text = "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";

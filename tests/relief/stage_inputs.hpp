@@ -36,8 +36,7 @@ class MadeInputs {
 
     void bind(TextureSlot slot) {
         Map& map = maps[static_cast<std::size_t>(slot)];
-        if (source_of(slot) == slot && slot >= TextureSlot::layers &&
-            slot <= TextureSlot::layers_3) {
+        if (is_layers(slot)) {
             map = random_layers();
         } else if (slot == TextureSlot::layer_normals_x || slot == TextureSlot::layer_normals_y) {
             // Of a sequence of their own: the others' inputs stay what they were.

@@ -53,6 +53,11 @@ enum class TextureSlot : std::int32_t {
 /// Slots from this one on hold baked maps; `prewarp` one that is made for a view.
 inline constexpr auto first_baked_slot = TextureSlot::max_mip;
 
+/// Whether a slot holds depth layers.
+constexpr bool is_layers(TextureSlot slot) {
+    return slot >= TextureSlot::layers && slot <= TextureSlot::layers_3;
+}
+
 /// What the map of a slot is made of: a slot that scenes name.
 constexpr TextureSlot source_of(TextureSlot slot) {
     if (slot == TextureSlot::layer_bounds) return TextureSlot::layers;

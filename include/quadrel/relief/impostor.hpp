@@ -20,6 +20,7 @@ inline constexpr auto impostor_inputs =
 template <Number F>
 struct ImpostorVolume {
     vec3<F> x, y, z;         ///< unit, along growing u and v, and towards the top of the layers
+    F tile;                  ///< world units of u or v; 0 where there are none
     vec3<F> grad_u, grad_v;  ///< a world unit
     F grad_s;                ///< along -z: 1 / depth; 0 where there is no depth
     vec3<F> from_origin;     ///< the fragment's point on the card, from the object's origin
@@ -45,6 +46,7 @@ ImpostorVolume<F> impostor_volume(const Io& io) {
     volume.valid = density > F(0);
     // The root of the area that a unit of UV covers.
     const F tile = select(volume.valid, scale / sqrt(density), F(0));
+    volume.tile = tile;
     const auto axis = [&](const vec3<F>& v) {
         const F size = largest_component(v);
         volume.valid = volume.valid & (size > F(0));

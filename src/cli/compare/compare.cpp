@@ -145,18 +145,10 @@ ExitCode run_compare_against(const CompareArguments& a) {
 Images prepare(const CompareArguments& arguments) {
     const std::vector<ToleranceRule> tolerances = parse_tolerances(arguments.tolerances);
     Images images = read_images(arguments);
-    ComparableImage &reference = images.reference, &test = images.test;
-    const std::vector<bool> left_out = images.rules.left_out;
-    images.rules = match_tolerances(tolerances, reference.film, test.film);
-    images.rules.left_out = left_out;
-    if (!arguments.channels.empty()) select_channels(arguments.channels, reference.film, test.film);
-    images.preparation.reference_storage = storage_text(reference);
-    images.preparation.test_storage = storage_text(test);
-    images.preparation.by_value = compare_by_value(reference.film, test.film);
-    // They stay integers in what is allowed: no tolerance for all channels is for them.
-    for (const std::string& name : images.preparation.by_value)
-        images.rules.channels[name] = images.rules.tolerance_of(name, ChannelType::uint32);
-    images.rules.encodings = encode_both(reference, test, images.preparation.encoding);
+    const std::vector<std::string> channels = arguments.channels.empty()
+                                                  ? std::vector<std::string>()
+                                                  : parse_list("--channels", arguments.channels);
+    prepare_comparison(tolerances, "--channels", channels, images);
     return images;
 }
 

@@ -1,15 +1,10 @@
 // The two images of compare as they were read.
 #pragma once
 
-#include "quadrel/compare.hpp"
+#include "film/compare/compared_images.hpp"
 
 namespace quadrel::cli {
 
-/// Both images as they are to be compared, and how they became so.
-struct Images {
-    ComparableImage reference, test;
-    Preparation preparation;
-    CompareRules rules;
-};
+using Images = ComparedImages;
 
 }  // namespace quadrel::cli

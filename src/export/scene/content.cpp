@@ -152,10 +152,8 @@ class Collector {
                 fmt::format("export: {}: asks for the sizes of the {}x{} map {}, whose levels are "
                             "rounded up as no GPU's are",
                             material_name, view.width[0], view.height[0], sampler.name));
-        const auto of_slot = static_cast<TextureSlot>(slot);
-        const bool is_layers = of_slot == TextureSlot::layers || of_slot == TextureSlot::layers_2 ||
-                               of_slot == TextureSlot::layers_3;
-        const auto layout = is_layers ? depth_layers_layout : texel_layout;
+        const auto layout =
+            is_layers(static_cast<TextureSlot>(slot)) ? depth_layers_layout : texel_layout;
         if (content_.language == "wgsl" && reads_by_sampler(fragment, sampler.name))
             check_webgpu_sampler(out.state, material_name + ": " + sampler.name);
         out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name,

@@ -223,8 +223,7 @@ std::vector<MaterialTextures> load_textures(const Scene& scene, const std::vecto
         const Need& need = needs[n];
         MaterialTextures& out = textures[need.material];
         const auto i = static_cast<std::size_t>(need.slot);
-        if (need.slot >= TextureSlot::layers && need.slot <= TextureSlot::layers_3 &&
-            need.reference.swizzle.empty())
+        if (is_layers(need.slot) && need.reference.swizzle.empty())
             check_layer_order(scene, need, *loaded[n], cache);
         out.owned[i] =
             need.slot == TextureSlot::prewarp

@@ -5,6 +5,7 @@
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/relief/stages.hpp"
 #include "render/registry/is_listed.hpp"
+#include "render/registry/judged_search.hpp"
 
 namespace quadrel::sweep {
 namespace {
@@ -57,8 +58,8 @@ std::string_view family_of(std::string_view trace) {
 std::vector<std::string> trace_rows(Rows rows) {
     std::vector<std::string> ids;
     for (const StageInfo& stage : all_stages())
-        if (std::string_view(stage.text.room) == "trace" && !stage.may_miss &&
-            family_of(stage.text.id) != "layer" && belongs(stage, rows))
+        if (std::string_view(stage.text.room) == "trace" && is_judged(stage) &&
+            belongs(stage, rows))
             ids.emplace_back(stage.text.id);
     return ids;
 }

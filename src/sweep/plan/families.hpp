@@ -20,8 +20,8 @@ enum class Rows {
     oracles
 };
 
-/// Ids in the registry's order, but for searches of depth layers, and for those that rays may pass:
-/// sweeps have height maps, and a judge of rays that end on them.
+/// Ids in the registry's order, but for searches that the judge of first hits does not know
+/// (render/registry/judged_search.hpp): sweeps have height maps.
 std::vector<std::string> trace_rows(Rows rows);
 
 }  // namespace quadrel::sweep

@@ -7,6 +7,7 @@
 #include <array>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "text/suggest.hpp"
@@ -82,6 +83,27 @@ TEST(SceneKeys, TheReferenceExplainsEachKeyAndNoOther) {
     EXPECT_FALSE(agree(keys_in_code(), added));
     other["camera fov_y"][1] = "60";  // another default
     EXPECT_FALSE(agree(keys_in_code(), other));
+}
+
+/// Whether the words of the fuzzer of scenes have every key.
+testing::AssertionResult has_every_key(const std::string& dictionary) {
+    for (const SceneKey& row : scene_keys()) {
+        const std::string word = "\\\"" + std::string(row.key) + "\\\":";
+        if (dictionary.find("\n\"" + word + "\"\n") == std::string::npos)
+            return testing::AssertionFailure() << "not in the dictionary: " << row.key;
+    }
+    return testing::AssertionSuccess();
+}
+
+TEST(SceneKeys, TheFuzzersDictionaryHasEachKey) {
+    std::ifstream file(QUADREL_DATA_DIR "/../tests/fuzz/scene.dict");
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_TRUE(has_every_key(text.str()));
+    std::string without = text.str();
+    const std::size_t at = without.find("\\\"layers_2\\\":");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_FALSE(has_every_key(without.replace(at, 4, "none")));
 }
 
 TEST(SceneKeys, SectionsBelowExist) {

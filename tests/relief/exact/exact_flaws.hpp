@@ -4,6 +4,7 @@
 #include "quadrel/num/quad.hpp"
 #include "quadrel/relief/trace/exact/max_mip.hpp"
 #include "quadrel/relief/trace/exact/texel_exact.hpp"
+#include "relief/exact/every_cell.hpp"
 #include "relief/exact/exact_search.hpp"
 #include "relief/planted.hpp"
 
@@ -17,13 +18,7 @@ struct LateBorders : TexelExact {
         PatchSearch<Io> search(io);
         for (CellRayAxis<F>* axis : {&search.ray.x, &search.ray.y})
             axis->start = axis->start - sign(axis->rate) * F(0.01f);
-        for (;;) {
-            search.count_step(1, 2);
-            if (!any(search.active)) break;
-            const CellExit<F> exit = search.exit(search.cell());
-            search.test(search.active, exit);
-            search.step(search.active, exit);
-        }
+        search_every_cell(search);
         search.store();
     }
 };
@@ -34,15 +29,10 @@ struct SkippedCorners : TexelExact {
     void operator()(Io& io, const Params&) const {
         using F = typename Io::Number;
         PatchSearch<Io> search(io);
-        for (;;) {
-            search.count_step(1, 2);
-            if (!any(search.active)) break;
-            const CellExit<F> exit = search.exit(search.cell());
-            search.test(search.active, exit);
-            search.step(search.active, exit);
+        search_every_cell(search, [&](const CellExit<F>& exit) {
             const CellExit<F> next = search.exit(search.cell());
             search.step(search.active & (next.s - exit.s < F(0.002f)), next);
-        }
+        });
         search.store();
     }
 };

@@ -1,106 +1,9 @@
 // true-impostor and its frame: rays from all sides at spheres in depth layers, against the spheres
 // themselves; solids by parity, whichever map they are in; what rays pass and where they end.
-#include "relief/layer/layer_maps.hpp"
+#include "relief/layer/impostor_views.hpp"
 
-namespace quadrel::test {
+namespace quadrel::test::impostor {
 namespace {
-
-/// Two spheres along z in a volume of 2 x 2 x 3 units around the origin, and what is nearest along
-/// a ray.
-struct Ball {
-    dvec3 centre;
-    double radius;
-};
-constexpr double tile = 2, thickness = 3;
-const std::vector<Ball>& balls() {
-    static const std::vector<Ball> all{{dvec3(0.1, -0.05, 0.8), 0.6}, {dvec3(0, 0.1, -0.85), 0.5}};
-    return all;
-}
-
-constexpr double never = 1e9;
-/// The least t at which origin + t direction (unit) is in a ball, grown by `more`.
-double meets(const dvec3& origin, const dvec3& direction, double more = 0) {
-    double nearest = never;
-    for (const Ball& ball : balls()) {
-        const dvec3 to = ball.centre - origin;
-        const double along = dot(to, direction), radius = ball.radius + more;
-        const double half = radius * radius - (dot(to, to) - along * along);
-        if (half >= 0) nearest = std::min(nearest, along - std::sqrt(half));
-    }
-    return nearest;
-}
-
-/// Front and back of a ball under a texel, as depths; in its middle where it is not.
-std::array<float, 2> ball_depths(const Ball& ball, double x, double y) {
-    const double aside =
-        (x - ball.centre.x) * (x - ball.centre.x) + (y - ball.centre.y) * (y - ball.centre.y);
-    const double half = std::sqrt(std::max(ball.radius * ball.radius - aside, 0.0));
-    const auto depth = [&](double z) { return static_cast<float>(0.5 - z / thickness); };
-    return {depth(ball.centre.z + half), depth(ball.centre.z - half)};
-}
-
-constexpr int side = 128;
-/// Four depths of every texel; `pairs` are balls, or none (-1): closed at the bottom.
-Map depths_map(const std::array<int, 2>& pairs) {
-    SamplerState sampler = plain_sampler();
-    sampler.wrap_u = sampler.wrap_v = Wrap::clamp_to_edge;
-    return make_map(
-        side, side, 4,
-        [&](int i, int j, int c) {
-            const int ball = pairs[static_cast<std::size_t>(c / 2)];
-            if (ball < 0) return 1.0f;
-            const auto at = [](int k) { return ((k + 0.5) / side - 0.5) * tile; };
-            return ball_depths(balls()[static_cast<std::size_t>(ball)], at(i),
-                               at(j))[static_cast<std::size_t>(c % 2)];
-        },
-        sampler);
-}
-
-struct Maps {
-    Map both = depths_map({0, 1}), first = depths_map({0, -1}), second = depths_map({1, -1}),
-        nothing = depths_map({-1, -1});
-};
-const Maps& maps() {
-    static const Maps all;
-    return all;
-}
-
-/// A view of the volume: an object turned at will, far from the eye or near, and a card through its
-/// origin.
-struct View {
-    dvec3 x, y, z;    ///< the object's axes in eye space, unit
-    dvec3 origin;     ///< the object's
-    double scale;     ///< eye-space units of one of the object's
-    dvec3 right, up;  ///< of the card
-
-    explicit View(Random& random) {
-        z = random_direction(random);
-        x = normalize(cross(z, random_direction(random)));
-        y = cross(z, x);
-        scale = random.uniform(0.3, 3);
-        const dvec3 towards = normalize(random_direction(random) * 0.3 + dvec3(0, 0, -1));
-        origin = towards * (scale * random.uniform(3, 9));
-        right = normalize(cross(towards, dvec3(0.1, 1, 0)));
-        up = cross(right, towards);
-    }
-    /// A point or vector of eye space in the object's.
-    dvec3 in_object(const dvec3& v) const { return dvec3(dot(x, v), dot(y, v), dot(z, v)) / scale; }
-};
-
-void fill_lane(Batch<double>& batch, int lane, const View& view, Random& random) {
-    const double a = random.uniform(-1.7, 1.7), b = random.uniform(-1.7, 1.7);
-    batch.set(Value::P, lane, view.origin + (view.right * a + view.up * b) * view.scale);
-    batch.set(Value::uv, lane, dvec2(a / tile + 0.5, b / tile + 0.5));
-    for (int c = 0; c < 3; ++c) {
-        batch.real(Value::face_J, lane, c) = view.right[c] / (tile * view.scale);
-        batch.real(Value::face_J, lane, 3 + c) = view.up[c] / (tile * view.scale);
-    }
-    // Of a normal matrix.
-    batch.set(Value::object_x, lane, view.x / view.scale);
-    batch.set(Value::object_y, lane, view.y / view.scale);
-    batch.set(Value::object_z, lane, view.z / view.scale);
-    batch.real(Value::relief_depth, lane) = thickness * view.scale;
-}
 
 using Bind = std::function<void(Batch<double>&)>;
 void bind_both(Batch<double>& batch) { batch.bind(TextureSlot::layers, maps().both.sampled); }
@@ -222,22 +125,10 @@ TEST(TrueImpostor, IsNeverEarly) {
         if (batch.integer(Value::hit_status, lane) != static_cast<int>(Status::hit))
             return testing::AssertionSuccess();
         // The hit is inside: an odd number of the bilinear depths there are at or above s.
-        const TextureView& view = maps().both.sampled.view;
-        const auto place = [&](int axis) {
-            return std::clamp(batch.real(Value::hit_uv, lane, axis) * side - 0.5, 0.0,
-                              side - 1.0 - 1e-9);
-        };
-        const int i = static_cast<int>(place(0)), j = static_cast<int>(place(1));
-        const double f = place(0) - i, g = place(1) - j;
+        const dvec2 uv(batch.vector2(Value::hit_uv, lane));
         int passed = 0;
-        for (int c = 0; c < 4; ++c) {
-            const auto texel = [&](int di, int dj) {
-                return double(view.texels[((j + dj) * side + i + di) * 4 + c]);
-            };
-            const double depth = (texel(0, 0) * (1 - f) + texel(1, 0) * f) * (1 - g) +
-                                 (texel(0, 1) * (1 - f) + texel(1, 1) * f) * g;
-            passed += depth <= batch.real(Value::hit_s, lane) + 1e-12;
-        }
+        for (int c = 0; c < 4; ++c)
+            passed += depth_at(maps().both, uv, c) <= batch.real(Value::hit_s, lane) + 1e-12;
         return passed % 2 == 1 ? testing::AssertionSuccess()
                                : testing::AssertionFailure() << "outside";
     }));
@@ -308,4 +199,4 @@ TEST(TrueImpostor, NormalsAreThoseOfTheBalls) {
 }
 
 }  // namespace
-}  // namespace quadrel::test
+}  // namespace quadrel::test::impostor

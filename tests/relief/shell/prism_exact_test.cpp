@@ -5,6 +5,7 @@
 #include "effort.hpp"
 #include "quadrel/num/quad.hpp"
 #include "quadrel/relief/shell/stages.hpp"
+#include "relief/exact/every_cell.hpp"
 #include "relief/shell/prism_run.hpp"
 
 namespace quadrel::test {
@@ -139,15 +140,8 @@ TEST(PrismExact, NothingLeavesThroughTheBottom) {
 struct PrismWalk : PrismExact {
     template <class Io>
     void operator()(Io& io, const Params& params) const {
-        using F = typename Io::Number;
         PrismSearch<Io> search(io, static_cast<PrismSurface>(params.surface));
-        for (;;) {
-            search.count_step(1, 2);
-            if (!any(search.active)) break;
-            const CellExit<F> exit = search.exit(search.cell());
-            search.test(search.active, exit);
-            search.step(search.active, exit);
-        }
+        search_every_cell(search);
         search.store();
     }
 };

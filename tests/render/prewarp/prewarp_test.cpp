@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "quadrel/error.hpp"
+#include "quadrel/errors.hpp"
 #include "render/planted.hpp"
 #include "render/scenes.hpp"
 
@@ -108,6 +109,34 @@ TEST(Prewarp, FragmentsShowTheWarpedImage) {
             EXPECT_NEAR(value(film, "hit.s", x, y), s / weight, 1e-4);
         }
     EXPECT_GT(hits, 50);
+}
+
+/// The mean distance from the true hits, in texels, of pixels that are covered and judged; how many
+/// there are.
+std::pair<double, int> distance_from_the_truth(const Scene& scene) {
+    const Film film = take(render, scene, {"A", "err.search.uv", "err.search.kind"});
+    double sum = 0;
+    int judged = 0;
+    for (int y = 0; y < scene.height; ++y)
+        for (int x = 0; x < scene.width; ++x) {
+            const auto kind = static_cast<ErrorKind>(bits(film, "err.search.kind", x, y));
+            if (value(film, "A", x, y) == 0 || kind == ErrorKind::not_judged) continue;
+            const float texels = value(film, "err.search.uv", x, y);
+            if (!std::isfinite(texels)) continue;
+            sum += texels;
+            ++judged;
+        }
+    return {judged > 0 ? sum / judged : 0, judged};
+}
+
+/// What is covered is judged by the exact search of the same view.
+TEST(Prewarp, IsJudgedByTheTruth) {
+    Scene scene = warped_scene();
+    const auto [warped, judged] = distance_from_the_truth(scene);
+    EXPECT_GT(judged, 100);
+    scene.materials[0].trace.id = "trace-none";
+    const double undisplaced = distance_from_the_truth(scene).first;
+    EXPECT_LT(warped, undisplaced / 3);
 }
 
 }  // namespace

@@ -10,47 +10,10 @@
 // NaN.
 #pragma once
 
+#include "quadrel/relief/shadow/dark_layers.hpp"
 #include "quadrel/relief/shadow/light_cells.hpp"
-#include "quadrel/relief/trace/layer/layer_search.hpp"
 
 namespace quadrel {
-
-/// A light ray's own layer: the one that it starts on.
-template <Number F>
-struct StartLayer {
-    F depth;
-    Mask<F> is_own[4];
-};
-
-/// The layer next to s where the ray starts.
-template <Number F>
-StartLayer<F> start_layer(const CellLayers<F>& cell, const vec2<F>& at, F s) {
-    const Mask<F> no(false);
-    StartLayer<F> start{F(0), {no, no, no, no}};
-    F nearest(std::numeric_limits<Scalar<F>>::infinity());
-    for (int layer = 0; layer < 4; ++layer) {
-        const F depth = patch_height(cell.layer[layer], at), distance = abs(depth - s);
-        const Mask<F> nearer = distance < nearest;
-        for (int other = 0; other < 4; ++other) start.is_own[other] = start.is_own[other] & !nearer;
-        start.is_own[layer] = nearer;
-        start.depth = select(nearer, depth, start.depth);
-        nearest = select(nearer, distance, nearest);
-    }
-    return start;
-}
-
-/// Whether a ray that starts on one side of a solid, where `own` is 0 without its rounding error,
-/// is inside of it in the part.
-template <Number F>
-Mask<F> enters_own_solid(const SolidQuadratics<F>& solid, const PatchQuadratic<F>& own,
-                         const PatchQuadratic<F>& other, F length) {
-    const F again = -own.B / own.A;
-    const Mask<F> returns = (own.A > F(0)) & (again > F(0)) & (again <= length);
-    const Mask<F> at_once = (own.B > F(0)) & (other.C > F(0));
-    const auto across = upward_crossing(solid, other, length);
-    return (length > F(0)) & (at_once | (returns & (solid.thickness(again) > F(0))) |
-                              (across.enters & (across.tau > F(0))));
-}
 
 struct ShadowLayersExact : StageDefaults {
     static constexpr bool runs_on_duals = true;
@@ -93,25 +56,6 @@ struct ShadowLayersExact : StageDefaults {
     }
 
   private:
-    template <Number F>
-    static Mask<F> is_dark(const CellLayers<F>& cell, const PatchRay<F>& part,
-                           const RayDepth<F>& ray, Mask<F> first, const StartLayer<F>& start) {
-        Mask<F> dark(false);
-        for (int layer = 0; layer < 4; layer += 2) {
-            const CellHeights<F>&front = cell.layer[layer], &back = cell.layer[layer + 1];
-            const SolidQuadratics<F> solid = solid_quadratics(front, back, part, ray);
-            const F error = solid_error(front, back, part.slack);
-            const Mask<F> from_front = first & start.is_own[layer];
-            const Mask<F> from_back = first & start.is_own[layer + 1];
-            const Mask<F> inside = enter_solid(inset(solid, error), part.length).hit;
-            const Mask<F> of_front = enters_own_solid(solid, solid.below, solid.above, part.length);
-            const Mask<F> of_back = enters_own_solid(solid, solid.above, solid.below, part.length);
-            const Mask<F> own = (from_front & of_front) | (from_back & of_back);
-            dark = dark | own | (inside & !(from_front | from_back));
-        }
-        return dark;
-    }
-
     template <class Io, class F>
     static void record(Io& io, Mask<F> active, F depth, const vec2<F>& uv,
                        const CellHeights<F>& front) {

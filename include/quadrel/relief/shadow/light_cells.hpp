@@ -13,6 +13,8 @@ struct LightCells : CellSearch<F> {
     vec2<F> start;  ///< where in the first cell, [0, 1]
 
     LightCells(const LightRay<F>& light, const SampledTexture& map)
+        : LightCells(upwards(light), map) {}
+    LightCells(const SearchRay<F>& light, const SampledTexture& map)
         : LightCells(light, map, cell_grid(map.view.width[0], map.view.height[0], map.sampler)) {}
 
     Int<F> stored_i() const { return stored_index<F>(this->i, grid.u); }
@@ -27,8 +29,8 @@ struct LightCells : CellSearch<F> {
     }
 
   private:
-    LightCells(const LightRay<F>& light, const SampledTexture& map, const Grid& cells)
-        : CellSearch<F>(make_cell_ray(upwards(light), map, cells, 0.5f), light.active),
+    LightCells(const SearchRay<F>& light, const SampledTexture& map, const Grid& cells)
+        : CellSearch<F>(make_cell_ray(light, map, cells, 0.5f), light.active),
           grid(cells),
           start(clamp(this->ray.x.start - to_float<F>(this->i), F(0), F(1)),
                 clamp(this->ray.y.start - to_float<F>(this->j), F(0), F(1))) {}

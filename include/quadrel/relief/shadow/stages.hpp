@@ -5,6 +5,8 @@
 #include "quadrel/relief/shadow/cone.hpp"
 #include "quadrel/relief/shadow/exact.hpp"
 #include "quadrel/relief/shadow/horizon.hpp"
+#include "quadrel/relief/shadow/impostor.hpp"
+#include "quadrel/relief/shadow/impostor_exact.hpp"
 #include "quadrel/relief/shadow/layers.hpp"
 #include "quadrel/relief/shadow/layers_exact.hpp"
 #include "quadrel/relief/shadow/march_mcguire.hpp"
@@ -19,9 +21,10 @@
 
 namespace quadrel {
 
-using ShadowStages = StageList<ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished,
-                               ShadowMarchMcguire, ShadowMarchMcguirePublished, ShadowRelief,
-                               ShadowSoftPom, ShadowSoftPomPublished, ShadowSoftRiccardi,
-                               ShadowCone, ShadowExact, Horizon, ShadowLayers, ShadowLayersExact>;
+using ShadowStages =
+    StageList<ShadowNone, ShadowMarchThesis, ShadowMarchThesisPublished, ShadowMarchMcguire,
+              ShadowMarchMcguirePublished, ShadowRelief, ShadowSoftPom, ShadowSoftPomPublished,
+              ShadowSoftRiccardi, ShadowCone, ShadowExact, Horizon, ShadowLayers, ShadowLayersExact,
+              ShadowImpostor, ShadowImpostorExact>;
 
 }  // namespace quadrel

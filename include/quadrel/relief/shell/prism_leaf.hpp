@@ -19,12 +19,6 @@ struct PartHeight {
     F at_entry, rise;  ///< and a unit of the ray's parameter
 };
 
-template <Number F>
-struct PrismMeeting {
-    F tau, height;  ///< where `hit`: the least tau in [0, length]; the field's height there
-    Mask<F> hit, ambiguous, not_finite;
-};
-
 /// Height at (f, g) of a cell that is split along a diagonal.
 template <Number F>
 F split_height(const CellHeights<F>& h, const vec2<F>& at, bool main_diagonal) {
@@ -50,31 +44,17 @@ F first_zero(F start, F at_bend, F end, F bend, F length) {
 
 /// `ends_below`: the part ends where no height is below the ray.
 template <Number F>
-PrismMeeting<F> meet_patch(const CellHeights<F>& h, const PatchRay<F>& part,
-                           const PartHeight<F>& ray, Mask<F> ends_below, bool tells_grazes) {
-    const PatchQuadratic<F> q = patch_quadratic(h, part, ray.at_entry, ray.rise);
-    const F root = first_root(q);
-    const auto height_at = [&](F tau) {
-        return patch_height(h, clamp(part.entry + part.rate * tau, F(0), F(1)));
-    };
-    const Mask<F> at_entry = q.C >= F(0);
-    const Mask<F> crossed = (q.discriminant >= F(0)) & (root >= F(0)) & (root <= part.length);
-    const F end = height_at(part.length) - (ray.at_entry + ray.rise * part.length);
-    const Mask<F> at_end = ends_below | (end >= F(0));
-    PrismMeeting<F> found;
-    found.not_finite = !is_finite((h.h00 + h.h10) + (h.h01 + h.h11));
-    found.hit = (at_entry | crossed | at_end) & !found.not_finite;
-    found.tau = select(at_entry, F(0), select(crossed, root, part.length));
-    found.height = height_at(found.tau);
-    found.ambiguous = Mask<F>(false);
-    if (tells_grazes) found.ambiguous = is_graze(h, part, q, end);
-    return found;
+PatchHit<F> meet_patch(const CellHeights<F>& h, const PatchRay<F>& part, const PartHeight<F>& ray,
+                       Mask<F> ends_below, bool tells_grazes) {
+    const F end = height_in_part(h, part, part.length) - (ray.at_entry + ray.rise * part.length);
+    return meet_quadratic(h, part, patch_quadratic(h, part, ray.at_entry, ray.rise), end,
+                          ends_below | (end >= F(0)), tells_grazes);
 }
 
 template <Number F>
-PrismMeeting<F> meet_triangles(const CellHeights<F>& h, const PatchRay<F>& part,
-                               const PartHeight<F>& ray, Mask<F> ends_below, bool tells_grazes,
-                               bool main_diagonal) {
+PatchHit<F> meet_triangles(const CellHeights<F>& h, const PatchRay<F>& part,
+                           const PartHeight<F>& ray, Mask<F> ends_below, bool tells_grazes,
+                           bool main_diagonal) {
     const auto position = [&](F tau) { return clamp(part.entry + part.rate * tau, F(0), F(1)); };
     const auto above = [&](F tau) {
         return split_height(h, position(tau), main_diagonal) - (ray.at_entry + ray.rise * tau);
@@ -87,7 +67,7 @@ PrismMeeting<F> meet_triangles(const CellHeights<F>& h, const PatchRay<F>& part,
     const F bend = select((meets > F(0)) & (meets < part.length), meets, F(0));
     const F start = above(F(0)), at_bend = above(bend), end = above(part.length);
     const F zero = select(start >= F(0), F(0), first_zero(start, at_bend, end, bend, part.length));
-    PrismMeeting<F> found;
+    PatchHit<F> found;
     found.not_finite = !is_finite((h.h00 + h.h10) + (h.h01 + h.h11));
     found.hit = ((zero <= part.length) | ends_below) & !found.not_finite;
     found.tau = min(zero, part.length);

@@ -19,11 +19,12 @@ class PrismSearch : public CellSearch<typename Io::Number> {
         : PrismSearch(io, surface, prism_ray(io), *io.template texture<TextureSlot::height>()) {}
 
     const Grid& grid() const { return grid_; }
-    const PrismRay<F>& prism() const { return prism_; }
 
-    /// Least height of the ray from where it enters its cell, or a node around it, to the exit.
-    F lowest(const CellExit<F>& exit) const {
-        return min(prism_.height_at(this->entry()), prism_.height_at(min(exit.s, F(1))));
+    /// Whether the ray, from where it enters its cell, or a node around it, to the exit, is above
+    /// `height`, and does not end there with a hit in any case.
+    Mask<F> passes(const CellExit<F>& exit, F height) const {
+        const F lowest = min(prism_.height_at(this->entry()), prism_.height_at(min(exit.s, F(1))));
+        return (lowest > height) & !((exit.s >= F(1)) & prism_.ends_below);
     }
     /// Before this t the ray is above `height`, where it falls; 0 elsewhere.
     F falls_to(F height) const {
@@ -41,7 +42,7 @@ class PrismSearch : public CellSearch<typename Io::Number> {
         record(mask, part, heights);
         const PartHeight<F> height{prism_.height_at(part.s), -prism_.s_shift};
         part.last = ends_below;
-        const PrismMeeting<F> meeting = meet(heights, part, height, ends_below);
+        const PatchHit<F> meeting = meet(heights, part, height, ends_below);
         this->met_nan = this->met_nan | (mask & meeting.not_finite);
         this->result.flags = this->result.flags | select(mask & meeting.ambiguous,
                                                          Int<F>(HitFlag::ambiguous), Int<F>(0));
@@ -82,8 +83,8 @@ class PrismSearch : public CellSearch<typename Io::Number> {
           map_(map),
           grid_(grid) {}
 
-    PrismMeeting<F> meet(const CellHeights<F>& heights, const PatchRay<F>& part,
-                         const PartHeight<F>& height, Mask<F> ends_below) const {
+    PatchHit<F> meet(const CellHeights<F>& heights, const PatchRay<F>& part,
+                     const PartHeight<F>& height, Mask<F> ends_below) const {
         if (surface_ == PrismSurface::bilinear)
             return meet_patch(heights, part, height, ends_below, tells_grazes_);
         return meet_triangles(heights, part, height, ends_below, tells_grazes_,
@@ -113,29 +114,10 @@ class PrismSearch : public CellSearch<typename Io::Number> {
 /// Searches the cells of `search`; `maxima` is its map of BakeKind::max_mip.
 template <class Io, class F = typename Io::Number>
 void search_prism(PrismSearch<Io>& search, const SampledTexture& maxima) {
-    const HeightPyramid<F> pyramid(maxima, search.grid());
-    Int<F> level(0);
-    for (const auto k : rounds<F>()) {
-        search.count_step(16, 4 * pyramid.levels() + 64);
-        if (none(search.active)) break;
-        const Mask<F> active = search.active;
-        const PyramidNode<F> node = pyramid.node(search, level);
-        const CellExit<F> exit = search.exit(node.place.block);
-        const F bound = node.height + search.ray.margin;
-        const Mask<F> above = search.lowest(exit) > bound, finest = level == Int<F>(0);
-        const Mask<F> ends = (exit.s >= F(1)) & search.prism().ends_below;
-        const Mask<F> clear = above & !ends;
-        const Mask<F> tests = active & !clear & finest, down = active & !clear & !finest;
-        search.record_node(active, node.height);
-        if (when(tests)) search.test(tests, exit);
-        const Mask<F> crosses = (active & (clear | finest)) & search.active;
-        search.leap(crosses, node.place.block, exit);
-        const Mask<F> up = crosses & node.place.leaves_parent(exit);
-        level = select(up, min(level + Int<F>(1), pyramid.top()), level);
-        // Into the node, no further than the ray is above all of it.
-        search.leap_to(down, min(search.falls_to(bound), exit.s));
-        level = select(down, level - Int<F>(1), level);
-    }
+    descend_pyramid<F>(
+        search, HeightPyramid<F>(maxima, search.grid()), Int<F>(0), search, -1,
+        [&](Mask<F> mask, const CellExit<F>& exit, F) { search.test(mask, exit); },
+        [&](Mask<F> mask, F height) { search.record_node(mask, height); });
 }
 
 }  // namespace quadrel

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "quadrel/relief/surface/met_layer.hpp"
-#include "quadrel/relief/surface/relief_normal.hpp"
 
 namespace quadrel {
 
@@ -15,24 +14,13 @@ struct H2nLayers : StageDefaults {
     static constexpr StageText text{"h2n-layers", "surface",
                                     "exact normal of the layer that is met",
                                     "after Policarpo and Oliveira 2006"};
-    static constexpr auto inputs = values_and(relief_normal_inputs, Value::hit_s);
+    static constexpr auto inputs = met_layer_inputs;
     static constexpr auto outputs = surface_outputs;
     static constexpr auto textures = slots(TextureSlot::layers);
 
     template <class Io>
     void operator()(Io& io, const Params&) const {
-        using F = typename Io::Number;
-        const F depth = io.template load<Value::relief_depth>();
-        const Mask<F> deep = depth != F(0);
-        vec3<F> n(F(0));
-        if (when(deep)) {
-            MetLayer<F> met;
-            met.look_at(layer_map(io), io.template context<TextureSlot::layers>(),
-                        io.template load<Value::hit_uv>(), io.template load<Value::hit_s>());
-            const vec3<F> up = relief_normal<Io, F>(io, -met.slope, depth);
-            n = select(deep, select(met.is_back, -up, up), n);
-        }
-        store_normal(io, n, deep);
+        store_met_normal<TextureSlot::layers>(io);
     }
 };
 

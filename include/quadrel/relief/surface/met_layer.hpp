@@ -1,8 +1,9 @@
 // The depth layer that a ray has met: the one whose depth at the hit, bilinear at level 0, is next
 // to the hit's; the first of equal ones. Fronts, the odd layers, face out of the relief, backs into
-// it.
+// it: their normal is turned around.
 #pragma once
 
+#include "quadrel/relief/surface/relief_normal.hpp"
 #include "quadrel/relief/trace/layer/layers.hpp"
 
 namespace quadrel {
@@ -38,5 +39,33 @@ struct MetLayer {
         return layer < map.view.channels ? texture_gather(map, context, uv, layer) : vec4<F>(F(1));
     }
 };
+
+/// What the normal of a met layer is made of.
+inline constexpr auto met_layer_inputs = values_and(relief_normal_inputs, Value::hit_s);
+
+/// Takes what is nearer of a slot's map, if there is one.
+template <TextureSlot slot, class Io, class F>
+void look_at_slot(const Io& io, MetLayer<F>& met) {
+    const SampledTexture* const map = io.template texture<slot>();
+    if (map == nullptr) return;
+    met.look_at(*map, io.template context<slot>(), io.template load<Value::hit_uv>(),
+                io.template load<Value::hit_s>());
+}
+
+/// Stores the normal of the nearest layer of the maps in these slots; one without a map has none.
+template <TextureSlot... layers, class Io>
+void store_met_normal(Io& io) {
+    using F = typename Io::Number;
+    const F depth = io.template load<Value::relief_depth>();
+    const Mask<F> deep = depth != F(0);
+    vec3<F> n(F(0));
+    if (when(deep)) {
+        MetLayer<F> met;
+        (look_at_slot<layers>(io, met), ...);
+        const vec3<F> up = relief_normal<Io, F>(io, -met.slope, depth);
+        n = select(deep, select(met.is_back, -up, up), n);
+    }
+    store_normal(io, n, deep);
+}
 
 }  // namespace quadrel

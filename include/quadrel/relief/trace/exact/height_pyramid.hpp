@@ -68,14 +68,24 @@ class HeightPyramid {
     Grid grid_;
 };
 
-/// Searches the cells of `search`. `ascent`: how many levels to go up after a node has been left;
-/// -1: one where its border is one of its parent too. `leaf(mask, exit, height)` tests cells;
-/// `visit(mask, height)` is told of the nodes that are not.
-template <Number F, class Leaf, class Visit>
-void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int ascent,
-                    const Leaf& leaf, const Visit& visit) {
-    if (!search.counts_steps) return search_pyramid_quickly(search, pyramid.map(), leaf);
-    Int<F> level = pyramid.top();
+/// A view ray, which falls from height 1 at s = 0 to 0 at s = 1.
+template <Number F>
+struct FallingRay {
+    /// Whether nothing at `height` or below can be a hit before `exit`.
+    Mask<F> passes(const CellExit<F>& exit, F height) const {
+        return F(1) - min(exit.s, F(1)) > height;
+    }
+    /// Before this s the ray is above `height`.
+    F falls_to(F height) const { return F(1) - height; }
+};
+
+/// Searches the cells of `search` from nodes of `level` on. `course` says where the ray passes
+/// above (as FallingRay). `ascent`: how many levels to go up after a node has been left; -1: one
+/// where its border is one of its parent too. `leaf(mask, exit, height)` tests cells; `visit(mask,
+/// height)` is told of the nodes that are not.
+template <Number F, class Course, class Leaf, class Visit>
+void descend_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, Int<F> level,
+                     const Course& course, int ascent, const Leaf& leaf, const Visit& visit) {
     for (const auto k : rounds<F>()) {
         search.count_step(16, 4 * pyramid.levels() + 64);
         if (none(search.active)) break;
@@ -83,7 +93,7 @@ void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int 
         const PyramidNode<F> node = pyramid.node(search, level);
         const CellExit<F> exit = search.exit(node.place.block);
         const F bound = node.height + search.ray.margin;
-        const Mask<F> above = F(1) - min(exit.s, F(1)) > bound;
+        const Mask<F> above = course.passes(exit, bound);
         const Mask<F> finest = level == Int<F>(0), tests = active & !above & finest;
         const Mask<F> down = active & !above & !finest;
         visit(active, node.height);
@@ -94,9 +104,17 @@ void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int 
         const Mask<F> up = crosses & (leaves_parent | Mask<F>(ascent > 0)) & Mask<F>(ascent != 0);
         level = select(up, min(level + Int<F>(ascent > 0 ? ascent : 1), pyramid.top()), level);
         // Into the node, no further than the ray is above all of it.
-        search.leap_to(down, min(F(1) - bound, exit.s));
+        search.leap_to(down, min(course.falls_to(bound), exit.s));
         level = select(down, level - Int<F>(1), level);
     }
+}
+
+/// Of view rays, from the top of the pyramid.
+template <Number F, class Leaf, class Visit>
+void search_pyramid(CellSearch<F>& search, const HeightPyramid<F>& pyramid, int ascent,
+                    const Leaf& leaf, const Visit& visit) {
+    if (!search.counts_steps) return search_pyramid_quickly(search, pyramid.map(), leaf);
+    descend_pyramid<F>(search, pyramid, pyramid.top(), FallingRay<F>(), ascent, leaf, visit);
 }
 
 }  // namespace quadrel

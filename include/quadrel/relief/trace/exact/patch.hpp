@@ -31,7 +31,7 @@ struct PatchRay {
 template <Number F>
 struct PatchHit {
     F tau, height;       ///< where `hit`; height is the field's there
-    Mask<F> hit;         ///< q(tau) >= 0 somewhere in the part
+    Mask<F> hit;         ///< q(tau) >= 0 somewhere in the part, or it ends where every ray has hit
     Mask<F> ambiguous;   ///< a graze: q is highest, at entry or in the part, at 0 but for rounding
     Mask<F> not_finite;  ///< a corner's height is NaN or infinite; no hit then
 };
@@ -41,6 +41,12 @@ struct PatchHit {
 template <Number F>
 F patch_height(const CellHeights<F>& h, const vec2<F>& at) {
     return lerp(lerp(h.h00, h.h10, at.x), lerp(h.h01, h.h11, at.x), at.y);
+}
+
+/// At tau of a part.
+template <Number F>
+F height_in_part(const CellHeights<F>& h, const PatchRay<F>& ray, F tau) {
+    return patch_height(h, clamp(ray.entry + ray.rate * tau, F(0), F(1)));
 }
 
 template <Number F>
@@ -116,29 +122,34 @@ Mask<F> is_graze(const CellHeights<F>& h, const PatchRay<F>& ray, const PatchQua
     return ((abs(peak) <= error) & !comes_down) | touches_entry;
 }
 
-/// `tells_grazes`: whether anyone asks what is ambiguous; else nothing is.
+/// Where a ray meets a patch along a part, with q there and its value `end` where the part ends;
+/// `at_end`: if nowhere before, there. `tells_grazes`: whether anyone asks what is ambiguous; else
+/// nothing is.
 template <Number F>
-PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray,
-                            bool tells_grazes = true) {
-    const PatchQuadratic<F> q = patch_quadratic(h, ray);
+PatchHit<F> meet_quadratic(const CellHeights<F>& h, const PatchRay<F>& ray,
+                           const PatchQuadratic<F>& q, F end, Mask<F> at_end, bool tells_grazes) {
     const F root = first_root(q);
     const Mask<F> below_at_entry = q.C >= F(0);
     const Mask<F> crossed = (q.discriminant >= F(0)) & (root >= F(0)) & (root <= ray.length);
-    const auto height_at = [&](F tau) {
-        return patch_height(h, clamp(ray.entry + ray.rate * tau, F(0), F(1)));
-    };
-    const F end_height = height_at(ray.length);
-    const F end = end_height - (F(1) - (ray.s + ray.length));
-    // Heights are not negative, so at the bottom plane every ray has hit.
-    const Mask<F> at_bottom = ray.last & (end_height >= F(0));
     PatchHit<F> found;
     found.not_finite = !is_finite((h.h00 + h.h10) + (h.h01 + h.h11));
-    found.hit = (below_at_entry | crossed | at_bottom) & !found.not_finite;
+    found.hit = (below_at_entry | crossed | at_end) & !found.not_finite;
     found.tau = select(below_at_entry, F(0), select(crossed, root, ray.length));
-    found.height = height_at(found.tau);
+    found.height = height_in_part(h, ray, found.tau);
     found.ambiguous = Mask<F>(false);
     if (tells_grazes) found.ambiguous = is_graze(h, ray, q, end);
     return found;
+}
+
+/// Of a view ray.
+template <Number F>
+PatchHit<F> intersect_patch(const CellHeights<F>& h, const PatchRay<F>& ray,
+                            bool tells_grazes = true) {
+    const F end_height = height_in_part(h, ray, ray.length);
+    const F end = end_height - (F(1) - (ray.s + ray.length));
+    // Heights are not negative, so at the bottom plane every ray has hit.
+    const Mask<F> at_bottom = ray.last & (end_height >= F(0));
+    return meet_quadratic(h, ray, patch_quadratic(h, ray), end, at_bottom, tells_grazes);
 }
 
 }  // namespace quadrel

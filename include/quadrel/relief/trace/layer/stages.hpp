@@ -9,10 +9,12 @@
 #include "quadrel/relief/trace/layer/multilayer_exact.hpp"
 #include "quadrel/relief/trace/layer/multilayer_published.hpp"
 #include "quadrel/relief/trace/layer/true_impostor.hpp"
+#include "quadrel/relief/trace/layer/true_impostor_published.hpp"
 
 namespace quadrel {
 
-using LayerStages = StageList<DualDepth, DualDepthPublished, DualDepthExact, Multilayer,
-                              MultilayerPublished, MultilayerExact, TrueImpostor>;
+using LayerStages =
+    StageList<DualDepth, DualDepthPublished, DualDepthExact, Multilayer, MultilayerPublished,
+              MultilayerExact, TrueImpostor, TrueImpostorPublished>;
 
 }  // namespace quadrel
