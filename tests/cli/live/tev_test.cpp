@@ -214,7 +214,7 @@ TEST_F(Tev, NoViewerIsOneLineAndNoFile) {
     const std::string address = viewer.address();
     viewer.stop();
     for (const auto& [value, code] : std::vector<std::pair<std::string, int>>{
-             {address, 5}, {"nowhere", 2}, {"host:", 2}, {":1", 2}, {"127.0.0.1:70000", 2}}) {
+             {address, 5}, {"nowhere", 2}, {"", 2}, {"host:", 2}, {":1", 2}, {"127.0.0.1:70000", 2}}) {
         const Outcome outcome =
             run({"render", "scene.json", "-o", "a.exr", "--tev=" + value}, folder.path());
         EXPECT_EQ(outcome.code, code) << outcome.err;
