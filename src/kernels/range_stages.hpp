@@ -50,6 +50,6 @@ using RangeStages = StageList<
     // shade
     ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished, ShadeMcGuire,
     ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3, ShadeLambert, ShadePhong,
-    ShadeBlinnPhong, ShadeCookTorrance>;
+    ShadeBlinnPhong, ShadeCookTorrance, ShadeMetallicRoughness>;
 
 }  // namespace quadrel

@@ -36,8 +36,17 @@ struct LightTerms {
     vec3<F> ambient = vec3<F>(F(0)), diffuse = vec3<F>(F(0)), specular = vec3<F>(F(0));
 };
 
+/// What a model of two layers says of one light: the share of the light that reaches the matte
+/// base and leaves it, and the highlight above it in its own colour.
+template <Number F>
+struct Layers {
+    F matte;
+    vec3<F> specular;
+};
+
 /// `specular(L, N.L)`: a number, to be multiplied by the light's and the material's colours, or a
-/// colour, by the light's alone. It is only used where N.L > 0.
+/// colour, by the light's alone, or Layers, the share of diffuse light beside that. It is only used
+/// where N.L > 0.
 template <class Io, class Specular, class F = typename Io::Number>
 LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
                          const Specular& specular) {
@@ -50,11 +59,17 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
         const F cosine = dot(N, L);
         const auto highlight = specular(L, cosine);
+        constexpr bool has_layers = std::is_same_v<decltype(highlight), const Layers<F>>;
         const F lit = select(cosine > F(0), visible, F(0));
+        F arriving = max(cosine, F(0)) * visible;
+        if constexpr (has_layers)
+            arriving = select(cosine > F(0), arriving * highlight.matte, F(0));
         sum.ambient += uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base;
-        sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
-                       (max(cosine, F(0)) * visible);
-        if constexpr (std::is_same_v<decltype(highlight), const F>) {
+        sum.diffuse += uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base * arriving;
+        if constexpr (has_layers) {
+            sum.specular += uniform3<F>(light.specular) *
+                            select(lit > F(0), highlight.specular * lit, vec3<F>(F(0)));
+        } else if constexpr (std::is_same_v<decltype(highlight), const F>) {
             sum.specular += uniform3<F>(light.specular) * uniform3<F>(material.specular) *
                             select(lit > F(0), highlight * lit, F(0));  // a power may be infinite
         } else {

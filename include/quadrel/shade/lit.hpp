@@ -42,14 +42,8 @@ LitPoint<F> lit_point(Io& io, std::int32_t gradients = 0) {
             F(255) * gloss.x};
 }
 
-/// Lights the point with the model's `specular` and stores everything.
-template <class Io, class Specular>
-void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular,
-               std::int32_t gradients = 0) {
-    using F = typename Io::Number;
-    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
-    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)), gradients);
-    const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
+template <class Io, class F = typename Io::Number>
+void store_lit(Io& io, const LightTerms<F>& sum, const vec4<F>& base, const vec4<F>& glow) {
     const vec3<F> emissive = uniform3<F>(io.material().emission) + rgb(glow);
     io.template store<Value::light_ambient>(sum.ambient);
     io.template store<Value::light_diffuse>(sum.diffuse);
@@ -57,6 +51,16 @@ void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specu
     io.template store<Value::light_emissive>(emissive);
     io.template store<Value::color>(emissive + sum.ambient + sum.diffuse + sum.specular);
     io.template store<Value::opacity>(base.w);
+}
+
+/// Lights the point with the model's `specular` and stores everything.
+template <class Io, class Specular>
+void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular,
+               std::int32_t gradients = 0) {
+    using F = typename Io::Number;
+    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
+    const vec4<F> glow = map_at_hit<TextureSlot::emissive>(io, vec4<F>(F(0)), gradients);
+    store_lit(io, sum_lights(io, rgb(base), N, specular), base, glow);
 }
 
 }  // namespace quadrel
