@@ -31,8 +31,8 @@ bool has_bit(const Film& film, std::size_t i, std::uint32_t bit) {
     return (film.find("undecided")->bits[i] & bit) != 0;
 }
 
-/// Whether pixels that are lost where the quad moves by a quarter of a pixel are marked. Towards its
-/// corners all edges move by more than towards its sides.
+/// Whether pixels that are lost where the quad moves by a quarter of a pixel are marked. Towards
+/// its corners all edges move by more than towards its sides.
 testing::AssertionResult marks_what_may_be_lost(const std::string& limits) {
     const Film film = turned_quad(0, 0, limits);
     int lost = 0, marked = 0, covered = 0;

@@ -124,9 +124,9 @@ TEST(MetallicRoughness, OcclusionDimsAmbientLightAlone) {
     const Map map = constant_map({0.25f, 0.5f, 0, 1});
     batch.bind(TextureSlot::gloss, map.sampled);
     Batch<float> none = batch, half = batch, full = batch;
-    none.run(metallic_roughness, {{"occlusion", 0}});
-    half.run(metallic_roughness, {{"occlusion", 0.5}});
-    full.run(metallic_roughness, {{"occlusion", 1}});
+    none.run(metallic_roughness, {{"occlusion_strength", 0}});
+    half.run(metallic_roughness, {{"occlusion_strength", 0.5}});
+    full.run(metallic_roughness, {{"occlusion_strength", 1}});
     for (int lane = 0; lane < batch.lanes; ++lane) {
         const float open = none.real(Value::light_ambient, lane);
         EXPECT_FLOAT_EQ(half.real(Value::light_ambient, lane), open * 0.625f);

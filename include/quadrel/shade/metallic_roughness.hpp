@@ -45,15 +45,15 @@ struct ShadeMetallicRoughness : LitDefaults {
                                     "rough metal, or a rough glaze over a matte base",
                                     "The Khronos Group, glTF 2.0 Specification, appendix B"};
     struct Params {
-        float roughness = 1, metalness = 1, occlusion = 1;
+        float roughness = 1, metalness = 1, occlusion_strength = 1;
         std::int32_t gradients = 0;
     };
     static constexpr std::array parameters{
         parameter<&Params::roughness>("roughness", "1", "of the facets, times the map's g", 0, 1,
                                       1),
         parameter<&Params::metalness>("metalness", "1", "1 for metal, times the map's b", 0, 1, 1),
-        parameter<&Params::occlusion>("occlusion", "1", "how much of the map's r is applied", 0, 1,
-                                      1),
+        parameter<&Params::occlusion_strength>("occlusion_strength", "1",
+                                               "how much of the map's r is applied", 0, 1, 1),
         gradients_parameter<&Params::gradients>()};
 
     template <class Io>
@@ -70,7 +70,7 @@ struct ShadeMetallicRoughness : LitDefaults {
         LightTerms<F> sum = sum_lights(io, rgb(base), N, [&](const vec3<F>& L, F NL) {
             return reflected(facets, N, V, L, NL);
         });
-        sum.ambient = sum.ambient * (F(1) + F(params.occlusion) * (gloss.x - F(1)));
+        sum.ambient = sum.ambient * (F(1) + F(params.occlusion_strength) * (gloss.x - F(1)));
         store_lit(io, sum, base, glow);
     }
 

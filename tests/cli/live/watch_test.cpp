@@ -170,8 +170,8 @@ TEST_F(Watch, ReplacedAndNewFilesCount) {
     EXPECT_TRUE(is_drawn_anew());
 }
 
-/// A link's target lies in a folder of its own, and a folder may be replaced as a whole; what others
-/// write there all the time does not matter.
+/// A link's target lies in a folder of its own, and a folder may be replaced as a whole; what
+/// others write there all the time does not matter.
 TEST_F(Watch, LinksAndFoldersAreFollowed) {
     std::filesystem::create_directories(folder / "store");
     std::filesystem::create_directories(folder / "maps");
@@ -214,8 +214,8 @@ TEST_F(Watch, WrongCommandLinesAreOneLine) {
         EXPECT_EQ(outcome.code, 2) << outcome.err;
         EXPECT_NE(outcome.err.find("--watch: expected"), std::string::npos) << outcome.err;
     }
-    for (const Words& more : std::vector<Words>{{"-o", "/dev/stdout"},
-                                                {"-o", "a.exr", "--preview", "/dev/stderr"}}) {
+    for (const Words& more :
+         std::vector<Words>{{"-o", "/dev/stdout"}, {"-o", "a.exr", "--preview", "/dev/stderr"}}) {
         Words words{"render", "scene.json", "--watch"};
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = run(words, folder.path());

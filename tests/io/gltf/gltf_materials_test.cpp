@@ -218,7 +218,8 @@ TEST_F(GltfMaterials, RoughnessAndOcclusionAreChannelsOfOneMap) {
     EXPECT_FALSE(gloss().srgb);
     material["occlusionTexture"] = {{"index", 1}, {"strength", 0.25}};
     EXPECT_EQ(gloss().swizzle, "rgb");
-    EXPECT_EQ(scene_of().materials[0].shade.parameters.at("occlusion"), ParameterValue(0.25));
+    EXPECT_EQ(scene_of().materials[0].shade.parameters.at("occlusion_strength"),
+              ParameterValue(0.25));
     metal.erase("metallicRoughnessTexture");
     EXPECT_EQ(gloss().swizzle, "r11");
     EXPECT_NE(note_of(scene_of()).find("occlusion"), std::string::npos);

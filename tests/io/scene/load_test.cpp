@@ -1,6 +1,6 @@
-#include "effort.hpp"
 #include "quadrel/scene/load.hpp"
 
+#include "effort.hpp"
 #include "io/scene/find_scene.hpp"
 #include "scene/support.hpp"
 

@@ -260,7 +260,7 @@ class MaterialReader {
         }
         if (dims) {
             take("occlusion");
-            shade["occlusion"] = number(occlusion, "occlusionTexture.", "strength", 1);
+            shade["occlusion_strength"] = number(occlusion, "occlusionTexture.", "strength", 1);
         }
         if (!gloss && !dims) return;
         read_.keys["gloss"] = gloss ? *gloss : *dims;
