@@ -61,6 +61,7 @@ Action parse(CLI::App& app, const Action& action, const SpelledVerb& verb,
         refuse_empty_arguments(*verb.app);
         throw UsageError(usage_message(error, verb, arguments));
     }
+    refuse_empty_values(*verb.app, arguments);
     refuse_empty_arguments(*verb.app);
     return action;
 }

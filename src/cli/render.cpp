@@ -19,6 +19,7 @@
 #include "cli/render_summary.hpp"
 #include "cli/verbs.hpp"
 #include "cli/watch/watch.hpp"
+#include "file/named_descriptor.hpp"
 #include "file/output_group.hpp"
 #include "film/preview_sink.hpp"
 #include "io/exr/encode.hpp"
@@ -84,6 +85,27 @@ RenderOptions parse_options(const RenderArguments& arguments) {
     return options;
 }
 
+/// Whether it can be written anew again and again: a file, or what takes everything.
+bool is_written_anew(const std::filesystem::path& output) {
+    if (named_descriptor(output)) return false;  // of a file it would have the first image alone
+    std::error_code none;
+    const auto kind = std::filesystem::status(output, none).type();
+    return output.empty() || kind == std::filesystem::file_type::not_found ||
+           kind == std::filesystem::file_type::regular ||
+           std::filesystem::equivalent(output, "/dev/null", none);
+}
+
+void check_watched(const RenderArguments& arguments) {
+    if (arguments.explain || arguments.streams() || !arguments.stats.empty() ||
+        !arguments.task.empty() || !arguments.injected.empty())
+        throw UsageError(
+            "--watch: expected no --explain, --stats, --task, --inject or -o - beside it");
+    for (const std::string& output : {output_name(arguments).string(), arguments.preview})
+        if (!is_written_anew(output))
+            throw UsageError("--watch: found the output " + output +
+                             ", expected a file, which is written anew after each change");
+}
+
 /// What the names of the outputs say.
 void check_kinds(const RenderArguments& arguments) {
     check_output_kinds({{"-o", ".exr", arguments.output},
@@ -93,10 +115,7 @@ void check_kinds(const RenderArguments& arguments) {
         throw UsageError("--preview and --stats: found -, expected a file; -o - is possible");
     if (arguments.streams() && !arguments.explain && isatty(STDOUT_FILENO) != 0)
         throw UsageError("-o -: expected standard output to be a file or a pipe, not a terminal");
-    if (arguments.watch && (arguments.explain || arguments.streams() || !arguments.stats.empty() ||
-                            !arguments.task.empty() || !arguments.injected.empty()))
-        throw UsageError(
-            "--watch: expected no --explain, --stats, --task, --inject or -o - beside it");
+    if (arguments.watch) check_watched(arguments);
 }
 
 void add_outputs(CommandFiles& files, const RenderArguments& arguments) {

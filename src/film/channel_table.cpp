@@ -205,7 +205,8 @@ void add_integral(Table& table) {
 
 void add_identity(Table& table) {
     table.push_back(
-        {"id.object", integer, "index", "object in the scene's list; 0xffffffff uncovered"});
+        {"id.object", integer, "index",
+         "object in the scene's list, behind it further materials of glTF; 0xffffffff uncovered"});
     table.push_back(
         {"id.primitive", integer, "index", "triangle in its mesh; 0xffffffff uncovered"});
     table.push_back(

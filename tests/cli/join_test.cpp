@@ -169,6 +169,7 @@ TEST_F(Parts, WrongTasksAreOneLine) {
                                                           {"3/2", "1 <= I <= N"},
                                                           {"1", "found \"1\""},
                                                           {"a/b", "I/N"},
+                                                          {"1/2 ", "found \"1/2 \""},
                                                           {"1/6", "at most 5 parts"}}) {
         const Outcome outcome = quadrel({"render", "scene.json", "-o", "a.exr", "--task", task});
         EXPECT_EQ(outcome.code, 2) << task;

@@ -132,7 +132,7 @@ TEST(Noise, EveryNumberTypeGivesTheSame) {
 
 /// A march over noise: the hit is where a loop over plain numbers finds it, a fetch a step.
 testing::AssertionResult march_meets_the_noise(float frequency) {
-    StageInputs inputs(5);
+    StageInputs inputs(5, SlotsBound::not_baked);
     Batch<float>& batch = inputs.batch;
     batch.material.noise_octaves = 3;
     batch.material.noise_frequency = 5;

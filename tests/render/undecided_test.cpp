@@ -31,7 +31,8 @@ bool has_bit(const Film& film, std::size_t i, std::uint32_t bit) {
     return (film.find("undecided")->bits[i] & bit) != 0;
 }
 
-/// Whether pixels that are lost where the quad moves by a quarter of a pixel are marked.
+/// Whether pixels that are lost where the quad moves by a quarter of a pixel are marked. Towards
+/// its corners all edges move by more than towards its sides.
 testing::AssertionResult marks_what_may_be_lost(const std::string& limits) {
     const Film film = turned_quad(0, 0, limits);
     int lost = 0, marked = 0, covered = 0;
@@ -39,8 +40,8 @@ testing::AssertionResult marks_what_may_be_lost(const std::string& limits) {
         covered += is_covered(film, i);
         marked += has_bit(film, i, Undecided::coverage);
     }
-    for (const double right : {-0.24, 0.0, 0.24})
-        for (const double up : {-0.24, 0.0, 0.24}) {
+    for (const double right : {-0.24, 0.24})
+        for (const double up : {-0.24, 0.24}) {
             const Film moved = turned_quad(right, up, limits);
             for (std::size_t i = 0; i < film.window.area(); ++i) {
                 if (!is_covered(film, i) || is_covered(moved, i)) continue;

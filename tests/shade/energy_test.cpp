@@ -54,7 +54,8 @@ testing::AssertionResult is_reciprocal(const std::string& id) {
 }
 
 TEST(ReflectionModels, LambertCookTorranceAndRabbidAreReciprocal) {
-    for (const char* id : {"shade-lambert", "shade-cook-torrance", "shade-rabbid"})
+    for (const char* id :
+         {"shade-lambert", "shade-cook-torrance", "shade-rabbid", "shade-metallic-roughness"})
         EXPECT_TRUE(is_reciprocal(id));
     EXPECT_FALSE(is_reciprocal("shade-blinn-phong"));
     EXPECT_FALSE(is_reciprocal("shade-rabbid@published"));

@@ -47,8 +47,26 @@ struct LightTerms {
     vec3<F> ambient = vec3<F>(F(0)), diffuse = vec3<F>(F(0)), specular = vec3<F>(F(0));
 };
 
+/// What a model of two layers says of one light: the share of the light that reaches the matte
+/// base and leaves it, and the highlight above it in its own colour.
+template <Number F>
+struct Layers {
+    F matte;
+    vec3<F> specular;
+};
+
+template <class Highlight>
+Highlight shine_of(const Highlight& highlight) {
+    return highlight;
+}
+template <Number F>
+vec3<F> shine_of(const Layers<F>& layers) {
+    return layers.specular;
+}
+
 /// `specular(L, N.L)`: a number, to be multiplied by the light's and the material's colours, or a
-/// colour, by the light's alone, or NoHighlight. It is only used where N.L > 0.
+/// colour, by the light's alone, or Layers, the share of diffuse light beside that, or NoHighlight.
+/// It is only used where N.L > 0.
 template <class Io, class Specular, class F = typename Io::Number>
 LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
                          const Specular& specular) {
@@ -61,19 +79,23 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         const F visible = io.template load<Value::shadow_visibility>(i) * attenuation(P, light);
         const F cosine = dot(N, L);
         const auto highlight = specular(L, cosine);
-        const auto add = [i](vec3<F>& to, const vec3<F>& term) { to = sum_with(i == 0, to, term); };
-        add(sum.ambient, uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base);
-        add(sum.diffuse, uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base *
-                             (max(cosine, F(0)) * visible));
         using Highlight = std::remove_const_t<decltype(highlight)>;
+        const auto add = [i](vec3<F>& to, const vec3<F>& term) { to = sum_with(i == 0, to, term); };
+        F arriving = max(cosine, F(0)) * visible;
+        if constexpr (std::is_same_v<Highlight, Layers<F>>)
+            arriving = select(cosine > F(0), arriving * highlight.matte, F(0));
+        add(sum.ambient, uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base);
+        add(sum.diffuse,
+            uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * base * arriving);
         if constexpr (!std::is_same_v<Highlight, NoHighlight>) {
             const F lit = select(cosine > F(0), visible, F(0));
-            const Highlight dark(F(0));
             vec3<F> color = uniform3<F>(light.specular);
             if constexpr (std::is_same_v<Highlight, F>)
                 color = color * uniform3<F>(material.specular);
+            const auto shine = shine_of(highlight);
+            const std::remove_const_t<decltype(shine)> dark(F(0));
             // A power may be infinite.
-            add(sum.specular, color * select(lit > F(0), highlight * lit, dark));
+            add(sum.specular, color * select(lit > F(0), shine * lit, dark));
         }
     }
     sum.ambient = sum.ambient * io.template load<Value::occlusion>();

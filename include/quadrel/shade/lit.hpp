@@ -43,6 +43,18 @@ LitPoint<F> lit_point(Io& io, std::int32_t gradients = 0) {
             max(F(255) * gloss.x, F(0))};
 }
 
+/// Stores the terms and their sum; without `shines` there is no specular one to add.
+template <bool shines = true, class Io, class F = typename Io::Number>
+void store_lit(Io& io, const LightTerms<F>& sum, const vec4<F>& base, const Emission<F>& emissive) {
+    const vec3<F> matte = emissive.with(sum.ambient) + sum.diffuse;
+    io.template store<Value::light_ambient>(sum.ambient);
+    io.template store<Value::light_diffuse>(sum.diffuse);
+    io.template store<Value::light_specular>(sum.specular);
+    io.template store<Value::light_emissive>(emissive.light);
+    io.template store<Value::color>(shines ? matte + sum.specular : matte);
+    io.template store<Value::opacity>(base.w);
+}
+
 /// Lights the point with the model's `specular` and stores everything.
 template <class Io, class Specular>
 void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular,
@@ -50,15 +62,8 @@ void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specu
     using F = typename Io::Number;
     const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
     const Emission<F> emissive = emission_at_hit(io, gradients);
-    const LightTerms<F> sum = sum_lights(io, rgb(base), N, specular);
-    const vec3<F> matte = emissive.with(sum.ambient) + sum.diffuse;
     constexpr bool shines = !std::is_same_v<decltype(specular(N, F(0))), NoHighlight>;
-    io.template store<Value::light_ambient>(sum.ambient);
-    io.template store<Value::light_diffuse>(sum.diffuse);
-    io.template store<Value::light_specular>(sum.specular);
-    io.template store<Value::light_emissive>(emissive.light);
-    io.template store<Value::color>(shines ? matte + sum.specular : matte);
-    io.template store<Value::opacity>(base.w);
+    store_lit<shines>(io, sum_lights(io, rgb(base), N, specular), base, emissive);
 }
 
 }  // namespace quadrel

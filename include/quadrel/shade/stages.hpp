@@ -9,6 +9,7 @@
 #include "quadrel/shade/lambert.hpp"
 #include "quadrel/shade/mcguire.hpp"
 #include "quadrel/shade/mcguire_published.hpp"
+#include "quadrel/shade/metallic_roughness.hpp"
 #include "quadrel/shade/phong.hpp"
 #include "quadrel/shade/rabbid.hpp"
 #include "quadrel/shade/rabbid_published.hpp"
@@ -20,9 +21,9 @@
 
 namespace quadrel {
 
-using ShadeStages =
-    StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished,
-              ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3,
-              ShadeDebug, ShadeLambert, ShadePhong, ShadeBlinnPhong, ShadeCookTorrance>;
+using ShadeStages = StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh,
+                              ShadeWelshPublished, ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid,
+                              ShadeRabbidPublished, ShadeGg3, ShadeDebug, ShadeLambert, ShadePhong,
+                              ShadeBlinnPhong, ShadeCookTorrance, ShadeMetallicRoughness>;
 
 }  // namespace quadrel

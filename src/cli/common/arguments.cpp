@@ -89,9 +89,11 @@ Pixel parse_pixel(const std::string& option, const std::string& text) {
 Task parse_task(const std::string& text) {
     if (text.empty()) return {};
     const std::vector<std::string> parts = split(text, '/');
+    // A script's mistake, and the name of a part has no blanks.
+    const bool blanks = text.find(' ') != std::string::npos;
     const auto number = parse_side(parts[0]);
     const auto of = parts.size() == 2 ? parse_side(parts[1]) : std::nullopt;
-    if (!number || !of || *number < 1 || *number > *of)
+    if (blanks || !number || !of || *number < 1 || *number > *of)
         reject("--task", text, "I/N with 1 <= I <= N, as 3/8");
     return {*number, *of};
 }

@@ -146,6 +146,17 @@ std::vector<std::string> with_joined_addresses(std::vector<std::string> argument
     return arguments;
 }
 
+void refuse_empty_values(const CLI::App& verb, const std::vector<std::string>& arguments) {
+    const std::vector<std::string> known = options_of(verb);
+    for (const std::string& argument : arguments) {
+        if (argument == "--") return;
+        if (argument.find('=') + 1 != argument.size()) continue;
+        const std::string name = argument.substr(0, argument.size() - 1);
+        if (std::find(known.begin(), known.end(), name) != known.end())
+            throw UsageError(name + ": found an empty text behind =, expected a value, or no =");
+    }
+}
+
 void refuse_empty_arguments(const CLI::App& verb) {
     for (const CLI::Option* option : verb.get_options()) {
         const std::string type = option->get_type_name();

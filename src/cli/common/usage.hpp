@@ -34,6 +34,9 @@ std::vector<std::string> with_joined_addresses(std::vector<std::string> argument
 /// name, and not the same as none.
 void refuse_empty_arguments(const CLI::App& verb);
 
+/// The same for "--option=" with nothing behind it, which a flag would take for its default.
+void refuse_empty_values(const CLI::App& verb, const std::vector<std::string>& arguments);
+
 /// What to say of arguments that do not parse.
 std::string usage_message(const CLI::ParseError& error, const SpelledVerb& verb,
                           const std::vector<std::string>& arguments);

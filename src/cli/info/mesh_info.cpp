@@ -38,6 +38,10 @@ Json mesh_info(const std::string& file) {
                  {"uv_sets", read.uv_sets},
                  {"bounds", bounds(mesh.positions)}};
     if (!mesh.uvs.empty()) info["uv_bounds"] = bounds(mesh.uvs);
+    if (!read.materials.empty()) {
+        info["materials"] = Json::array();
+        for (const std::string& name : read.materials) info["materials"].push_back(printable(name));
+    }
     Json ignored = Json::array();
     for (const std::string& name : read.ignored) ignored.push_back(printable(name));
     info["ignored"] = ignored;

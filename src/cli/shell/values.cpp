@@ -83,9 +83,11 @@ void add_limits(const TypedLine& line, Candidates& to) {
     for (const char* const name : {"vulkan", "d3d", "gl", "webgpu"}) to.add(line.before + name);
 }
 
+/// As ID, or as ROOM/ID where that is begun.
 void add_stage_ids(const TypedLine& line, Candidates& to) {
+    const bool by_room = line.begun.find('/') != std::string::npos;
     for (const StageInfo& stage : all_stages())
-        to.add(line.before + std::string(stage.text.room) + "/" + stage.text.id,
+        to.add(line.before + (by_room ? std::string(stage.text.room) + "/" : "") + stage.text.id,
                stage.text.summary);
 }
 

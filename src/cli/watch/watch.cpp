@@ -40,10 +40,11 @@ class WatchedImage {
   public:
     explicit WatchedImage(const WatchedRender& render) : render_(render) {}
 
-    /// Loads the scene and draws what differs from the image before. Returns a line about it.
-    std::string update() {
+    /// Loads the scene and draws what differs from the image before. Returns a line about it. What
+    /// changes while it is drawn is watched already.
+    std::string update(FileWatcher& watcher) {
         const auto begin = Clock::now();
-        Scene scene = render_.load(files_);
+        Scene scene = load(watcher);
         if (scene_) scene.texture_cache = scene_->texture_cache;
         const ImageInputs inputs = image_inputs(scene, render_.options);
         const ImageChange change =
@@ -62,6 +63,18 @@ class WatchedImage {
     const std::vector<std::filesystem::path>& files() const { return files_; }
 
   private:
+    Scene load(FileWatcher& watcher) {
+        watcher.add(files_);  // folders may have come anew
+        try {
+            Scene scene = render_.load(files_);
+            watcher.add(files_);
+            return scene;
+        } catch (...) {
+            watcher.add(files_);
+            throw;
+        }
+    }
+
     void draw(const Scene& scene, const Window& pixels) {
         RenderOptions options = render_.options;
         options.window = pixels;
@@ -121,9 +134,9 @@ std::string names_text(const std::set<std::filesystem::path>& files) {
 }
 
 /// A line about the change, or about why there is no image of it.
-std::string update_and_tell(WatchedImage& image) {
+std::string update_and_tell(WatchedImage& image, FileWatcher& watcher) {
     try {
-        return image.update();
+        return image.update(watcher);
     } catch (const InputError& error) {
         return error.what();
     } catch (const UsageError& error) {
@@ -138,14 +151,14 @@ std::string update_and_tell(WatchedImage& image) {
 void watch(const WatchedRender& render) {
     FileWatcher watcher;
     WatchedImage image(render);
-    image.update();
+    image.update(watcher);
     say_written(render.output);
     if (!render.preview.empty()) say_written(render.preview);
-    watcher.add(image.files());
+    watcher.add(image.files());  // baked maps and others that drawing has read
     tell(fmt::format("quadrel: watching {} files", image.files().size()));
     while (true) {
         const std::string changed = names_text(watcher.wait());
-        tell(fmt::format("quadrel: {} changed: {}", changed, update_and_tell(image)));
+        tell(fmt::format("quadrel: {} changed: {}", changed, update_and_tell(image, watcher)));
         watcher.add(image.files());
     }
 }

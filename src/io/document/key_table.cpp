@@ -61,7 +61,8 @@ constexpr SceneKey keys[] = {
     {"texture", "layer", "name", "all channels",
      "EXR: the channels that begin with `<layer>.`, or the part of that name"},
     {"texture", "part", "name, or number from 0", "the only one",
-     "EXR: which of several parts; a name wins. Several parts and neither key is an error"},
+     "EXR: which of several parts; a name wins. Several parts and neither key is an error. glTF: "
+     "which of the images within the file"},
     {"texture", "swizzle",
      "1 to 4 of `r g b a 0 1 1-r 1-g 1-b 1-a`, without blanks, or `alpha-or-first`",
      "as stored; the first channel for `height`",
@@ -194,8 +195,10 @@ constexpr SceneKey keys[] = {
      "`flat`: one normal a triangle"},
     {"mesh", "flip_v", "boolean", "true for OBJ, false for glTF", "files: v becomes 1 - v"},
     {"mesh", "uv_set", "integer in 0..63", "0", "glTF files: the n of `TEXCOORD_n`"},
+    {"mesh", "material", "name, or integer from 0; -1 for none", "all",
+     "glTF files: triangles of this one of the file's materials alone"},
     {"mesh", "materials", "boolean", "true",
-     "glTF files: what the file says of its material stands in for what the scene's material "
+     "glTF files: what the file says of its materials stands in for what the scene's material "
      "leaves out"},
     {"mesh", "refine", "`curvature`, or a `refine`", "none",
      "more triangles, before `flat` makes facets of them", Below::object, "refine"},

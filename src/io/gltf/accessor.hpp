@@ -19,7 +19,7 @@ namespace quadrel {
 /// A parsed file and its name.
 struct GltfFile {
     std::string name;
-    nlohmann::json json;  ///< as it stands in the file, without the buffers
+    nlohmann::json json;  ///< as it stands in the file, but for the bytes of buffers within it
     tinygltf::Model model;
     /// Accessors whose "min" or "max" their elements contradict, as far as they have been read.
     mutable std::set<int> wrong_bounds;

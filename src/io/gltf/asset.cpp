@@ -129,16 +129,14 @@ void check_gltf_extensions(const std::string& name, const json& root) {
                              "none that geometry needs, beyond those known here");
 }
 
-std::vector<std::string> ignored_in_gltf(const json& root, bool transforms_are_read) {
+std::vector<std::string> ignored_in_gltf(const json& root) {
     constexpr std::size_t most = 32;  // beyond, the file is not meant to be read
     std::vector<std::string> ignored = names_in(root, "extensionsUsed");
     const auto is_done = [](const std::string& name) { return is_applied(name); };
     ignored.erase(std::remove_if(ignored.begin(), ignored.end(), is_done), ignored.end());
     if (ignored.size() > most) ignored.resize(most);
-    for (const char* list : {"animations", "cameras", "materials"})
+    for (const char* list : {"animations", "cameras"})
         if (has_some(root, list)) ignored.push_back(list);
-    if (transforms_are_read && has_some(root, "materials"))
-        ignored.back() = "materials but for their texture transforms";
     if (root.contains("scenes") && root["scenes"].is_array() && root["scenes"].size() > 1)
         ignored.push_back("other scenes");
     return ignored;

@@ -14,8 +14,7 @@ void check_gltf_version(const std::string& name, const nlohmann::json& root);
 /// Throws InputError for a required extension that may change geometry and is not known here.
 void check_gltf_extensions(const std::string& name, const nlohmann::json& root);
 
-/// Names of extensions that are not applied, and of other parts without effect on geometry; of
-/// materials it is said whether a texture's transform is in the mesh.
-std::vector<std::string> ignored_in_gltf(const nlohmann::json& root, bool transforms_are_read);
+/// Names of extensions that are not applied, and of other parts that nothing here reads.
+std::vector<std::string> ignored_in_gltf(const nlohmann::json& root);
 
 }  // namespace quadrel

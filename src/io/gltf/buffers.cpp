@@ -9,8 +9,6 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-bool is_data(const std::string& uri) { return uri.starts_with("data:"); }
-
 std::string decode_percent(const std::string& uri) {
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -62,10 +60,10 @@ class BufferLoader {
 
     Bytes from_uri(const std::string& uri, const std::string& key) const {
         Bytes bytes;
-        if (is_data(uri)) {
-            std::string type;
-            if (!tinygltf::DecodeDataURI(&bytes, type, uri, 0, false))
-                file_.fail(key + ".uri", "data that is not base64 of a known type",
+        if (is_gltf_data(uri)) {
+            bytes = gltf_data(uri);
+            if (bytes.empty())
+                file_.fail(key + ".uri", "data that is not base64",
                            "data:application/octet-stream;base64,...");
             return bytes;
         }
@@ -95,9 +93,23 @@ void load_gltf_buffers(GltfFile& file, const nlohmann::json& json,
     }
 }
 
+bool is_gltf_data(const std::string& uri) { return uri.starts_with("data:"); }
+
+std::vector<unsigned char> gltf_data(const std::string& uri) {
+    // The library knows a list of types, which does not matter here.
+    constexpr const char* known = "data:application/octet-stream;base64,";
+    const std::size_t comma = uri.find(";base64,");
+    std::vector<unsigned char> bytes;
+    std::string type;
+    if (comma == std::string::npos ||
+        !tinygltf::DecodeDataURI(&bytes, type, known + uri.substr(comma + 8), 0, false))
+        return {};
+    return bytes;
+}
+
 std::optional<std::filesystem::path> gltf_uri_path(const std::string& uri,
                                                    const std::filesystem::path& folder) {
-    if (is_data(uri)) return std::nullopt;
+    if (is_gltf_data(uri)) return std::nullopt;
     return path_of(uri, folder);
 }
 
@@ -107,7 +119,7 @@ std::vector<std::filesystem::path> gltf_buffer_paths(const nlohmann::json& json,
     if (!json.contains("buffers")) return files;
     for (const auto& buffer : json["buffers"]) {
         const std::string uri = buffer.value("uri", "");
-        if (!uri.empty() && !is_data(uri)) files.push_back(path_of(uri, folder));
+        if (!uri.empty() && !is_gltf_data(uri)) files.push_back(path_of(uri, folder));
     }
     return files;
 }

@@ -1,5 +1,6 @@
 #include "io/gltf/container.hpp"
 
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 
@@ -47,6 +48,12 @@ class ChunkReader {
 };
 
 }  // namespace
+
+bool is_gltf_file(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".gltf" || extension == ".glb";
+}
 
 GltfContainer open_gltf_container(const std::string& name, std::string_view bytes) {
     if (!bytes.starts_with("glTF")) return {bytes, std::nullopt};

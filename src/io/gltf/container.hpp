@@ -1,11 +1,15 @@
 // What a glTF file is wrapped in: nothing, or the binary container.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace quadrel {
+
+/// Whether its name ends as those of glTF files do.
+bool is_gltf_file(const std::filesystem::path& file);
 
 /// Views into a file's bytes.
 struct GltfContainer {

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "io/gltf/asset.hpp"
+#include "io/gltf/material/choice.hpp"
+#include "io/gltf/material/uvs.hpp"
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/open.hpp"
 #include "io/gltf/primitive.hpp"
 #include "io/gltf/skin.hpp"
-#include "io/gltf/uvs.hpp"
 #include "quadrel/num/functions.hpp"
 #include "scene/mesh_corners.hpp"
 
@@ -68,11 +70,18 @@ class GltfMeshReader {
         : file_(file),
           nodes_(lay_out_nodes(file)),
           flip_v_(options.flip_v.value_or(false)),
-          uv_set_(options.uv_set) {}
+          uv_set_(options.uv_set) {
+        if (options.material) material_ = gltf_material(file, *options.material);
+    }
 
     MeshFile read() {
         check_vertices();
         for (const int node : nodes_.drawn) add_node(node);
+        if (mesh_.triangles.empty() && material_)
+            file_.fail("materials",
+                       *material_ < 0 ? "no triangles without a material"
+                                      : "no triangles of " + gltf_material_name(file_, *material_),
+                       "a material that something in the scene has");
         if (mesh_.triangles.empty()) file_.fail("", "no triangles in the scene", "a mesh");
         if (!any_uvs_) mesh_.uvs.clear();
         if (!any_uvs_ && uv_set_ > 0)
@@ -80,7 +89,7 @@ class GltfMeshReader {
                        "a uv_set below " + std::to_string(std::max(uv_sets_, 1)));
         settle_normals(mesh_);
         settle_tangents(mesh_);
-        return {std::move(mesh_), uv_sets_, ignored()};
+        return {std::move(mesh_), uv_sets_, material_names(), ignored()};
     }
 
   private:
@@ -125,6 +134,12 @@ class GltfMeshReader {
             }
             if (primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
                 file_.fail(key + ".mode", std::to_string(primitive.mode), "0 to 6");
+            if (material_ && primitive.material != *material_) {
+                // Of the same object: all have coordinates, or none.
+                any_uvs_ = any_uvs_ || primitive.attributes.count(uv_name()) > 0;
+                continue;
+            }
+            materials_.insert(primitive.material);
             note_attributes(primitive);
             const GltfPrimitive read = read_primitive(file_, primitive, weights, uv_set_, key);
             const Placements placements =
@@ -135,13 +150,14 @@ class GltfMeshReader {
         }
     }
 
+    std::string uv_name() const { return "TEXCOORD_" + std::to_string(uv_set_); }
+
     void note_attributes(const tinygltf::Primitive& primitive) {
         constexpr std::size_t most = 16;
         int sets = 0;
         while (primitive.attributes.count("TEXCOORD_" + std::to_string(sets))) ++sets;
         uv_sets_ = std::max(uv_sets_, sets);
-        const std::set<std::string> read = {"POSITION", "NORMAL", "TANGENT",
-                                            "TEXCOORD_" + std::to_string(uv_set_)};
+        const std::set<std::string> read = {"POSITION", "NORMAL", "TANGENT", uv_name()};
         for (const auto& [name, accessor] : primitive.attributes) {
             const bool of_skin = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
             if (!of_skin && !read.count(name) && ignored_.size() < most) ignored_.insert(name);
@@ -181,7 +197,6 @@ class GltfMeshReader {
         any_uvs_ = any_uvs_ || !part.uvs.empty();
         if (!part.uvs.empty() && uvs.others_differ) ignored_.insert("other texture transforms");
         const UvTransform& transform = uvs.transform;
-        any_transform_ = any_transform_ || (!part.uvs.empty() && !(transform == UvTransform{}));
         for (const glm::dvec2& stored : part.uvs) {
             const glm::vec2 uv(transform == UvTransform{}
                                    ? stored
@@ -220,8 +235,15 @@ class GltfMeshReader {
         return text;
     }
 
+    std::vector<std::string> material_names() const {
+        std::vector<std::string> names;
+        for (const int material : materials_)
+            if (material >= 0) names.push_back(gltf_material_name(file_, material));
+        return names;
+    }
+
     std::vector<std::string> ignored() const {
-        std::vector<std::string> names = ignored_in_gltf(file_.json, any_transform_);
+        std::vector<std::string> names = ignored_in_gltf(file_.json);
         names.insert(names.end(), ignored_.begin(), ignored_.end());
         if (!file_.wrong_bounds.empty()) names.push_back(wrong_bounds_text());
         return names;
@@ -231,8 +253,10 @@ class GltfMeshReader {
     const GltfNodes nodes_;
     bool flip_v_;
     int uv_set_;
-    bool any_uvs_ = false, any_transform_ = false;
+    std::optional<int> material_;  ///< the only one whose triangles count
+    bool any_uvs_ = false;
     int uv_sets_ = 0;
+    std::set<int> materials_;        ///< of the triangles, -1 for none
     std::set<std::string> ignored_;  ///< of primitives that are drawn
     Mesh mesh_;
 };

@@ -100,6 +100,15 @@ struct Parts {
     std::optional<std::string_view> binary;  ///< within `bytes`
 };
 
+/// Of buffers within the text stays that they are such.
+void drop_bytes(json& root) {
+    const auto buffers = root.find("buffers");
+    if (buffers == root.end()) return;
+    for (json& buffer : *buffers)
+        if (buffer.contains("uri") && is_gltf_data(buffer["uri"].get<std::string>()))
+            buffer["uri"] = "data:";
+}
+
 void read_parts(const std::filesystem::path& path, Parts& parts) {
     parts.file.name = path.string();
     parts.bytes = read_whole_file(path);
@@ -120,8 +129,14 @@ GltfFile open_gltf(const std::filesystem::path& path) {
     read_parts(path, parts);
     fill_model(parts.file, parts.checked);
     load_gltf_buffers(parts.file, parts.checked, path.parent_path(), parts.binary);
-    parts.file.json.erase("buffers");  // which may hold their bytes
+    drop_bytes(parts.file.json);
     return std::move(parts.file);
+}
+
+json parse_gltf_json(const std::string& name, std::string_view text) {
+    GltfFile file;
+    file.name = name;
+    return parse(file, text);
 }
 
 std::vector<std::filesystem::path> gltf_buffer_files(const std::filesystem::path& path) {

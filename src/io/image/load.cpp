@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "io/gltf/container.hpp"
 #include "io/image/readers.hpp"
 #include "quadrel/error.hpp"
 #include "texture/image_bytes.hpp"
@@ -90,8 +91,9 @@ constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
 Image load_image(const FileBytes& file, NotFinite not_finite, const std::string& key,
                  const ImageSelection& selection) {
     const std::string start = read_start(file, key);
-    Image image = start.starts_with(exr_magic)
-                      ? read_exr_image(file, selection, key)
+    Image image = start.starts_with(exr_magic) ? read_exr_image(file, selection, key)
+                  : is_gltf_file(file.file())
+                      ? read_embedded_image(file, selection, key)
                       : read_other_than_exr(file.file().string(), start, selection, key);
     image.file = file.file();
     check_finite(image, not_finite, key);

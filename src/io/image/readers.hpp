@@ -17,6 +17,10 @@ Image read_exr_image(const FileBytes& file, const ImageSelection& selection,
 /// A bitmap packed by runs (BMP, RLE8 or RLE4), or nothing if the file is none. Throws InputError.
 std::optional<Image> read_packed_bitmap(const std::string& file, const std::string& key);
 
+/// An image within a glTF file, which `selection` names as a part. Throws InputError.
+Image read_embedded_image(const FileBytes& file, const ImageSelection& selection,
+                          const std::string& key);
+
 /// Everything that OpenImageIO reads, through its module, turned as the file says that it stands.
 /// Throws InputError.
 StoredImage read_other_image(const std::string& file, const std::string& key);

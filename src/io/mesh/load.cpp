@@ -1,5 +1,6 @@
 #include <cctype>
 
+#include "io/gltf/container.hpp"
 #include "io/gltf/mesh.hpp"
 #include "io/gltf/open.hpp"
 #include "io/mesh/obj.hpp"
@@ -15,22 +16,17 @@ std::string lower_extension(const std::filesystem::path& file) {
     return text;
 }
 
-bool is_gltf(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension == ".gltf" || extension == ".glb";
-}
-
 }  // namespace
 
 bool is_mesh_file(const std::filesystem::path& file) {
-    return is_gltf(file) || lower_extension(file) == ".obj";
+    return is_gltf_file(file) || lower_extension(file) == ".obj";
 }
 
 MeshFile read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options) {
     if (!is_mesh_file(file))
         throw InputError(file.string(), "", "the extension \"" + file.extension().string() + "\"",
                          ".obj, .gltf or .glb");
-    MeshFile read = is_gltf(file) ? load_gltf(file, options) : load_obj(file, options);
+    MeshFile read = is_gltf_file(file) ? load_gltf(file, options) : load_obj(file, options);
     read.mesh.name = file.filename().string();
     return read;
 }
@@ -41,7 +37,7 @@ Mesh load_mesh(const std::filesystem::path& file, std::optional<bool> flip_v) {
 
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& file) {
     std::vector<std::filesystem::path> files{file};
-    if (is_gltf(file))
+    if (is_gltf_file(file))
         for (const auto& buffer : gltf_buffer_files(file)) files.push_back(buffer);
     return files;
 }

@@ -105,7 +105,7 @@ class ObjReader {
         if (mesh_.triangles.empty()) numbers_.fail("no faces", "a mesh");
         if (!any_uv_) mesh_.uvs.clear();
         settle_normals(mesh_);
-        return {std::move(mesh_), uvs_.empty() ? 0 : 1, std::move(ignored_)};
+        return {std::move(mesh_), uvs_.empty() ? 0 : 1, {}, std::move(ignored_)};
     }
 
   private:
@@ -213,6 +213,9 @@ MeshFile load_obj(const std::filesystem::path& file, const MeshFileOptions& opti
     if (options.uv_set != 0)
         throw InputError(file.string(), "", "uv_set " + std::to_string(options.uv_set),
                          "0: OBJ has one set of texture coordinates");
+    if (options.material)
+        throw InputError(file.string(), "", "a material to be chosen",
+                         "none of an OBJ file: of glTF alone they are read");
     ObjReader reader(file.string(), options.flip_v.value_or(true));
     ObjStatements statements(bytes);
     while (statements.next()) reader.read(statements.words(), statements.line());

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "io/gltf/materials.hpp"
+#include "io/gltf/container.hpp"
+#include "io/gltf/material/materials.hpp"
 #include "text/printable.hpp"
 
 namespace quadrel {
@@ -16,8 +20,6 @@ std::string text_member(const Json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_string()) return "";
     return object[key].get<std::string>();
 }
-
-bool is_gltf(const std::string& file) { return file.ends_with(".gltf") || file.ends_with(".glb"); }
 
 /// The object's mesh, or the mesh that it names.
 const Json* mesh_of(const Json& root, const Json& object) {
@@ -70,40 +72,226 @@ void add_defaults(const Json& defaults, Json& material) {
     if (normal_map) material["relief"]["surface"] = {{"id", "normal-map"}, {"green", "down"}};
 }
 
-std::string line_of(const std::filesystem::path& file, const GltfMaterial& material) {
-    return file_note(
-        file.string(),
-        fmt::format(
-            "{}: taken: {}; left: {}", material.name,
-            material.taken.empty() ? "nothing" : fmt::format("{}", fmt::join(material.taken, ", ")),
-            material.left.empty() ? "nothing" : fmt::format("{}", fmt::join(material.left, ", "))));
+/// A file as a mesh names it, and the materials of what it draws.
+struct Source {
+    std::filesystem::path file;
+    std::vector<GltfMaterial> materials;
+};
+
+/// What is another is a mistake of the scene's.
+bool is_choice(const Json& mesh) {
+    return !mesh.contains("material") || mesh["material"].is_number_integer() ||
+           mesh["material"].is_string();
 }
+
+MeshFileOptions options_of(const Json& mesh) {
+    MeshFileOptions options;
+    if (mesh.contains("uv_set") && mesh["uv_set"].is_number_integer())
+        options.uv_set = mesh["uv_set"].get<int>();
+    if (!mesh.contains("material")) return options;
+    const Json& material = mesh["material"];
+    if (material.is_number_integer()) options.material = material.get<int>();
+    if (material.is_string()) options.material = material.get<std::string>();
+    return options;
+}
+
+// ---- What is said of a file ---------------------------------------------------------------------
+
+/// Words of several materials, and whose they are: "normal", "occlusion (why) of brass, glass".
+std::string words_text(const std::vector<const GltfMaterial*>& materials,
+                       std::vector<std::string> GltfMaterial::*words) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> owners;
+    for (const GltfMaterial* const material : materials)
+        for (const std::string& word : material->*words) {
+            const auto found = std::find_if(owners.begin(), owners.end(),
+                                            [&](const auto& entry) { return entry.first == word; });
+            auto& of = found == owners.end() ? owners.emplace_back(word, std::vector<std::string>())
+                                             : *found;
+            of.second.push_back(shortened(material->name, 40));
+        }
+    constexpr std::size_t most_named = 3;
+    std::vector<std::string> texts;
+    for (const auto& [word, of] : owners)
+        texts.push_back(of.size() == materials.size() ? word
+                        : of.size() <= most_named
+                            ? fmt::format("{} of {}", word, fmt::join(of, " and "))
+                            : fmt::format("{} of {}", word, of.size()));
+    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// Empty where the file has no materials.
+std::string line_of(const Source& source) {
+    constexpr std::size_t most = 2000;
+    std::vector<const GltfMaterial*> materials;
+    for (const GltfMaterial& material : source.materials)
+        if (material.number >= 0) materials.push_back(&material);
+    if (materials.empty()) return "";
+    const std::string name = materials.size() == 1 ? materials.front()->name
+                                                   : fmt::format("{} materials", materials.size());
+    const std::string text =
+        fmt::format("{}: taken: {}; left: {}", name, words_text(materials, &GltfMaterial::taken),
+                    words_text(materials, &GltfMaterial::left));
+    return printable(source.file.string() + ": " + shortened(text, most));
+}
+
+// ---- The document -------------------------------------------------------------------------------
+
+/// The name under which a scene's only material without one is found.
+constexpr const char* only_material = "default";
+
+class FileMaterials {
+  public:
+    explicit FileMaterials(SceneDocument& document)
+        : document_(document), root_(document.root), before_(document.root) {}
+
+    std::vector<std::string> take() {
+        const Json& objects = before_["objects"];
+        for (const Json& object : objects) find_use(object);
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            if (uses_[i].source != nullptr) take_object(i);
+        if (!made_.empty()) name_the_others();
+        drop_meshes();
+        std::vector<std::string> lines;
+        for (const Source* const source : in_order_)
+            if (std::string line = line_of(*source); !line.empty())
+                lines.push_back(std::move(line));
+        return lines;
+    }
+
+  private:
+    /// An object's material in the scene, and the file that its mesh is of; null where it has none.
+    struct Use {
+        std::optional<std::string> base;
+        const Json* mesh = nullptr;
+        const Source* source = nullptr;
+    };
+    /// A file's material by its number; what takes nothing is null.
+    using Meeting = std::pair<const Source*, int>;
+
+    void find_use(const Json& object) {
+        Use use;
+        use.base = material_name(before_, object);
+        use.mesh = mesh_of(before_, object);
+        const std::string name = use.mesh ? text_member(*use.mesh, "file") : "";
+        if (use.base && is_gltf_file(name) && !forbids(*use.mesh) && is_choice(*use.mesh))
+            use.source = source_of(name, *use.mesh);
+        if (use.base && use.source == nullptr) meetings_[*use.base].insert({nullptr, -1});
+        if (use.source != nullptr)
+            for (const GltfMaterial& material : use.source->materials)
+                meetings_[*use.base].insert(meeting_of(*use.source, material));
+        uses_.push_back(use);
+    }
+
+    static Meeting meeting_of(const Source& source, const GltfMaterial& material) {
+        return material.number < 0 ? Meeting{nullptr, -1} : Meeting{&source, material.number};
+    }
+
+    /// Null where the file is missing.
+    const Source* source_of(const std::string& name, const Json& mesh) {
+        const std::filesystem::path file = document_.file.parent_path() / name;
+        std::error_code none;
+        if (!std::filesystem::is_regular_file(file, none)) return nullptr;
+        const Json which = {name, mesh.value("uv_set", Json()), mesh.value("material", Json())};
+        const auto [found, is_new] = sources_.try_emplace(which.dump());
+        if (is_new) {
+            found->second = {file, read_gltf_materials(file, options_of(mesh))};
+            in_order_.push_back(&found->second);
+        }
+        return &found->second;
+    }
+
+    void take_object(std::size_t index) {
+        const Use& use = uses_[index];
+        const bool several = use.source->materials.size() > 1;
+        bool first = true;
+        for (const GltfMaterial& material : use.source->materials) {
+            Json object = before_["objects"][index];
+            if (several) {
+                if (!object.contains("name") || object["name"].is_string())
+                    object["name"] = name_of(object, index) + ": " + material.name;
+                object["mesh"] = *use.mesh;
+                object["mesh"]["material"] = material.number;
+            }
+            const std::string taken = take_material(*use.base, *use.source, material);
+            if (taken != *use.base) object["material"] = taken;
+            if (first)
+                root_["objects"][index] = std::move(object);
+            else
+                root_["objects"].push_back(std::move(object));
+            first = false;
+        }
+        if (several) split_.insert(text_member(before_["objects"][index], "mesh"));
+    }
+
+    static std::string name_of(const Json& object, std::size_t index) {
+        const std::string name = text_member(object, "name");
+        return name.empty() ? fmt::format("object {}", index) : name;
+    }
+
+    /// The scene's material that has the defaults: `base` itself where it meets no other.
+    std::string take_material(const std::string& base, const Source& source,
+                              const GltfMaterial& material) {
+        const Meeting meeting = meeting_of(source, material);
+        if (meeting.first == nullptr) return base;
+        if (meetings_[base].size() == 1) {
+            Json& only = material_of(root_, base);
+            if (only.is_object()) add_defaults(material.keys, only);
+            return base;
+        }
+        const auto [found, is_new] = made_.try_emplace({base, meeting});
+        if (is_new) found->second = make_material(base, material);
+        return found->second;
+    }
+
+    std::string make_material(const std::string& base, const GltfMaterial& material) {
+        Json with_defaults =
+            base.empty() ? before_.value("material", Json::object()) : before_["materials"][base];
+        if (with_defaults.is_object()) add_defaults(material.keys, with_defaults);
+        std::string name = label(base) + ": " + shortened(material.name, 80);
+        while (root_.contains("materials") && root_["materials"].contains(name))
+            name += fmt::format(" ({})", material.number);
+        root_["materials"][name] = std::move(with_defaults);
+        return name;
+    }
+
+    static std::string label(const std::string& base) {
+        return base.empty() ? only_material : base;
+    }
+
+    /// Who named none meant the only one, which is one of several now.
+    void name_the_others() {
+        for (Json& object : root_["objects"])
+            if (object.is_object() && !object.contains("material"))
+                if (const auto base = material_name(before_, object)) {
+                    material_of(root_, *base);
+                    object["material"] = label(*base);
+                }
+    }
+
+    /// Named meshes of which all triangles are in others now.
+    void drop_meshes() {
+        for (const Json& object : root_["objects"]) split_.erase(text_member(object, "mesh"));
+        for (const std::string& name : split_)
+            if (!name.empty()) root_["meshes"].erase(name);
+    }
+
+    SceneDocument& document_;
+    Json& root_;
+    Json before_;
+    std::map<std::string, Source> sources_;
+    std::vector<const Source*> in_order_;
+    std::vector<Use> uses_;
+    std::map<std::string, std::set<Meeting>> meetings_;  ///< of each of the scene's materials
+    std::map<std::pair<std::string, Meeting>, std::string> made_;
+    std::set<std::string> split_;  ///< named meshes of objects that have become several
+};
 
 }  // namespace
 
 std::vector<std::string> take_file_materials(SceneDocument& document) {
-    std::vector<std::string> lines;
-    Json& root = document.root;
-    if (!root.contains("objects") || !root["objects"].is_array()) return lines;
-    const Json objects = root["objects"];  // the root grows where it has no material
-    std::set<std::string> served;
-    for (const Json& object : objects) {
-        const Json* const mesh = mesh_of(root, object);
-        if (mesh == nullptr || forbids(*mesh) || !is_gltf(text_member(*mesh, "file"))) continue;
-        const std::optional<std::string> name = material_name(root, object);
-        if (!name || !served.insert(*name).second) continue;
-        const std::filesystem::path file = document.file.parent_path() / text_member(*mesh, "file");
-        std::error_code none;
-        if (!std::filesystem::is_regular_file(file, none)) continue;
-        const bool counts = mesh->contains("uv_set") && (*mesh)["uv_set"].is_number_integer();
-        const GltfMaterial found =
-            read_gltf_material(file, counts ? (*mesh)["uv_set"].get<int>() : 0);
-        Json& material = material_of(root, *name);
-        if (found.name.empty() || !material.is_object()) continue;
-        add_defaults(found.keys, material);
-        lines.push_back(line_of(file, found));
-    }
-    return lines;
+    const Json& root = document.root;
+    if (!root.contains("objects") || !root["objects"].is_array()) return {};
+    return FileMaterials(document).take();
 }
 
 }  // namespace quadrel

@@ -17,6 +17,13 @@
 namespace quadrel {
 namespace {
 
+void check_materials(const SceneDocument& document) {
+    if (document.root.contains("material") && document.root.contains("materials"))
+        SceneValue(document, document.root, "")
+            .member("material")
+            .fail("both \"material\" and \"materials\"", "one of them");
+}
+
 SceneDocument open_document(const std::filesystem::path& file,
                             const std::vector<std::string>& overrides,
                             std::vector<std::string>& notes) {
@@ -30,6 +37,7 @@ SceneDocument open_document(const std::filesystem::path& file,
     for (const std::string& assignment : overrides) apply_override(document, assignment);
     notes = drop_replaced_parameters(before, document);
     check_scene_keys(document);
+    check_materials(document);
     for (std::string& line : take_file_materials(document)) notes.push_back(std::move(line));
     name_choices(document);
     return document;
@@ -45,8 +53,6 @@ TextureTable read_textures(Fields& root, Hardware hardware) {
 }
 
 void read_materials(Fields& root, const TextureTable& textures, Scene& scene) {
-    if (root.has("material") && root.has("materials"))
-        root.value().member("material").fail("both \"material\" and \"materials\"", "one of them");
     if (root.has("material"))
         scene.materials.push_back(
             read_material(root.get("material"), "default", textures, scene.hardware));

@@ -93,19 +93,27 @@ constexpr Word<ReadShape> shape_words[] = {
     {"sphere", read_sphere},      {"torus", read_torus}, {"teapot", read_teapot},
     {"billboard", read_billboard}};
 
+/// A material of the file, by its number or name.
+MaterialChoice read_choice(const SceneValue& value) {
+    constexpr int most = 1 << 20;
+    if (value.json().is_string()) return value.string();
+    if (!value.json().is_number_integer())
+        value.reject("a material's name, or its number from 0; -1: none");
+    return value.integer(-1, most);
+}
+
 Mesh read_file_mesh(Fields& fields, std::vector<std::string>& notes) {
     const SceneValue file = fields.get("file");
     const std::filesystem::path path = read_path(file);
     MeshFileOptions options;
     if (fields.has("flip_v")) options.flip_v = fields.get("flip_v").boolean();
     fields.read("uv_set", options.uv_set, 0, most_uv_set);
+    if (fields.has("material")) options.material = read_choice(fields.get("material"));
     MeshFile read = read_mesh_file(path, options);
     bool materials = true;
     if (fields.has("materials")) materials = fields.get("materials").boolean();
-    // Of those another line tells (file_materials.hpp).
-    if (materials)
-        std::erase_if(read.ignored,
-                      [](const std::string& name) { return name.starts_with("materials"); });
+    // What is taken of them another line tells (file_materials.hpp).
+    if (!materials && !read.materials.empty()) read.ignored.emplace_back("materials");
     if (!read.ignored.empty())
         notes.push_back(
             file_note(path.string(), fmt::format("ignored: {}", fmt::join(read.ignored, ", "))));

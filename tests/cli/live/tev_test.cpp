@@ -213,8 +213,13 @@ TEST_F(Tev, AViewerThatGoesIsAWarning) {
 TEST_F(Tev, NoViewerIsOneLineAndNoFile) {
     const std::string address = viewer.address();
     viewer.stop();
-    for (const auto& [value, code] : std::vector<std::pair<std::string, int>>{
-             {address, 5}, {"nowhere", 2}, {"host:", 2}, {":1", 2}, {"127.0.0.1:70000", 2}}) {
+    for (const auto& [value, code] :
+         std::vector<std::pair<std::string, int>>{{address, 5},
+                                                  {"nowhere", 2},
+                                                  {"", 2},
+                                                  {"host:", 2},
+                                                  {":1", 2},
+                                                  {"127.0.0.1:70000", 2}}) {
         const Outcome outcome =
             run({"render", "scene.json", "-o", "a.exr", "--tev=" + value}, folder.path());
         EXPECT_EQ(outcome.code, code) << outcome.err;

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <regex>
+#include <thread>
 
 #include "cli/process.hpp"
 #include "effort.hpp"
@@ -169,6 +170,41 @@ TEST_F(Watch, ReplacedAndNewFilesCount) {
     EXPECT_TRUE(is_drawn_anew());
 }
 
+/// A link's target lies in a folder of its own, and a folder may be replaced as a whole; what
+/// others write there all the time does not matter.
+TEST_F(Watch, LinksAndFoldersAreFollowed) {
+    std::filesystem::create_directories(folder / "store");
+    std::filesystem::create_directories(folder / "maps");
+    write_texture("store/far.exr", 4);
+    write_texture("maps/near.exr", 5);
+    std::filesystem::create_symlink("store/far.exr", folder / "link.exr");
+    std::string scene = watched_scene("left.exr", "link.exr");
+    scene.replace(scene.find("right.exr"), 9, "maps/near.exr");
+    write_bytes(folder / "scene.json", scene);
+    begin();
+    const std::jthread noise([&](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            write_bytes(folder / "noise.log", "x");
+            write_bytes(folder / "store" / "noise.log", "x");
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+    });
+    write_texture("store/far.exr", 6);
+    ASSERT_TRUE(said("link.exr changed: material \"left\"")) << file_bytes(logs / "err");
+    EXPECT_TRUE(is_drawn_anew());
+
+    std::filesystem::create_directories(folder / "other");
+    write_texture("other/near.exr", 7);
+    std::filesystem::rename(folder / "maps", folder / "old");
+    ASSERT_TRUE(said("near.exr changed: ")) << file_bytes(logs / "err");
+    std::filesystem::rename(folder / "other", folder / "maps");
+    ASSERT_TRUE(said("near.exr changed: ")) << file_bytes(logs / "err");
+    EXPECT_TRUE(is_drawn_anew());
+    write_texture("maps/near.exr", 8);
+    ASSERT_TRUE(said("near.exr changed: material \"right\"")) << file_bytes(logs / "err");
+    EXPECT_TRUE(is_drawn_anew());
+}
+
 TEST_F(Watch, WrongCommandLinesAreOneLine) {
     for (const Words& more :
          std::vector<Words>{{"--explain"}, {"--stats", "s.json"}, {"--task", "1/1"}}) {
@@ -177,6 +213,14 @@ TEST_F(Watch, WrongCommandLinesAreOneLine) {
         const Outcome outcome = run(words, folder.path());
         EXPECT_EQ(outcome.code, 2) << outcome.err;
         EXPECT_NE(outcome.err.find("--watch: expected"), std::string::npos) << outcome.err;
+    }
+    for (const Words& more :
+         std::vector<Words>{{"-o", "/dev/stdout"}, {"-o", "a.exr", "--preview", "/dev/stderr"}}) {
+        Words words{"render", "scene.json", "--watch"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run(words, folder.path());
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find("found the output /dev/std"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(run({"render", "none.json", "-o", "a.exr", "--watch"}, folder.path()).code, 3);
 }

@@ -115,6 +115,8 @@ TEST(ScenePrograms, AllCompileThatCanLeave) {
                 << of.error;
         }
         EXPECT_GT(left, test::sanitized ? 50 : 150) << language.name;
+        // It is no part of what is sanitized, and takes the same texts in other builds.
+        if (test::sanitized) continue;
         if (!has_validator()) GTEST_SKIP() << "glslangValidator is not installed (glslang-tools)";
         const Texts texts(all);
         EXPECT_EQ(complaints(texts.fragment, language, "-S frag"), "") << language.name;

@@ -5,20 +5,38 @@
 #include "film/films.hpp"
 #include "io/gltf/gltf_files.hpp"
 #include "quadrel/film/exr.hpp"
+#include "quadrel/film/preview.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
+#include "quadrel/texture/image.hpp"
 
 namespace quadrel {
 namespace {
 
 using nlohmann::json;
 
+std::string base64(const std::string& bytes) {
+    constexpr const char* digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            group =
+                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+}
+
 /// A square of one material, and a scene of it.
 class GltfMaterials : public testing::Test {
   protected:
     GltfMaterials() {
+        unsigned seed = 0;
         for (const char* const name : {"base.exr", "bumps.exr", "own.exr"})
-            write_exr(folder / name, testing_films::smooth_film(1, {0, 0, 16, 9}), {});
+            write_exr(folder / name, testing_films::smooth_film(++seed, {0, 0, 16, 9}), {});
         material = {{"name", "brass"},
                     {"doubleSided", true},
                     {"pbrMetallicRoughness",
@@ -28,7 +46,7 @@ class GltfMaterials : public testing::Test {
                     {"normalTexture", {{"index", 1}}}};
     }
 
-    void write_mesh(std::size_t materials = 1) {
+    void write_mesh() {
         GltfBuilder builder;
         const int positions = builder.floats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, "VEC3", 3);
         const int uvs = builder.floats({0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", 2);
@@ -38,13 +56,7 @@ class GltfMaterials : public testing::Test {
                            {"material", 0}};
         builder.set_primitive(part);
         builder.json["materials"] = json::array({material});
-        for (std::size_t i = 1; i < materials; ++i) {
-            json other = part;
-            other["material"] = i;
-            builder.json["meshes"][0]["primitives"].push_back(other);
-            builder.json["materials"].push_back(material);
-        }
-        builder.json["images"] = json::array({{{"uri", "base.exr"}}, {{"uri", "bumps.exr"}}});
+        builder.json["images"] = images;
         builder.json["samplers"] =
             json::array({{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}});
         builder.json["textures"] = json::array({{{"source", 0}, {"sampler", 0}}, {{"source", 1}}});
@@ -52,9 +64,8 @@ class GltfMaterials : public testing::Test {
         testing_films::write_bytes(folder / "square.bin", builder.bytes);
     }
 
-    Scene scene_of(const std::string& keys = "", const std::string& mesh = "",
-                   std::size_t materials = 1) {
-        write_mesh(materials);
+    Scene scene_of(const std::string& keys = "", const std::string& mesh = "") {
+        write_mesh();
         testing_films::write_bytes(folder / "scene.json",
                                    R"({"quadrel": 1, "size": [24, 24], )" + keys +
                                        R"("objects": [{"mesh": {"file": "square.gltf")" + mesh +
@@ -70,6 +81,7 @@ class GltfMaterials : public testing::Test {
     }
     testing_films::TemporaryFolder folder;
     json material;
+    json images = json::array({{{"uri", "base.exr"}}, {{"uri", "bumps.exr"}}});
 };
 
 TEST_F(GltfMaterials, StandInForWhatTheSceneLeavesOut) {
@@ -81,8 +93,7 @@ TEST_F(GltfMaterials, StandInForWhatTheSceneLeavesOut) {
     EXPECT_EQ(color.sampler.wrap_v, Wrap::mirrored_repeat);
     EXPECT_EQ(taken.textures.at("normal").file.filename(), "bumps.exr");
     EXPECT_EQ(taken.surface.id, "normal-map");
-    EXPECT_EQ(taken.shade.id, "shade-cook-torrance");
-    EXPECT_FLOAT_EQ(taken.specular.x, 0.04f);
+    EXPECT_EQ(taken.shade.id, "shade-metallic-roughness");
     EXPECT_FLOAT_EQ(taken.diffuse.x, 1);
     EXPECT_NE(note_of(scene).find("square.gltf: brass: taken: map of the base colour, normal, "
                                   "roughness, metalness; left: nothing"),
@@ -97,8 +108,8 @@ TEST_F(GltfMaterials, DrawWhatTheSceneWouldSay) {
             "color": {"file": "base.exr", "colour_space": "srgb", "mag": "nearest",
                       "wrap": ["clamp-to-edge", "mirrored-repeat"]},
             "normal": {"file": "bumps.exr"}, "ambient": [0.1, 0.1, 0.1, 1],
-            "diffuse": [1, 1, 1, 1], "specular": [0.04, 0.04, 0.04, 1],
-            "shade": {"id": "shade-cook-torrance", "roughness": 0.25},
+            "diffuse": [1, 1, 1, 1],
+            "shade": {"id": "shade-metallic-roughness", "roughness": 0.5, "metalness": 0},
             "relief": {"surface": {"id": "normal-map", "green": "down"}}}, )",
                                       R"(, "materials": false)"),
                              {});
@@ -114,17 +125,18 @@ TEST_F(GltfMaterials, TheScenesOwnKeysWin) {
     EXPECT_EQ(both.textures.at("color").file.filename(), "own.exr");
     EXPECT_FALSE(both.textures.contains("normal"));  // heights say what the normals are
     EXPECT_EQ(both.shade.id, "shade-lambert");
-    EXPECT_FLOAT_EQ(both.specular.x, 0.04f);
+    EXPECT_FLOAT_EQ(both.diffuse.x, 1);
 }
 
-TEST_F(GltfMaterials, MetalMirrorsItsColour) {
+TEST_F(GltfMaterials, FactorsAreTaken) {
     material = {{"pbrMetallicRoughness", {{"baseColorFactor", {1.0, 0.5, 0.25, 1.0}}}},
                 {"emissiveFactor", {0.5, 0.0, 0.0}},
                 {"alphaMode", "MASK"},
                 {"alphaCutoff", 0.25}};
     const Material metal = scene_of().materials.at(0);
-    EXPECT_EQ(metal.diffuse, glm::vec4(0, 0, 0, 1));
-    EXPECT_EQ(metal.specular, glm::vec4(1, 0.5f, 0.25f, 1));
+    EXPECT_EQ(metal.diffuse, glm::vec4(1, 0.5f, 0.25f, 1));
+    EXPECT_EQ(metal.shade.parameters.at("metalness"), ParameterValue(1.0));
+    EXPECT_EQ(metal.shade.parameters.at("roughness"), ParameterValue(1.0));
     EXPECT_EQ(metal.emission, glm::vec4(0.5f, 0, 0, 1));
     EXPECT_EQ(metal.discard_below, 0.25f);
     EXPECT_EQ(metal.cull, scene_of(R"("material": {"cull": "back"}, )").materials.at(0).cull);
@@ -170,13 +182,13 @@ TEST_F(GltfMaterials, WhatIsNoMaterialIsRefused) {
 
 TEST_F(GltfMaterials, WhatIsLeftIsSaid) {
     material["occlusionTexture"] = {{"index", 0}};
-    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 1}};
     material["normalTexture"]["texCoord"] = 1;
     material["emissiveTexture"] = {
         {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2.0, 2.0}}}}}}};
     material["emissiveFactor"] = {1, 1, 1};
     const Scene scene = scene_of();
-    for (const char* const part : {"occlusion (no map", "map of roughness", "normal (another set",
+    for (const char* const part : {"occlusion (another image", "normal (another set",
                                    "emission (another texture transform)"})
         EXPECT_NE(note_of(scene).find(part), std::string::npos) << note_of(scene);
     EXPECT_FALSE(scene.materials[0].textures.contains("normal"));
@@ -196,11 +208,203 @@ TEST_F(GltfMaterials, ATransformOfAllTexturesIsTaken) {
     EXPECT_EQ(scene.meshes.at(0).uvs.at(0), glm::vec2(0, 3));
 }
 
-TEST_F(GltfMaterials, OfSeveralNoneIsTaken) {
-    const Scene scene = scene_of("", "", 2);
-    EXPECT_TRUE(scene.materials.at(0).textures.empty());
-    EXPECT_NE(note_of(scene).find("2 materials: taken: nothing; left: all"), std::string::npos)
-        << note_of(scene);
+/// Occlusion, roughness and metalness as one map, or as one or two of the three.
+TEST_F(GltfMaterials, RoughnessAndOcclusionAreChannelsOfOneMap) {
+    json& metal = material["pbrMetallicRoughness"];
+    const auto gloss = [&] { return scene_of().materials.at(0).textures.at("gloss"); };
+    metal["metallicRoughnessTexture"] = {{"index", 1}};
+    EXPECT_EQ(gloss().swizzle, "1gb");
+    EXPECT_EQ(gloss().file.filename(), "bumps.exr");
+    EXPECT_FALSE(gloss().srgb);
+    material["occlusionTexture"] = {{"index", 1}, {"strength", 0.25}};
+    EXPECT_EQ(gloss().swizzle, "rgb");
+    EXPECT_EQ(scene_of().materials[0].shade.parameters.at("occlusion_strength"),
+              ParameterValue(0.25));
+    metal.erase("metallicRoughnessTexture");
+    EXPECT_EQ(gloss().swizzle, "r11");
+    EXPECT_NE(note_of(scene_of()).find("occlusion"), std::string::npos);
+}
+
+/// A square of each, side by side; a third one without a material.
+class SeveralGltfMaterials : public GltfMaterials {
+  protected:
+    SeveralGltfMaterials() {
+        GltfBuilder builder;
+        const int indices = builder.shorts({0, 1, 2, 0, 2, 3});
+        builder.set_primitive(json::object());
+        json& primitives = builder.json["meshes"][0]["primitives"] = json::array();
+        for (int i = 0; i < 3; ++i) {
+            const float x = static_cast<float>(i) * 2 - 3;
+            const int positions =
+                builder.floats({x, -1, 0, x + 2, -1, 0, x + 2, 1, 0, x, 1, 0}, "VEC3", 3);
+            json part = {{"attributes", {{"POSITION", positions}}}, {"indices", indices}};
+            if (i < 2) {
+                part["attributes"]["TEXCOORD_0"] =
+                    builder.floats({0, 1, 1, 1, 1, 0, 0, 0}, "VEC2", 2);
+                part["material"] = i;
+            }
+            primitives.push_back(part);
+        }
+        json other = {{"name", "glass"},
+                      {"pbrMetallicRoughness", {{"baseColorFactor", {0.25, 0.5, 1.0, 1.0}}}}};
+        builder.json["materials"] = {material, other};
+        builder.json["images"] = images;
+        builder.json["textures"] = json::array({{{"source", 0}}, {{"source", 1}}});
+        testing_films::write_bytes(folder / "row.glb", builder.binary());
+    }
+
+    Scene row_scene(const std::string& objects, const std::string& keys = "") {
+        testing_films::write_bytes(folder / "row.json",
+                                   R"({"quadrel": 1, "size": [36, 12], "camera":
+            {"type": "orthographic", "height": 2}, "lights": [{"position": [0, 0, 9]}], )" +
+                                       keys + R"("objects": [)" + objects + "]}");
+        return load_scene(folder / "row.json");
+    }
+    static std::string part(int number, const std::string& named) {
+        return R"({"mesh": {"file": "row.glb", "materials": false, "material": )" +
+               std::to_string(number) + R"(}, "material": ")" + named + "\"}";
+    }
+    const std::string whole = R"({"mesh": {"file": "row.glb"}})";
+};
+
+TEST_F(SeveralGltfMaterials, EachPartHasItsOwn) {
+    const Scene scene = row_scene(whole);
+    ASSERT_EQ(scene.objects.size(), 3u);
+    const auto worn = [&](std::size_t i) { return scene.materials[scene.objects[i].material]; };
+    EXPECT_EQ(worn(0).name, "default");  // of what has none
+    EXPECT_EQ(worn(1).name, "default: brass");
+    EXPECT_EQ(worn(1).textures.at("color").file.filename(), "base.exr");
+    EXPECT_EQ(worn(2).name, "default: glass");
+    EXPECT_FLOAT_EQ(worn(2).diffuse.x, 0.25f);
+    EXPECT_EQ(scene.objects[2].name, "object 0: glass");
+    for (const Object& object : scene.objects)
+        EXPECT_EQ(scene.meshes[object.mesh].triangles.size(), 2u);
+    const std::string note = note_of(scene);
+    for (const char* const text :
+         {"row.glb: 2 materials: taken: ", "normal of brass", "roughness", "base colour of glass"})
+        EXPECT_NE(note.find(text), std::string::npos) << note;
+}
+
+/// The picture is that of three objects which say the same themselves.
+TEST_F(SeveralGltfMaterials, DrawWhatTheSceneWouldSay) {
+    const std::string shade = R"("shade": {"id": "shade-metallic-roughness", "roughness": )";
+    const std::string named = R"("materials": {
+        "plain": {},
+        "brass": {"color": {"file": "base.exr", "colour_space": "srgb"},
+                  "normal": {"file": "bumps.exr"}, "ambient": [0.1, 0.1, 0.1, 1],
+                  "diffuse": [1, 1, 1, 1], )" +
+                              shade + R"(0.5, "metalness": 0},
+                  "relief": {"surface": {"id": "normal-map", "green": "down"}}},
+        "glass": {"ambient": [0.025, 0.05, 0.1, 1], "diffuse": [0.25, 0.5, 1, 1], "cull": "back", )" +
+                              shade + R"(1, "metalness": 1}}}, )";
+    const Film taken = render(row_scene(whole), {});
+    const std::string three = part(-1, "plain") + ", " + part(0, "brass") + ", " + part(1, "glass");
+    EXPECT_EQ(film_hash(taken), film_hash(render(row_scene(three, named), {})));
+    const std::string swapped =
+        part(-1, "plain") + ", " + part(1, "brass") + ", " + part(0, "glass");
+    EXPECT_NE(film_hash(taken), film_hash(render(row_scene(swapped, named), {})));
+    const Film none = render(
+        row_scene(R"({"mesh": {"file": "row.glb", "materials": false}})", R"("material": {}, )"),
+        {});
+    EXPECT_NE(film_hash(taken), film_hash(none));
+}
+
+TEST_F(SeveralGltfMaterials, AKeyChoosesOne) {
+    const auto chosen = [&](const std::string& which) {
+        return row_scene(R"({"mesh": {"file": "row.glb", "material": )" + which + "}}");
+    };
+    for (const char* const glass : {"1", "\"glass\""}) {
+        const Scene scene = chosen(glass);
+        ASSERT_EQ(scene.objects.size(), 1u);
+        EXPECT_EQ(scene.meshes.at(scene.objects[0].mesh).triangles.size(), 2u);
+        EXPECT_FLOAT_EQ(scene.materials.at(0).diffuse.z, 1);
+        EXPECT_NE(note_of(scene).find("row.glb: glass: taken"), std::string::npos);
+    }
+    EXPECT_TRUE(chosen("-1").materials.at(0).shade.id.empty());
+    const auto refused = [&](const std::string& which) -> std::string {
+        try {
+            chosen(which);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(refused("\"glas\"").find("glass"), std::string::npos) << refused("\"glas\"");
+    EXPECT_NE(refused("2").find("-1 to 1"), std::string::npos) << refused("2");
+    EXPECT_NE(refused("0.5").find("row.json"), std::string::npos) << refused("0.5");
+    testing_films::write_bytes(folder / "square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_THROW(row_scene(R"({"mesh": {"file": "square.obj", "material": 0}})"), InputError);
+}
+
+/// Others stay where and what they are; several files may share a material of the scene.
+TEST_F(SeveralGltfMaterials, OtherObjectsKeepTheirPlacesAndMaterials) {
+    write_mesh();
+    const Scene scene = row_scene(
+        whole + R"(, {"name": "ball", "mesh": "sphere"}, {"mesh": {"file": "square.gltf"}})",
+        R"("material": {"shininess": 7, "cull": "front"}, )");
+    ASSERT_EQ(scene.objects.size(), 5u);
+    EXPECT_EQ(scene.objects[1].name, "ball");
+    const auto worn = [&](std::size_t i) { return scene.materials[scene.objects[i].material]; };
+    EXPECT_EQ(worn(1).name, "default");
+    EXPECT_TRUE(worn(1).textures.empty()) << "a file's defaults are its own objects'";
+    EXPECT_EQ(worn(2).name, "default: brass (0)") << "the same name in another file";
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_FLOAT_EQ(worn(i).shininess, 7);
+        EXPECT_EQ(worn(i).cull, Cull::front);
+    }
+    EXPECT_EQ(scene.objects[3].name, "object 0: brass");
+}
+
+TEST_F(SeveralGltfMaterials, ANamedMeshBecomesItsParts) {
+    const std::string meshes = R"("meshes": {"row": {"file": "row.glb", "normals": "flat"}}, )";
+    EXPECT_EQ(row_scene(R"({"mesh": "row"})", meshes).meshes.size(), 3u);
+    EXPECT_EQ(
+        row_scene(R"({"mesh": "row"}, {"mesh": "row", "transform": [{"translate": [0, 1, 0]}]})",
+                  meshes)
+            .meshes.size(),
+        3u);
+}
+
+/// Images in the buffer of a .glb and in the text of a .gltf: the pixels of the file that they
+/// were.
+TEST_F(GltfMaterials, ImagesWithinTheFileAreRead) {
+    Picture picture(8, 4, 0);
+    for (int i = 0; i < 32; ++i)
+        picture.set(i % 8, i / 8, static_cast<std::uint8_t>(i * 7), static_cast<std::uint8_t>(i),
+                    90);
+    write_png(folder / "base.png", picture);
+    images[0] = {{"uri", "base.png"}};
+    material.erase("normalTexture");
+    const std::string expected = film_hash(render(scene_of(), {}));
+    const std::string bytes = testing_films::file_bytes(folder / "base.png");
+
+    images[0] = {{"uri", "data:image/png;base64," + base64(bytes)}, {"name", "paint"}};
+    const Scene within = scene_of();
+    EXPECT_EQ(within.materials.at(0).textures.at("color").selection.part, "0");
+    EXPECT_EQ(film_hash(render(within, {})), expected);
+
+    GltfBuilder builder = square_gltf();
+    const int view =
+        builder.add(std::vector<char>(bytes.begin(), bytes.end()), 5121, "SCALAR", bytes.size());
+    builder.json["images"] = json::array({{{"bufferView", view}, {"mimeType", "image/png"}}});
+    testing_films::write_bytes(folder / "box.glb", builder.binary());
+    const Image read = load_image(folder / "box.glb");
+    EXPECT_EQ(read.values, load_image(folder / "base.png").values);
+    testing_films::write_bytes(folder / "box.gltf", builder.text("box.bin"));
+    EXPECT_THROW(load_image(folder / "box.gltf"), InputError) << "that is another file";
+
+    for (const char* const part : {"1", "paint"}) {
+        try {
+            load_image(folder / "box.glb", NotFinite::refuse, "material.color", {"", part});
+            ADD_FAILURE() << part;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.key, "material.color");
+            EXPECT_NE(error.found.find(part), std::string::npos) << error.what();
+        }
+    }
+    builder.json["bufferViews"][static_cast<std::size_t>(view)]["byteLength"] = 1u << 30;
+    testing_films::write_bytes(folder / "box.glb", builder.binary());
+    EXPECT_THROW(load_image(folder / "box.glb"), InputError);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "quadrel/scene/load.hpp"
 
+#include "effort.hpp"
 #include "io/scene/find_scene.hpp"
 #include "scene/support.hpp"
 
@@ -329,7 +330,11 @@ TEST_F(LoadScene, TexturesNeedCoordinates) {
 
 TEST_F(LoadScene, InstalledScenesAreFoundByName) {
     const auto names = installed_scenes();
-    for (const std::string& name : names) EXPECT_NO_THROW(load_scene(name)) << name;
+    int row = 0;
+    for (const std::string& name : names)
+        if (test::is_tried(row++)) {
+            EXPECT_NO_THROW(load_scene(name)) << name;
+        }
     EXPECT_TRUE(
         complains([] { load_scene("thesis-qaud"); }, {"", "no installed scene", "thesis-quad"}));
 }

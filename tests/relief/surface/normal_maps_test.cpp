@@ -304,7 +304,7 @@ TEST(BumpBlinn, TiltsByTheGradientAcrossTheNormal) {
 
 /// Differences of the quad: both lanes of a row share one. Three fetches: each lane has its own.
 TEST(BumpBlinn, QuadsShareTheirDifferences) {
-    StageInputs inputs(9);
+    StageInputs inputs(9, SlotsBound::not_baked);
     Batch<float>& quad = inputs.batch;
     for (int lane = 0; lane < quad.lanes; ++lane)
         quad.set(Value::frame_normal, lane, quad.vector3(Value::frame_normal, lane / 4 * 4));

@@ -157,7 +157,7 @@ testing::AssertionResult equals(const std::string& id,
                                 const std::function<Vec3(Batch<float>&, int)>& expected,
                                 const std::function<void(Batch<float>&)>& change = {}) {
     for (int seed = 0; seed < 8; ++seed) {
-        StageInputs inputs(100 + seed);
+        StageInputs inputs(100 + seed, SlotsBound::not_baked);
         Batch<float>& batch = inputs.batch;
         if (change) change(batch);
         batch.own_depth = true;
@@ -342,7 +342,7 @@ TEST(RenkBumpiness, EqualsTheListing) {
 
 /// The dot product of what is handed on with the light is the listing's NdotL.
 TEST(RenkBumpiness, TheNormalCarriesNdotL) {
-    StageInputs inputs(130);
+    StageInputs inputs(130, SlotsBound::not_baked);
     inputs.batch.run("bump-noise@published");
     for (int quad = 0; quad < inputs.batch.lanes / 4; ++quad) {
         const Renk listing = renk(inputs.batch, quad);

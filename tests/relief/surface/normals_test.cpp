@@ -310,7 +310,7 @@ TEST(NormalsFromHeights, MirroringSamplersAgreeBitForBit) {
 testing::AssertionResult keeps_the_frames_normal(const std::string& id, float depth,
                                                  Status status) {
     Random random(3);
-    StageInputs inputs(3);
+    StageInputs inputs(3, SlotsBound::not_baked);
     Batch<float>& batch = inputs.batch;
     batch.material.depth = depth;
     for (int lane = 0; lane < batch.lanes; ++lane)

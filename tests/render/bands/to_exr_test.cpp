@@ -21,12 +21,15 @@ void film_to_exr(const std::filesystem::path& file, const Scene& scene, const Fi
     write_exr(file, film, Attributes(named.begin(), named.end()), {compression, options.threads});
 }
 
-AssertionResult writes_these_bytes(const ToExr& to_exr, const Scene& scene, RenderOptions options,
-                                   ExrCompression compression) {
+/// `film` is what `render` gives.
+AssertionResult writes_these_bytes(const ToExr& to_exr, const Scene& scene, const Film& film,
+                                   RenderOptions options, ExrCompression compression) {
     const TemporaryFolder folder;
-    film_to_exr(folder / "expected.exr", scene, render(scene, options), options, compression);
+    film_to_exr(folder / "expected.exr", scene, film, options, compression);
     const std::string expected = file_bytes(folder / "expected.exr");
-    for (const int threads : {1, 2}) {
+    // Who draws does not know how it will be packed: one thread beside two once.
+    const int least = compression == ExrCompression::zip ? 1 : 2;
+    for (int threads = least; threads <= 2; ++threads) {
         options.threads = threads;
         to_exr(folder / "found.exr", scene, options, compression);
         if (file_bytes(folder / "found.exr") != expected)
@@ -49,8 +52,10 @@ AssertionResult writes_what_is_drawn(const ToExr& to_exr) {
     large.tile = 100;
     large.channels = {"depth", "R", "quad"};
     const auto all = [&](const Scene& scene, const RenderOptions& options) {
+        const Film film = render(scene, options);
         for (const auto& [name, compression] : exr_compressions)
-            if (auto result = writes_these_bytes(to_exr, scene, options, compression); !result)
+            if (auto result = writes_these_bytes(to_exr, scene, film, options, compression);
+                !result)
                 return result;
         return AssertionSuccess();
     };

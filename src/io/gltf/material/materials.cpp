@@ -1,50 +1,43 @@
-#include "io/gltf/materials.hpp"
+#include "io/gltf/material/materials.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
-#include <set>
 
 #include "io/gltf/buffers.hpp"
+#include "io/gltf/material/choice.hpp"
+#include "io/gltf/material/images.hpp"
+#include "io/gltf/material/members.hpp"
+#include "io/gltf/material/uvs.hpp"
 #include "io/gltf/nodes.hpp"
 #include "io/gltf/open.hpp"
-#include "io/gltf/uvs.hpp"
 
 namespace quadrel {
 namespace {
 
 using nlohmann::json;
 
-/// Reflectance of what is no metal, at normal incidence (glTF 2.0, B.2).
-constexpr double dielectric = 0.04;
 /// Of the default material's reflectance of ambient light.
 constexpr double ambient_share = 0.1;
 
-const json& member_of(const json& object, const char* key) {
-    static const json none;
-    if (!object.is_object()) return none;
-    const auto found = object.find(key);
-    return found == object.end() ? none : *found;
-}
-
-const json& element(const json& root, const char* list, const json& index) {
-    static const json none;
-    const json& all = member_of(root, list);
-    if (!all.is_array() || !index.is_number_unsigned()) return none;
-    const auto i = index.get<std::size_t>();
-    return i < all.size() ? all[i] : none;
-}
-
-/// Materials of the triangles that are drawn; -1 for none.
-std::set<int> drawn_materials(const GltfFile& file) {
-    std::set<int> materials;
+/// Materials of the triangles that are drawn, -1 being none, and whether any of them has the set of
+/// texture coordinates.
+std::map<int, bool> drawn_materials(const GltfFile& file, const MeshFileOptions& options) {
+    std::map<int, bool> materials;
+    const std::string set = fmt::format("TEXCOORD_{}", options.uv_set);
     const GltfNodes nodes = lay_out_nodes(file);
     for (const int node : nodes.drawn) {
         const int mesh = file.model.nodes[static_cast<std::size_t>(node)].mesh;
         for (const auto& primitive : file.model.meshes[static_cast<std::size_t>(mesh)].primitives)
-            if (primitive.mode >= TINYGLTF_MODE_TRIANGLES) materials.insert(primitive.material);
+            if (primitive.mode >= TINYGLTF_MODE_TRIANGLES)
+                materials[primitive.material] |= primitive.attributes.count(set) > 0;
+    }
+    if (options.material) {
+        const int chosen = gltf_material(file, *options.material);
+        std::erase_if(materials, [&](const auto& entry) { return entry.first != chosen; });
     }
     return materials;
 }
@@ -69,17 +62,18 @@ const char* filter_word(const json& code) {
 
 class MaterialReader {
   public:
-    MaterialReader(const GltfFile& file, std::filesystem::path folder, int index, int uv_set)
+    /// `has_uvs`: whether the mesh has the set of texture coordinates.
+    MaterialReader(const GltfFile& file, int index, int uv_set, bool has_uvs)
         : file_(file),
-          folder_(std::move(folder)),
+          path_(file.name),
           key_(fmt::format("materials[{}]", index)),
           material_(element(file.json, "materials", static_cast<unsigned>(index))),
           metal_(member_of(material_, "pbrMetallicRoughness")),
           mesh_uvs_(material_uvs(file, index, uv_set).transform),
-          uv_set_(uv_set) {
-        read_.name = member_of(material_, "name").is_string()
-                         ? member_of(material_, "name").get<std::string>()
-                         : key_;
+          uv_set_(uv_set),
+          has_uvs_(has_uvs) {
+        read_.number = index;
+        read_.name = gltf_material_name(file, index);
     }
 
     GltfMaterial read() {
@@ -88,8 +82,6 @@ class MaterialReader {
         read_emission();
         read_shading();
         read_sides();
-        if (!member_of(material_, "occlusionTexture").is_null())
-            leave("occlusion", "no map of it is read");
         return std::move(read_);
     }
 
@@ -132,6 +124,10 @@ class MaterialReader {
         if (!index.is_number_unsigned() || index.get<std::size_t>() >= count)
             file_.fail(key_ + "." + path + ".index", index.is_null() ? "none" : index.dump(),
                        fmt::format("one of the file's {} textures", count));
+        if (!has_uvs_) {
+            leave(what, "no texture coordinates");
+            return std::nullopt;
+        }
         const auto uvs = texture_uvs(file_, described, key_, uv_set_);
         if (!uvs) {
             leave(what, "another set of texture coordinates");
@@ -142,33 +138,52 @@ class MaterialReader {
             return std::nullopt;
         }
         const json& found = element(file_.json, "textures", index);
-        const json& uri =
-            member_of(element(file_.json, "images", member_of(found, "source")), "uri");
-        const auto image = uri.is_string() ? gltf_uri_path(uri.get<std::string>(), folder_)
-                                           : std::optional<std::filesystem::path>();
-        if (!image) {
-            leave(what, "an image within the file");
-            return std::nullopt;
-        }
-        std::error_code none;
-        if (!std::filesystem::is_regular_file(*image, none)) {
-            leave(what, "no file " + image->string());
-            return std::nullopt;
-        }
-        return texture_of(*image, element(file_.json, "samplers", member_of(found, "sampler")),
-                          srgb);
+        std::optional<Json> text = image_text(image_of(found), what);
+        if (!text) return std::nullopt;
+        if (srgb) (*text)["colour_space"] = "srgb";
+        add_sampler(element(file_.json, "samplers", member_of(found, "sampler")), *text);
+        return text;
     }
 
-    static Json texture_of(const std::filesystem::path& path, const json& sampler, bool srgb) {
-        Json text = {{"file", std::filesystem::absolute(path).string()}};
-        if (srgb) text["colour_space"] = "srgb";
-        const char *const u = wrap_word(member_of(sampler, "wrapS")), *const v =
-                                                                          wrap_word(member_of(
-                                                                              sampler, "wrapT"));
+    /// That of the format which all know, else that of WebP, which some exporters give alone.
+    const json& image_of(const json& found) const {
+        const json& source = member_of(found, "source");
+        const json& webp =
+            member_of(member_of(member_of(found, "extensions"), "EXT_texture_webp"), "source");
+        return element(file_.json, "images", source.is_null() ? webp : source);
+    }
+
+    /// Where the image is, in the words of a texture.
+    std::optional<Json> image_text(const json& image, const char* what) {
+        if (!image.is_object()) {
+            leave(what, "no image of a known format");
+            return std::nullopt;
+        }
+        if (is_within_gltf(file_.json, image)) {
+            const auto& images = file_.json["images"];
+            const auto number = &image - &images[0];
+            return Json{{"file", std::filesystem::absolute(path_).string()}, {"part", number}};
+        }
+        const json& uri = member_of(image, "uri");
+        if (!uri.is_string()) {
+            leave(what, "an image in a buffer of its own file");
+            return std::nullopt;
+        }
+        const auto file = gltf_uri_path(uri.get<std::string>(), path_.parent_path());
+        std::error_code none;
+        if (!std::filesystem::is_regular_file(*file, none)) {
+            leave(what, "no file " + file->string());
+            return std::nullopt;
+        }
+        return Json{{"file", std::filesystem::absolute(*file).string()}};
+    }
+
+    static void add_sampler(const json& sampler, Json& text) {
+        const char* const u = wrap_word(member_of(sampler, "wrapS"));
+        const char* const v = wrap_word(member_of(sampler, "wrapT"));
         text["wrap"] = {u, v};
         if (const char* const mag = filter_word(member_of(sampler, "magFilter"))) text["mag"] = mag;
         if (const char* const min = filter_word(member_of(sampler, "minFilter"))) text["min"] = min;
-        return text;
     }
 
     void read_base_colour() {
@@ -196,10 +211,10 @@ class MaterialReader {
 
     void read_emission() {
         const std::vector<double> factor = numbers(material_, "", "emissiveFactor", {0, 0, 0});
+        if (factor == std::vector<double>{0, 0, 0}) return;
         const json& described = member_of(material_, "emissiveTexture");
         const bool white = factor == std::vector<double>{1, 1, 1};
         if (described.is_null()) {
-            if (factor == std::vector<double>{0, 0, 0}) return;
             read_.keys["emission"] = {factor[0], factor[1], factor[2], 1};
             take("emission");
         } else if (!white) {
@@ -210,28 +225,46 @@ class MaterialReader {
         }
     }
 
-    /// A metal has no colour but that of its mirror, and all else a mirror without colour.
     void read_shading() {
-        const double metal = number(metal_, metal_path, "metallicFactor", 1);
-        const double rough = number(metal_, metal_path, "roughnessFactor", 1);
-        const bool mapped = !member_of(metal_, "metallicRoughnessTexture").is_null();
-        if (mapped) leave("map of roughness and metalness", "shading has none");
-        const double metalness = mapped ? 0 : metal;
-        Json diffuse, specular, ambient;
+        Json diffuse, ambient;
         for (std::size_t i = 0; i < 3; ++i) {
-            diffuse.push_back(base_[i] * (1 - metalness));
+            diffuse.push_back(base_[i]);
             ambient.push_back(ambient_share * base_[i]);
-            specular.push_back(dielectric * (1 - metalness) + base_[i] * metalness);
         }
-        for (Json* const colour : {&diffuse, &specular, &ambient}) colour->push_back(1);
+        for (Json* const colour : {&diffuse, &ambient}) colour->push_back(1);
         read_.keys["diffuse"] = diffuse;
-        read_.keys["specular"] = specular;
         read_.keys["ambient"] = ambient;
-        constexpr double least_slope = 0.001;
-        read_.keys["shade"] = {{"id", "shade-cook-torrance"},
-                               {"roughness", std::max(rough * rough, least_slope)}};
+        Json shade = {{"id", "shade-metallic-roughness"},
+                      {"roughness", number(metal_, metal_path, "roughnessFactor", 1)},
+                      {"metalness", number(metal_, metal_path, "metallicFactor", 1)}};
+        read_gloss(shade);
+        read_.keys["shade"] = shade;
         take("roughness");
-        if (!mapped) take("metalness");
+        take("metalness");
+    }
+
+    /// Occlusion, roughness and metalness are channels of one map, as files mostly have them; a
+    /// second image for occlusion finds no place.
+    void read_gloss(Json& shade) {
+        const json& rough = member_of(metal_, "metallicRoughnessTexture");
+        const json& occlusion = member_of(material_, "occlusionTexture");
+        std::optional<Json> gloss, dims;
+        if (!rough.is_null())
+            gloss = texture(rough, metal_path + "metallicRoughnessTexture",
+                            "map of roughness and metalness", false);
+        if (!occlusion.is_null()) dims = texture(occlusion, "occlusionTexture", "occlusion", false);
+        if (gloss) take("map of roughness and metalness");
+        if (gloss && dims && *gloss != *dims) {
+            leave("occlusion", "another image than that of roughness");
+            dims.reset();
+        }
+        if (dims) {
+            take("occlusion");
+            shade["occlusion_strength"] = number(occlusion, "occlusionTexture.", "strength", 1);
+        }
+        if (!gloss && !dims) return;
+        read_.keys["gloss"] = gloss ? *gloss : *dims;
+        read_.keys["gloss"]["swizzle"] = !gloss ? "r11" : dims ? "rgb" : "1gb";
     }
 
     void read_sides() {
@@ -256,29 +289,29 @@ class MaterialReader {
     inline static const std::string metal_path = "pbrMetallicRoughness.";
 
     const GltfFile& file_;
-    std::filesystem::path folder_;
+    std::filesystem::path path_;
     std::string key_;
     const json &material_, &metal_;
     UvTransform mesh_uvs_;
     int uv_set_;
+    bool has_uvs_;
     std::vector<double> base_;
     GltfMaterial read_;
 };
 
 }  // namespace
 
-GltfMaterial read_gltf_material(const std::filesystem::path& path, int uv_set) {
+std::vector<GltfMaterial> read_gltf_materials(const std::filesystem::path& path,
+                                              const MeshFileOptions& options) {
     const GltfFile file = open_gltf(path);
-    const std::set<int> materials = drawn_materials(file);
-    GltfMaterial none;
-    none.keys = Json::object();
-    if (materials.empty() || materials == std::set<int>{-1}) return none;
-    if (materials.size() > 1) {
-        none.name = fmt::format("{} materials", materials.size());
-        none.left.emplace_back("all of them (one can be taken)");
-        return none;
+    std::vector<GltfMaterial> all;
+    for (const auto& [number, has_uvs] : drawn_materials(file, options)) {
+        if (number >= 0)
+            all.push_back(MaterialReader(file, number, options.uv_set, has_uvs).read());
+        else
+            all.emplace_back().name = gltf_material_name(file, number);
     }
-    return MaterialReader(file, path.parent_path(), *materials.begin(), uv_set).read();
+    return all;
 }
 
 }  // namespace quadrel

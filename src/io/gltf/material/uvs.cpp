@@ -1,4 +1,4 @@
-#include "io/gltf/uvs.hpp"
+#include "io/gltf/material/uvs.hpp"
 
 #include <cmath>
 #include <optional>
