@@ -62,6 +62,6 @@ using RangeStages = StageList<
     // shade
     ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished, ShadeMcGuire,
     ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3, ShadeLambert, ShadePhong,
-    ShadeBlinnPhong, ShadeCookTorrance, ShadeMetallicRoughness, ShadeDebug>;
+    ShadeBlinnPhong, ShadeCookTorrance, ShadeMetallicRoughness, ShadeLayers, ShadeDebug>;
 
 }  // namespace quadrel

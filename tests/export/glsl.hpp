@@ -209,10 +209,11 @@ inline int texture_size(sampler of, int level, int axis) {
 
 inline sampler height_map_nearest, height_map, color_map, gloss_map, emissive_map, normal_map,
     environment_map, layers_map, layers_2_map, layers_3_map, layer_normals_x_map,
-    layer_normals_y_map, max_mip_map, min_max_map, texel_max_map, cone_map, cone_robust_map,
-    cone_quick_map, cone_rabbid_map, cone_cell_map, relaxed_cone_map, relaxed_cone_exact_map,
-    quad_cone_map, aniso_cone_map, distance_map, distance_exact_map, horizon_map,
-    horizon_sampled_map, rmq_map, layer_bounds_map, ddm_map, gdm_map, vdm_map, prewarp_map;
+    layer_normals_y_map, color_2_map, color_3_map, color_4_map, max_mip_map, min_max_map,
+    texel_max_map, cone_map, cone_robust_map, cone_quick_map, cone_rabbid_map, cone_cell_map,
+    relaxed_cone_map, relaxed_cone_exact_map, quad_cone_map, aniso_cone_map, distance_map,
+    distance_exact_map, horizon_map, horizon_sampled_map, rmq_map, layer_bounds_map, ddm_map,
+    gdm_map, vdm_map, prewarp_map;
 /// In the order of TextureSlot.
 inline sampler* const samplers[] = {&height_map,
                                     &color_map,
@@ -225,6 +226,9 @@ inline sampler* const samplers[] = {&height_map,
                                     &layers_3_map,
                                     &layer_normals_x_map,
                                     &layer_normals_y_map,
+                                    &color_2_map,
+                                    &color_3_map,
+                                    &color_4_map,
                                     &max_mip_map,
                                     &min_max_map,
                                     &texel_max_map,

@@ -45,7 +45,7 @@ class MadeInputs {
         Map& map = maps[static_cast<std::size_t>(slot)];
         if (is_layers(slot)) {
             map = random_layers();
-        } else if (slot == TextureSlot::layer_normals_x || slot == TextureSlot::layer_normals_y) {
+        } else if (slot >= TextureSlot::layer_normals_x && slot <= TextureSlot::color_4) {
             // Of a sequence of their own: the others' inputs stay what they were.
             Random normals(static_cast<std::uint64_t>(slot) + 78);
             map = random_map(normals, 4);

@@ -85,7 +85,9 @@ struct Material {
     float shininess = 50;
     glm::mat4 texture_matrix{1.0f};                    ///< applied to (u, v, 0, 1)
     std::map<std::string, TextureReference> textures;  ///< color, height, gloss, emissive, normal,
-                                                       ///< layers, layers_2, layers_3
+                                                       ///< layers, layers_2, layers_3,
+                                                       ///< layer_normals_x, layer_normals_y,
+                                                       ///< color_2, color_3, color_4
     std::optional<NoiseHeights> noise;                 ///< in place of the texture `height`
     Cull cull = Cull::none;
     float discard_below = -1;  ///< demote fragments whose colour alpha is below; < 0: never

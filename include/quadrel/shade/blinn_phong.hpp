@@ -11,6 +11,15 @@
 
 namespace quadrel {
 
+/// Blinn's s at the point, of a light from L.
+template <Number F>
+F blinn_highlight(const LitPoint<F>& at, const vec3<F>& L) {
+    const vec3<F> sum = L + at.V;
+    const F squared = dot(sum, sum);
+    const F cosine = dot(at.N, sum) * inversesqrt(squared);
+    return pow(select(squared > F(0), max(cosine, F(0)), F(0)), at.shininess);
+}
+
 struct ShadeBlinnPhong : LitDefaults {
     static constexpr bool runs_on_duals = true;
     static constexpr StageText text{
@@ -23,13 +32,7 @@ struct ShadeBlinnPhong : LitDefaults {
         using F = typename Io::Number;
         const LitPoint<F> at = lit_point(io, params.gradients);
         shade_lit(
-            io, at.N,
-            [&](const vec3<F>& L, F) {
-                const vec3<F> sum = L + at.V;
-                const F squared = dot(sum, sum);
-                const F cosine = dot(at.N, sum) * inversesqrt(squared);
-                return pow(select(squared > F(0), max(cosine, F(0)), F(0)), at.shininess);
-            },
+            io, at.N, [&](const vec3<F>& L, F) { return blinn_highlight(at, L); },
             params.gradients);
     }
 };

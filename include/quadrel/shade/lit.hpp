@@ -55,15 +55,22 @@ void store_lit(Io& io, const LightTerms<F>& sum, const vec4<F>& base, const Emis
     io.template store<Value::opacity>(base.w);
 }
 
-/// Lights the point with the model's `specular` and stores everything.
+/// Lights a point of that colour and opacity with the model's `specular` and stores everything.
+template <class Io, class Specular, class F = typename Io::Number>
+void shade_lit(Io& io, const vec4<F>& base, const vec3<F>& N, const Specular& specular,
+               std::int32_t gradients) {
+    const Emission<F> emissive = emission_at_hit(io, gradients);
+    constexpr bool shines = !std::is_same_v<decltype(specular(N, F(0))), NoHighlight>;
+    store_lit<shines>(io, sum_lights(io, rgb(base), N, specular), base, emissive);
+}
+
+/// The same of the colour map's colour.
 template <class Io, class Specular>
 void shade_lit(Io& io, const vec3<typename Io::Number>& N, const Specular& specular,
                std::int32_t gradients = 0) {
     using F = typename Io::Number;
-    const vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients);
-    const Emission<F> emissive = emission_at_hit(io, gradients);
-    constexpr bool shines = !std::is_same_v<decltype(specular(N, F(0))), NoHighlight>;
-    store_lit<shines>(io, sum_lights(io, rgb(base), N, specular), base, emissive);
+    shade_lit(io, map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), gradients), N, specular,
+              gradients);
 }
 
 }  // namespace quadrel

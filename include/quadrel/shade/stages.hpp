@@ -7,6 +7,7 @@
 #include "quadrel/shade/debug.hpp"
 #include "quadrel/shade/gg3.hpp"
 #include "quadrel/shade/lambert.hpp"
+#include "quadrel/shade/layers.hpp"
 #include "quadrel/shade/mcguire.hpp"
 #include "quadrel/shade/mcguire_published.hpp"
 #include "quadrel/shade/metallic_roughness.hpp"
@@ -21,9 +22,10 @@
 
 namespace quadrel {
 
-using ShadeStages = StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh,
-                              ShadeWelshPublished, ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid,
-                              ShadeRabbidPublished, ShadeGg3, ShadeDebug, ShadeLambert, ShadePhong,
-                              ShadeBlinnPhong, ShadeCookTorrance, ShadeMetallicRoughness>;
+using ShadeStages =
+    StageList<ShadeTexture, ShadeThesis, ShadeThesisPublished, ShadeWelsh, ShadeWelshPublished,
+              ShadeMcGuire, ShadeMcGuirePublished, ShadeRabbid, ShadeRabbidPublished, ShadeGg3,
+              ShadeDebug, ShadeLambert, ShadePhong, ShadeBlinnPhong, ShadeCookTorrance,
+              ShadeMetallicRoughness, ShadeLayers>;
 
 }  // namespace quadrel

@@ -37,6 +37,9 @@ int channels_of(TextureSlot slot) {
         case TextureSlot::layers:
         case TextureSlot::layer_normals_x:
         case TextureSlot::layer_normals_y:
+        case TextureSlot::color_2:
+        case TextureSlot::color_3:
+        case TextureSlot::color_4:
         case TextureSlot::layers_2:
         case TextureSlot::layers_3:
         case TextureSlot::layer_bounds:

@@ -9,8 +9,8 @@ namespace {
 constexpr Word<Cull> cull_words[] = {
     {"none", Cull::none}, {"back", Cull::back}, {"front", Cull::front}};
 constexpr const char* texture_slots[] = {
-    "color",  "height",   "gloss",    "emissive",        "normal",
-    "layers", "layers_2", "layers_3", "layer_normals_x", "layer_normals_y"};
+    "color",    "height",          "gloss",           "emissive", "normal",  "layers", "layers_2",
+    "layers_3", "layer_normals_x", "layer_normals_y", "color_2",  "color_3", "color_4"};
 
 void read_parameters(Fields& fields, StageChoice& stage) {
     for (const std::string& name : fields.rest()) {

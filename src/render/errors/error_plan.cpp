@@ -179,8 +179,7 @@ std::optional<ErrorJudge> error_judge(const Scene& scene, const Material& materi
         return judged ? std::optional(layer_judge(own)) : std::nullopt;
     }
     // Of heights it knows maps, and straight rays that end on them.
-    if (material.noise || material.textures.count("height") == 0 ||
-        !is_judged(*trace.info))
+    if (material.noise || material.textures.count("height") == 0 || !is_judged(*trace.info))
         return std::nullopt;
     const std::string judge = stores(trace, Value::oracle_s)              ? own
                               : reads_slot(trace, TextureSlot::texel_max) ? "oracle-block"

@@ -13,6 +13,7 @@ struct MetLayer {
     F distance = F(std::numeric_limits<Scalar<F>>::infinity());  ///< from its depth to the hit's
     vec2<F> slope = vec2<F>(F(0));                               ///< of depths, along u and v
     Mask<F> is_back = Mask<F>(false);
+    Int<F> index = Int<F>(0);  ///< from 0, in its map
 
     /// Takes what is nearer of a map's layers.
     void look_at(const SampledTexture& map, const SampleContext<F>& context, const vec2<F>& uv,
@@ -29,6 +30,7 @@ struct MetLayer {
             const vec2<F> steps(lerp(d10 - d00, d11 - d01, g), lerp(d01 - d00, d11 - d10, f));
             slope = select(nearer, steps * texels, slope);
             is_back = layer % 2 == 0 ? is_back & !nearer : is_back | nearer;
+            index = select(nearer, Int<F>(layer), index);
         }
     }
 
