@@ -35,6 +35,9 @@ std::string wrapped_line(const std::string& line) {
             fewest = open;
             at = i;
         }
+        // Nowhere before: as soon as it may be.
+        for (std::size_t i = longest_line; at == std::string::npos && i + 1 < rest.size(); ++i)
+            if (!is_comment && breaks_at(rest, i)) at = i;
         if (at == std::string::npos) break;
         result += rest.substr(0, at) + "\n";
         rest = indent + rest.substr(at + 1);
