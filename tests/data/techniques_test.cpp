@@ -102,7 +102,8 @@ TEST(Techniques, WhatIsWrongIsNoticed) {
     EXPECT_FALSE(has_every_row(techniques_of(changed("`rabbid-pom`", ""))));
     EXPECT_FALSE(has_every_row(techniques_of(changed("`rabbid-pom`", "rabbid-pom"))));
     EXPECT_FALSE(has_rows_that_exist(techniques_of(changed("`gdm`", "`gdn`"))));
-    EXPECT_FALSE(says_why_there_is_none(techniques_of(changed("no row: for touch", "for touch"))));
+    EXPECT_FALSE(says_why_there_is_none(
+        techniques_of(changed("no row: a surface for haptic", "a surface for haptic"))));
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct MetLayer<Ranges> {
     Ranges distance = Ranges(std::numeric_limits<double>::infinity());
     vec2<Ranges> slope = vec2<Ranges>(Ranges(0));
     RangeMask is_back = RangeMask(false);
+    Int<Ranges> index = Int<Ranges>(0);
 
     void look_at(const SampledTexture& map, const SampleContext<Ranges>& context,
                  const vec2<Ranges>& uv, const Ranges& s) {
@@ -45,6 +46,7 @@ struct MetLayer<Ranges> {
             distance = select(nearer, from_hit, distance);
             slope = select(nearer, steps * texels, slope);
             is_back = layer % 2 == 0 ? is_back & !nearer : is_back | nearer;
+            index = select(nearer, Int<Ranges>(layer), index);
         }
     }
 };
