@@ -10,11 +10,9 @@
 namespace quadrel::tools_tests {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json read_json(const std::filesystem::path& file) {
+nlohmann::ordered_json read_json(const std::filesystem::path& file) {
     std::ifstream stream(file);
-    return Json::parse(stream);
+    return nlohmann::ordered_json::parse(stream);
 }
 
 TEST(ConformanceProgram, GoesOnFromItsOutput) {
@@ -30,13 +28,13 @@ TEST(ConformanceProgram, GoesOnFromItsOutput) {
     const Outcome first = judge("45", 24);
     if (first.code == 3) GTEST_SKIP() << "skipped: " << first.out;
     ASSERT_EQ(first.code, 0) << first.out;
-    Json known = read_json(file);
+    nlohmann::ordered_json known = read_json(file);
     ASSERT_EQ(known["cases"].size(), 1u);
     known["cases"][0]["groups"]["uv"]["same"] = 12345;
     std::ofstream(file) << known;
 
     EXPECT_EQ(judge("45,60", 24).code, 0);
-    const Json both = read_json(file);
+    const nlohmann::ordered_json both = read_json(file);
     ASSERT_EQ(both["cases"].size(), 2u);
     EXPECT_EQ(both["cases"][0], known["cases"][0]);
     EXPECT_EQ(both["cases"][1]["groups"]["uv"]["same"], 24 * 24);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "quadrel/num/range/geometry.hpp"
-#include "quadrel/relief/trace/table/distance_table.hpp"
+#include "quadrel/relief/trace/table/gdm.hpp"
 #include "quadrel/texture/range/map_range.hpp"
 
 namespace quadrel {
