@@ -11,6 +11,7 @@ in texels; and the mean over maps of the fragments that are further off than the
 import argparse
 import csv
 import statistics
+import sys
 
 
 def numbers(rows, key):
@@ -31,11 +32,21 @@ def main():
     parser.add_argument("--searches", nargs="+", help="all of the file, unless given")
     given = parser.parse_args()
     rows = {}
-    with open(given.results, newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            if not row["failed"] and row["map_kind"] != "nan":
-                rows.setdefault(row["algorithm"], {}).setdefault(row["view"], []).append(row)
+    try:
+        with open(given.results, newline="", encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                if not row["failed"] and row["map_kind"] != "nan":
+                    rows.setdefault(row["algorithm"], {}).setdefault(row["view"], []).append(row)
+    except (OSError, KeyError) as error:
+        sys.exit(f"{given.results}: found {error}, expected the results.csv of a sweep")
     searches = given.searches or sorted(rows)
+    for name in searches:
+        if name not in rows:
+            sys.exit(f"{given.results}: found no search {name}, expected one of {', '.join(sorted(rows))}")
+        for view in given.views:
+            if view not in rows[name]:
+                views = ", ".join(sorted(rows[name]))
+                sys.exit(f"{given.results}: found no view {view} of {name}, expected one of {views}")
     table = [(name, [figures(rows[name][view]) for view in given.views]) for name in searches]
     table.sort(key=lambda line: (round(line[1][-1][3], 2), line[1][-1][0]))
     heads = ["ms", "look-ups", "99 %, texels", "wrong, %"]

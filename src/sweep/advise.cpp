@@ -217,6 +217,13 @@ std::string advice_text(const Question& question, const std::vector<Candidate>& 
             table_of(best_rungs(kinds[1], kinds[0]), most, question);
     for (const Candidate& c : kinds[2])
         text += "\nNot judged: " + c.algorithm.name() + ": " + c.failed + "\n";
+    const bool has_blocks = std::any_of(
+        candidates.begin(), candidates.end(),
+        [](const Candidate& c) { return c.maps.find("texel-max") != std::string::npos; });
+    if (has_blocks)
+        text +=
+            "\nSearches that read texel-max maps are judged by blocks, the surface that they "
+            "search, all others by bilinear patches.\n";
     return text +
            "\nLook-ups of heights and derived maps a fragment, mean over the angles, where 8 x 4 "
            "pixels wait for the one that takes longest.\n";

@@ -31,23 +31,17 @@ struct MetLayer<Ranges> {
     Int<Ranges> index = Int<Ranges>(0);
 
     void look_at(const SampledTexture& map, const SampleContext<Ranges>& context,
-                 const vec2<Ranges>& uv, const Ranges& s) {
+                 const vec2<Ranges>& uv, const Ranges& s, const vec2<Ranges>& K,
+                 const Ranges& down) {
         const vec2<Ranges> texels = TexelSize<Ranges>(map).texels;
-        for (int layer = 0; layer < 4; ++layer) {
-            Ranges depth(1);
-            vec2<Ranges> steps(Ranges(0));
-            if (layer < map.view.channels) {
-                const range_detail::PatchRanges patch(map, context, uv, layer);
-                depth = patch.value;
-                steps = patch.slope;
-            }
-            const Ranges from_hit = abs(depth - s);
-            const RangeMask nearer = from_hit < distance;
-            distance = select(nearer, from_hit, distance);
-            slope = select(nearer, steps * texels, slope);
-            is_back = layer % 2 == 0 ? is_back & !nearer : is_back | nearer;
-            index = select(nearer, Int<Ranges>(layer), index);
-        }
+        const auto layer_at = [&](int layer) {
+            if (layer >= map.view.channels)
+                return LayerAt<Ranges>{abs(Ranges(1) - s), vec2<Ranges>(Ranges(0))};
+            const range_detail::PatchRanges patch(map, context, uv, layer);
+            return LayerAt<Ranges>{abs(patch.value - s), patch.slope * texels};
+        };
+        for (int front = 0; front < 4; front += 2)
+            take_solid(*this, front, layer_at(front), layer_at(front + 1), K, down);
     }
 };
 

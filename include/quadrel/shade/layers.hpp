@@ -20,7 +20,8 @@ struct ShadeLayers : LitDefaults {
     static constexpr StageText text{"shade-layers", "shade",
                                     "colours of the layer that is met, Blinn's highlight",
                                     "after Policarpo and Oliveira 2006"};
-    static constexpr auto inputs = values_and(lit_inputs, Value::hit_s);
+    static constexpr auto inputs =
+        values_and(lit_inputs, Value::hit_s, Value::K, Value::frame_normal, Value::r);
     static constexpr auto textures =
         slots(TextureSlot::color, TextureSlot::gloss, TextureSlot::emissive, TextureSlot::layers,
               TextureSlot::color_2, TextureSlot::color_3, TextureSlot::color_4);
@@ -31,7 +32,8 @@ struct ShadeLayers : LitDefaults {
         using F = typename Io::Number;
         MetLayer<F> met;
         met.look_at(layer_map(io), io.template context<TextureSlot::layers>(),
-                    io.template load<Value::hit_uv>(), io.template load<Value::hit_s>());
+                    io.template load<Value::hit_uv>(), io.template load<Value::hit_s>(),
+                    io.template load<Value::K>(), way_down(io));
         vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), params.gradients);
         take<TextureSlot::color_2>(io, met.index == Int<F>(1), params.gradients, base);
         take<TextureSlot::color_3>(io, met.index == Int<F>(2), params.gradients, base);

@@ -69,7 +69,11 @@ void add_defaults(const Json& defaults, Json& material) {
     const bool normal_map = defaults.contains("normal") && wants_normal_map(material);
     for (const auto& [key, value] : defaults.items())
         if (!material.contains(key) && (key != "normal" || normal_map)) material[key] = value;
-    if (normal_map) material["relief"]["surface"] = {{"id", "normal-map"}, {"green", "down"}};
+    if (!normal_map) return;
+    Json& relief = material["relief"];
+    relief["surface"] = {{"id", "normal-map"}, {"green", "down"}};
+    // Without a frame a normal has no directions; glTF's are MikkTSpace's (3.7.2.1).
+    if (!relief.contains("frame")) relief["frame"] = "frame-mikkt";
 }
 
 /// A file as a mesh names it, and the materials of what it draws.

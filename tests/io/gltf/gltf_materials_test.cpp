@@ -93,6 +93,7 @@ TEST_F(GltfMaterials, StandInForWhatTheSceneLeavesOut) {
     EXPECT_EQ(color.sampler.wrap_v, Wrap::mirrored_repeat);
     EXPECT_EQ(taken.textures.at("normal").file.filename(), "bumps.exr");
     EXPECT_EQ(taken.surface.id, "normal-map");
+    EXPECT_EQ(taken.frame.id, "frame-mikkt");
     EXPECT_EQ(taken.shade.id, "shade-metallic-roughness");
     EXPECT_FLOAT_EQ(taken.diffuse.x, 1);
     EXPECT_NE(note_of(scene).find("square.gltf: brass: taken: map of the base colour, normal, "
@@ -110,12 +111,36 @@ TEST_F(GltfMaterials, DrawWhatTheSceneWouldSay) {
             "normal": {"file": "bumps.exr"}, "ambient": [0.1, 0.1, 0.1, 1],
             "diffuse": [1, 1, 1, 1],
             "shade": {"id": "shade-metallic-roughness", "roughness": 0.5, "metalness": 0},
-            "relief": {"surface": {"id": "normal-map", "green": "down"}}}, )",
+            "relief": {"frame": "frame-mikkt",
+                       "surface": {"id": "normal-map", "green": "down"}}}, )",
                                       R"(, "materials": false)"),
                              {});
     EXPECT_EQ(film_hash(taken), film_hash(said));
     const Film none = render(scene_of("", R"(, "materials": false)"), {});
     EXPECT_NE(film_hash(taken), film_hash(none));
+}
+
+/// Normals that lean have an effect, without a word about relief.
+TEST_F(GltfMaterials, NormalsLean) {
+    RenderOptions options;
+    options.channels = {"N"};
+    const Film film = render(scene_of(), options);
+    double least = 1;
+    for (std::size_t i = 0; i < film.window.area(); ++i)
+        if (const float z = film.find("N.Z")->as_float(i); z != 0)
+            least = std::min(least, std::abs(double(z)));
+    EXPECT_LT(least, 0.999);
+}
+
+/// What is not there is no default, but a mistake.
+TEST_F(GltfMaterials, AFileThatIsMissingIsSaid) {
+    images[0]["uri"] = "nowhere.png";
+    try {
+        scene_of();
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("nowhere.png"), std::string::npos) << error.what();
+    }
 }
 
 TEST_F(GltfMaterials, TheScenesOwnKeysWin) {
@@ -193,8 +218,6 @@ TEST_F(GltfMaterials, WhatIsLeftIsSaid) {
         EXPECT_NE(note_of(scene).find(part), std::string::npos) << note_of(scene);
     EXPECT_FALSE(scene.materials[0].textures.contains("normal"));
     EXPECT_FALSE(scene.materials[0].textures.contains("emissive"));
-    std::filesystem::remove(folder / "base.exr");
-    EXPECT_NE(note_of(scene_of()).find("base colour (no file"), std::string::npos);
 }
 
 /// The mesh has it in its texture coordinates.
@@ -294,7 +317,8 @@ TEST_F(SeveralGltfMaterials, DrawWhatTheSceneWouldSay) {
                   "normal": {"file": "bumps.exr"}, "ambient": [0.1, 0.1, 0.1, 1],
                   "diffuse": [1, 1, 1, 1], )" +
                               shade + R"(0.5, "metalness": 0},
-                  "relief": {"surface": {"id": "normal-map", "green": "down"}}},
+                  "relief": {"frame": "frame-mikkt",
+                       "surface": {"id": "normal-map", "green": "down"}}},
         "glass": {"ambient": [0.025, 0.05, 0.1, 1], "diffuse": [0.25, 0.5, 1, 1], "cull": "back", )" +
                               shade + R"(1, "metalness": 1}}}, )";
     const Film taken = render(row_scene(whole), {});

@@ -330,7 +330,10 @@ testing::AssertionResult maps_give_the_slopes(bool lost_back) {
         batch.set(Value::hit_uv, lane,
                   dvec2((random.below(13) + 2) / 32.0 + 1 / 64.0,
                         (random.below(13) + 18) / 32.0 + 1 / 64.0));
-        batch.real(Value::hit_s, lane) = 0.1f + 0.2f * static_cast<float>(random.below(4));
+        const int layer = static_cast<int>(random.below(4));
+        batch.real(Value::hit_s, lane) = 0.1f + 0.2f * static_cast<float>(layer);
+        // Rays that come from outside: backs, whose slopes are -0.1 and -0.08, are met from below.
+        batch.set(Value::K, lane, layer % 2 == 1 ? dvec2(-10) : dvec2(0));
     }
     Batch<float> slopes = batch;
     slopes.run("h2n-layers");

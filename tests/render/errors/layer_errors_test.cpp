@@ -55,6 +55,37 @@ testing::AssertionResult has_no_errors(const Renderer& renderer, const std::stri
     return testing::AssertionSuccess();
 }
 
+/// How many hits have a normal that looks away from the eye, and how many there are.
+std::pair<int, int> hits_seen_from_behind(const std::string& trace, int size) {
+    const Scene scene =
+        load_scene("rows/dual-depth", {fmt::format("size=[{},{}]", size, size),
+                                       fmt::format("material.relief.trace=\"{}\"", trace)});
+    RenderOptions options;
+    options.channels = {"P", "N", "hit.status"};
+    const Film film = render(scene, options);
+    int behind = 0, hits = 0;
+    for (std::size_t i = 0; i < film.window.area(); ++i) {
+        if (film.find("hit.status")->bits[i] != static_cast<std::uint32_t>(Status::hit)) continue;
+        double facing = 0;
+        for (const char* axis : {"X", "Y", "Z"})
+            facing -= double(film.find(std::string("P.") + axis)->as_float(i)) *
+                      film.find(std::string("N.") + axis)->as_float(i);
+        ++hits;
+        behind += facing < 0;
+    }
+    return {behind, hits};
+}
+
+/// A march reads levels by which thin solids lie elsewhere than on level 0: of the front and the
+/// back beside a hit the one is met that faces the ray.
+TEST(LayerErrors, TheSideThatFacesTheRayIsMet) {
+    for (const char* trace : {"dual-depth", "dual-depth-exact"}) {
+        const auto [behind, hits] = hits_seen_from_behind(trace, 64);
+        EXPECT_GT(hits, 1000) << trace;
+        EXPECT_LT(behind, hits / 50) << trace << ": " << behind << " of " << hits;
+    }
+}
+
 TEST(LayerErrors, ExactSearchesHaveNone) {
     for (const char* judge : {"dual-depth-exact", "multilayer-exact"}) {
         EXPECT_TRUE(has_no_errors(render, judge)) << judge;

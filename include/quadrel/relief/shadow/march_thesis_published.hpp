@@ -4,7 +4,7 @@
 // self-shadowing". Defects kept: the ray's world depth is compared with heights that are not scaled
 // by the relief's depth, so that shallow reliefs hardly ever shadow; the step assumes unit depth;
 // Sample + 1 iterations end above the surface; lights below 0.01 of the face normal are cut hard.
-// Sample counts the view march's steps, 128 at most; hits deeper than that march goes are no reason
+// Sample counts the view march's steps, some 128; hits deeper than twice that march are no reason
 // for more.
 // Its light is a point; a directional one, which it does not know, keeps its direction.
 #pragma once
@@ -28,7 +28,7 @@ struct ShadowMarchThesisPublished : StageDefaults {
     static constexpr bool needs_height_map = true;
 
     static constexpr float offset_per_sample = 1.0f / 128.0f;
-    static constexpr int most_steps = 128;
+    static constexpr int most_steps = 255;
     static constexpr bool uses_height_bounds = true;
     static std::int32_t lattice_steps(const Params&) { return 129; }
 

@@ -172,8 +172,10 @@ class MaterialReader {
         const auto file = gltf_uri_path(uri.get<std::string>(), path_.parent_path());
         std::error_code none;
         if (!std::filesystem::is_regular_file(*file, none)) {
-            leave(what, "no file " + file->string());
-            return std::nullopt;
+            const auto number = &image - &file_.json["images"][0];
+            file_.fail(
+                fmt::format("images[{}].uri", number), "no file " + file->string(),
+                fmt::format("the image of the {}, or \"materials\": false in the mesh", what));
         }
         return Json{{"file", std::filesystem::absolute(*file).string()}};
     }
