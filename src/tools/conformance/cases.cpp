@@ -58,11 +58,11 @@ Scene scene_of(const Case& what, const std::string& hardware) {
     const auto& textures = own.materials.front().textures;
     const auto height = textures.find("height");
     const bool has_normals = textures.contains("normal");
-    if (textures.contains("color")) {
-        overrides.push_back(texture_override("color", map.color));
-        // Of formats of 8 bits implementations decode and filter each their own way (data/gl).
-        overrides.emplace_back("textures.color.format=half");
-    }
+    if (textures.contains("color")) overrides.push_back(texture_override("color", map.color));
+    // Of formats of 8 bits implementations decode and filter each their own way (data/gl).
+    for (const char* const slot : {"color", "color_2", "color_3", "color_4"})
+        if (textures.contains(slot))
+            overrides.push_back(fmt::format("textures.{}.format=half", slot));
     if (height != textures.end())
         overrides.push_back(texture_override(
             "height", height->second.swizzle == "a" ? map.normal_height : map.height));
