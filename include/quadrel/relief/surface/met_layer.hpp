@@ -1,8 +1,8 @@
 // The depth layer that a ray has met: of the solid one of whose depths at the hit, bilinear at
-// level 0, is next to the hit's, the first of equal ones, the side that faces the ray; where both
-// do or neither, the nearer. A search may have read another level, by which thin solids lie
-// elsewhere. Fronts, the odd layers, face out of the relief, backs into it: their normal is turned
-// around.
+// level 0, is next to the hit's, the first of equal ones, the nearer side; the other where it alone
+// faces the ray and is not much further, since a search may have read another level, by which thin
+// solids lie elsewhere. Fronts, the odd layers, face out of the relief, backs into it: their normal
+// is turned around.
 #pragma once
 
 #include "quadrel/relief/surface/relief_normal.hpp"
@@ -24,7 +24,7 @@ void take_solid(Met& met, int front, const LayerAt<F>& before, const LayerAt<F>&
     const Mask<F> front_faces = dot(K, before.slope) < down,
                   back_faces = down < dot(K, behind.slope);
     const Mask<F> nearer = min(before.distance, behind.distance) < met.distance;
-    // Of a hit that is right the layer that was met is much nearer than the other.
+    // Of a hit at level 0 the layer that was met is much nearer than the other.
     constexpr float as_near = 16;
     const Mask<F> front_alone = front_faces & !back_faces, back_alone = back_faces & !front_faces;
     const Mask<F> is_back = (back_alone & (behind.distance <= before.distance * F(as_near))) |
