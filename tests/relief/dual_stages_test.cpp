@@ -16,11 +16,15 @@ using num_tests::StepErrors;
 struct DualStage {
     std::string id;
     std::function<void(DualBatch&)> before{}, after{};
+    Parameters set{};
 
     const StageInfo& text() const { return *find_stage(id); }
     std::vector<std::max_align_t> parameters() const {
         std::vector<std::max_align_t> params(text().params_size / sizeof(std::max_align_t) + 1);
         text().set_defaults(params.data());
+        for (const ParameterText& p : text().parameters)
+            if (const auto to = set.find(std::string(p.name)); to != set.end())
+                p.set(params.data(), to->second);
         return params;
     }
     void run(DualBatch& batch) const {
@@ -288,6 +292,39 @@ TEST(DualStages, ExactHitsHaveTheImplicitDerivative) {
          {"texel-exact", "max-mip", "cone-cell", "rmq-leap", "ddm", "cone-robust-exact"})
         EXPECT_TRUE(hits_by_the_implicit_formula({id})) << id;
     EXPECT_FALSE(hits_by_the_implicit_formula({"linear"}));
+}
+
+/// Of how many hits the derivatives are those of a root that is settled by few chords.
+testing::AssertionResult settles(const DualStage& few, const DualStage& many) {
+    Tally tally;
+    for (int seed = 20; seed < 23; ++seed) {
+        Inputs inputs(seed), other(seed);
+        few.run(inputs.duals);
+        many.run(other.duals);
+        for (int lane = 0; lane < tested_lanes; ++lane) {
+            const Dual &a = inputs.duals.real(Value::hit_s, lane),
+                       &b = other.duals.real(Value::hit_s, lane);
+            if (std::abs(a.value - b.value) > 1e-12) continue;
+            ++tally.all;
+            tally.off += !(std::abs(a.dx - b.dx) + std::abs(a.dy - b.dy) <=
+                           1e-3 * (std::abs(a.dx) + std::abs(a.dy)));
+        }
+    }
+    if (tally.all < 60) return testing::AssertionFailure() << "only " << tally.all << " hits";
+    return tally.few();
+}
+
+TEST(DualStages, ChordsBeyondTheRootChangeNoDerivative) {
+    EXPECT_TRUE(
+        settles({"secant", {}, {}, {{"iterations", 8}}}, {"secant", {}, {}, {{"iterations", 64}}}));
+    EXPECT_TRUE(settles({"interval", {}, {}, {{"iterations", 48}}},
+                        {"interval", {}, {}, {{"iterations", 64}}}));
+    EXPECT_FALSE(settles(
+        {"secant", {}, {}, {{"iterations", 8}}},
+        {"secant",
+         {},
+         [](DualBatch& batch) { batch.change_axes([](double& dx, double&) { dx *= 1.5; }); },
+         {{"iterations", 64}}}));
 }
 
 /// The steps of a lattice stay where they are while the ray moves.

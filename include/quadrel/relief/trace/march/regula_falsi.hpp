@@ -2,15 +2,29 @@
 // replaces the end on its side of the surface.
 #pragma once
 
+#include <limits>
+
 #include "quadrel/relief/trace/search/bracket.hpp"
 #include "quadrel/relief/trace/search/step_count.hpp"
 
 namespace quadrel {
 
-/// Chords that rows may ask for. A float's bits are settled long before, and each chord beyond
-/// multiplies what derivatives are off by where the surface is steeper than the chord: of a
-/// thousand they overflow.
+/// Chords that rows may ask for. A float's bits are settled long before.
 inline constexpr std::int32_t most_chords = 64;
+
+/// Chords as they come. Of numbers with derivatives one that ends where the last one did moves as
+/// that: once a root's bits are settled, an end that counts less and less leaves the point where it
+/// is and would multiply its derivatives each time, until they overflow.
+template <Number F>
+struct ChordMotion {
+    F operator()(const F& s) { return s; }
+};
+template <Number F>
+requires requires(typename NumberTraits<F>::Element x) { x.dx; }
+struct ChordMotion<F> {
+    F last = F(std::numeric_limits<Scalar<F>>::quiet_NaN());
+    F operator()(const F& s) { return last = select(s == last, last, s); }
+};
 
 /// `times` chords, where the bracket was found. `illinois`: an end that stays twice in a row counts
 /// half, and half again each further time (M. Dowell, P. Jarratt, BIT 11, 1971), without which
@@ -20,8 +34,9 @@ void regula_falsi(const Height& height, const SearchRay<F>& ray, int times, bool
                   Bracket<F>& bracket) {
     F weight_above(1), weight_below(1);
     F replaced(0);  // 1: the lower end was last, -1: the upper one
+    ChordMotion<F> motion;
     for (const auto k : steps<F>(1, times)) {
-        const F s = chord(bracket, weight_above, weight_below);
+        const F s = motion(chord(bracket, weight_above, weight_below));
         const F h = height(bracket.found, s, ray.at(s), F(1) - s);
         const Mask<F> below = bracket.narrow(bracket.found, s, h);
         if (illinois) {
