@@ -22,7 +22,7 @@ struct ImpostorVolume {
     vec3<F> x, y, z;         ///< unit, along growing u and v, and towards the top of the layers
     F tile;                  ///< world units of u or v; 0 where there are none
     vec3<F> grad_u, grad_v;  ///< a world unit
-    F grad_s;                ///< along -z: 1 / depth; 0 where there is no depth
+    F grad_s;                ///< along -z: 1 / depth; 0 where there is no depth, or not of a number
     vec3<F> from_origin;     ///< the fragment's point on the card, from the object's origin
     Mask<F> valid;
 
@@ -57,7 +57,8 @@ ImpostorVolume<F> impostor_volume(const Io& io) {
     volume.z = axis(io.template load<Value::object_z>());
     volume.grad_u = select(volume.valid, volume.x / tile, zero);
     volume.grad_v = select(volume.valid, volume.y / tile, zero);
-    volume.grad_s = select(depth > F(0), F(1) / depth, F(0));
+    const F inverse = F(1) / depth;
+    volume.grad_s = select((depth > F(0)) & is_finite(inverse), inverse, F(0));
     volume.from_origin = (J[0] * tile * (uv.x - F(0.5f)) + J[1] * tile * (uv.y - F(0.5f))) * tile;
     return volume;
 }

@@ -72,6 +72,30 @@ testing::AssertionResult finds_the_balls(const Bind& bind,
     return testing::AssertionSuccess();
 }
 
+/// Of volumes whose depth has hardly an inverse, or none, all that is stored is a number.
+TEST(TrueImpostor, VolumesWithoutThicknessLeaveNumbers) {
+    Random random(32);
+    for (const float depth : {1e-36f, 3e-39f, 6.4e-41f, 0.0f})
+        for (const Status framed : {Status::hit, Status::no_frame}) {
+            Batch<float> batch(64);
+            batch.own_depth = true;
+            batch.bind(TextureSlot::layers, maps().both.sampled);
+            const View view(random);
+            for (int lane = 0; lane < batch.lanes; ++lane) fill_lane(batch, lane, view, random);
+            batch.run("frame-impostor");
+            for (int lane = 0; lane < batch.lanes; ++lane) {
+                batch.real(Value::relief_depth, lane) = depth;
+                batch.integer(Value::frame_status, lane) = static_cast<int>(framed);
+            }
+            batch.run("true-impostor");
+            for (int lane = 0; lane < batch.lanes; ++lane)
+                for (const Value v : {Value::hit_uv, Value::hit_s, Value::hit_h, Value::hit_depth})
+                    for (int c = 0; c < info(v).components; ++c)
+                        EXPECT_TRUE(std::isfinite(batch.real(v, lane, c)))
+                            << info(v).name << " of depth " << depth << ", lane " << lane;
+        }
+}
+
 TEST(TrueImpostor, FindsWhatIsInTheLayersFromAllSides) {
     EXPECT_TRUE(finds_the_balls(bind_both));
     const auto negated = [](Value v) {

@@ -125,7 +125,8 @@ struct ImpostorHit {
 /// A ray that meets nothing is a miss. `maps` are looked up at every point.
 template <class Io, class F = typename Io::Number>
 void store_impostor(const Io& io, const ImpostorRay<F>& ray, const ImpostorHit<F>& hit, int maps) {
-    const vec3<F> place = ray.place(hit.t);
+    // The depth may change without bound along the ray of a miss.
+    const vec3<F> place = select(hit.found, ray.place(hit.t), ray.card);
     const vec2<F> uv(place.x, place.y);
     const Int<F> status = search_status<F>(hit.found, hit.met_nan, Status::clip);
     io.template store<Value::hit_uv>(uv);
