@@ -8,8 +8,8 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "conformance/judge.hpp"
-#include "conformance/reruns.hpp"
+#include "conformance/judge/judge.hpp"
+#include "conformance/judge/reruns.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
 #include "render/plan/prepared.hpp"
@@ -167,6 +167,28 @@ TEST(Conformance, HeightsMayBeOffByAPart) {
     EXPECT_GT(count(permitted, "hit", Verdict::perturbed), 100u);
     EXPECT_EQ(count(permitted, "hit", Verdict::unexplained), 0u) << examples(permitted);
     EXPECT_GT(count(with_heights(1.01), "hit", Verdict::unexplained), 20u);
+}
+
+/// Halving ends a piece away where an error flips a test: what a small part of an error gives may
+/// lie beyond all that the whole of it gives.
+TEST(Conformance, ErrorsMayBeSmallerThanPermitted) {
+    const Scene halving = load_scene("rows/relief-binary", {"size=[64,64]"});
+    std::uint64_t perturbed = 0;
+    for (const double factor : {1 + 0x1p-18, 1 - 0x1p-18, 1 + 0x1p-20, 1 - 0x1p-20}) {
+        RenderOptions options;
+        options.channels = channels();
+        PreparedRender prepared = prepare_render(halving, options, select_kernels(options));
+        const conformance::ScaledHeights scaled(prepared.plan, factor);
+        const Film film = draw(prepared, options);
+        conformance::JudgeOptions judging;
+        judging.texel = {1.0 / 256, 1.0 / 256};
+        judging.most_ranged = 1;
+        const auto reports = conformance::judge(halving, film, judging);
+        perturbed += count(reports, "hit", Verdict::perturbed);
+        EXPECT_EQ(count(reports, "hit", Verdict::unexplained), 0u) << examples(reports);
+        EXPECT_EQ(count(reports, "hit", Verdict::left), 0u) << examples(reports);
+    }
+    EXPECT_GT(perturbed, 20u);
 }
 
 /// A search that turns the frame: what channels have of it is the hit's, and no search starts from

@@ -19,7 +19,7 @@
 #include <tuple>
 
 #include "conformance/cases.hpp"
-#include "conformance/judge.hpp"
+#include "conformance/judge/judge.hpp"
 #include "conformance/planted.hpp"
 #include "conformance/report.hpp"
 #include "conformance/rewrites.hpp"

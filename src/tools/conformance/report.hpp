@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/verdicts.hpp"
+#include "conformance/judge/verdicts.hpp"
 
 namespace quadrel::conformance {
 

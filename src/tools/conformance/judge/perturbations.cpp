@@ -1,4 +1,4 @@
-#include "conformance/perturbations.hpp"
+#include "conformance/judge/perturbations.hpp"
 
 #include <bit>
 

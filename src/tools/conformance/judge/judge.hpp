@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/perturbations.hpp"
-#include "conformance/verdicts.hpp"
+#include "conformance/judge/perturbations.hpp"
+#include "conformance/judge/verdicts.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel::conformance {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/groups.hpp"
+#include "conformance/judge/groups.hpp"
 #include "quadrel/film/film.hpp"
 
 namespace quadrel::conformance {
