@@ -177,7 +177,7 @@ TEST(Conformance, ErrorsMayBeSmallerThanPermitted) {
         RenderOptions options;
         options.channels = channels();
         PreparedRender prepared = prepare_render(halving, options, select_kernels(options));
-        const conformance::ScaledHeights scaled(prepared.plan, 1 - 0x1p-18);
+        const conformance::ScaledHeights scaled(prepared.plan, 1 - 7e-6);
         conformance::JudgeOptions judging;
         judging.texel = {1.0 / 256, 1.0 / 256};
         const auto reports = conformance::judge(halving, draw(prepared, options), judging);

@@ -1,5 +1,7 @@
 // Between results of permitted errors.
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <map>
 
 #include "conformance/judge/bracket.hpp"
@@ -49,10 +51,19 @@ class Results {
     bool has(std::size_t i) const {
         for (std::size_t c = 0; c < of_.group.channels.size(); ++c) {
             const Plane& plane = *of_.sides.found.find(of_.group.channels[c]);
-            const double rounding = of_.roundings.of(c, of_.sides.in(of_.own, i));
-            if (!brackets_.at(i)[c].contains(number(plane, plane.bits[i]), rounding)) return false;
+            const double value = number(plane, plane.bits[i]);
+            if (!brackets_.at(i)[c].contains(value, off(c, i, value))) return false;
         }
         return true;
+    }
+
+    /// By how much the ends may be off. What flips a test is off by all of an error or by a part
+    /// of it, and so is a height that was looked up.
+    double off(std::size_t channel, std::size_t i, double value) const {
+        const double rounding = of_.roundings.of(channel, of_.sides.in(of_.own, i));
+        const bool is_height = of_.group.channels[channel] == "hit.h";
+        return is_height ? std::max(rounding, of_.sides.options.errors.texel * std::fabs(value))
+                         : rounding;
     }
 
     Differences& of_;
