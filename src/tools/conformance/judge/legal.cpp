@@ -10,8 +10,13 @@
 namespace quadrel::conformance {
 namespace {
 
-/// The parts of the frame whose ranges are computed: quads, since most take long, and no more
-/// than so many; all that differs of levels and derivatives, which take next to nothing.
+/// Whether the group's stages search, so that its ranges take long.
+bool searches(GroupKind kind) {
+    return kind == GroupKind::hit || kind == GroupKind::shadow || kind == GroupKind::occlusion;
+}
+
+/// The parts of the frame whose ranges are computed: of searches quads, and no more than so many;
+/// of others all that differs.
 std::vector<Window> windows(const Differences& differences) {
     const Comparison& sides = differences.sides;
     const GroupKind kind = differences.group.kind;
@@ -19,9 +24,8 @@ std::vector<Window> windows(const Differences& differences) {
     std::set<std::pair<int, int>> quads;
     for (const std::size_t i : differences.pixels)
         quads.insert({sides.y_of(i) / 2, sides.x_of(i) / 2});
-    const std::size_t most = kind == GroupKind::derivatives
-                                 ? quads.size()
-                                 : std::max<std::size_t>(sides.options.most_ranged, 1);
+    const std::size_t most =
+        searches(kind) ? std::max<std::size_t>(sides.options.most_ranged, 1) : quads.size();
     const std::size_t step = (quads.size() + most - 1) / most;
     std::vector<Window> chosen;
     std::size_t next = 0;
