@@ -52,8 +52,9 @@ Scene scene_of(const Case& what, const std::string& hardware) {
     std::vector<std::string> overrides{
         fmt::format("size=[{},{}]", what.size, what.size), "hardware=" + hardware,
         // All of the quad is in view: implementations clip what is not, and clipped triangles have
-        // other roundings.
-        "camera.eye=[0,0,6]", "camera.fov_y=24",
+        // other roundings. A card is as large as the ball around what it stands for.
+        "camera.eye=[0,0,6]",
+        fmt::format("camera.fov_y={}", own.meshes.front().billboard ? 30 : 24),
         fmt::format("objects[0].transform=[{{\"rotate\":{},\"axis\":[1,0,0]}}]", -what.angle)};
     const auto& textures = own.materials.front().textures;
     const auto height = textures.find("height");

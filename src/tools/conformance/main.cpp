@@ -19,7 +19,7 @@
 #include <tuple>
 
 #include "conformance/cases.hpp"
-#include "conformance/judge.hpp"
+#include "conformance/judge/judge.hpp"
 #include "conformance/planted.hpp"
 #include "conformance/report.hpp"
 #include "conformance/rewrites.hpp"
@@ -337,7 +337,7 @@ void add_options(CLI::App& app, Arguments& a) {
                    "what an implementation may give, as render has it")
         ->capture_default_str();
     app.add_option("--most-ranged", a.judging.most_ranged,
-                   "quads of a case and group whose ranges are computed")
+                   "quads of a case whose ranges of hits, shadows and occlusion are computed, each")
         ->capture_default_str();
     app.add_option("--most-perturbed", a.bounds.perturbed, "share of a group's pixels")
         ->check(share);

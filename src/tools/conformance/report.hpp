@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/verdicts.hpp"
+#include "conformance/judge/verdicts.hpp"
 
 namespace quadrel::conformance {
 
@@ -17,9 +17,9 @@ struct Report {
     std::vector<CaseReport> cases;
 };
 
-/// Shares of pixels that each verdict may have, of all in a group; more is a failure.
+/// Shares of pixels that each verdict may have, of all in a group of a case; more is a failure.
 struct Bounds {
-    double perturbed = 0.1, legal = 1, open = 0.05, left = 1, coverage = 0.02, divergent = 0.05,
+    double perturbed = 0.2, legal = 1, open = 0.05, left = 1, coverage = 0.02, divergent = 0.05,
            unordered = 0.05, defect = 0.5;
 };
 

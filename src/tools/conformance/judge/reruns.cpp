@@ -1,4 +1,4 @@
-#include "conformance/reruns.hpp"
+#include "conformance/judge/reruns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "conformance/perturbations.hpp"
+#include "conformance/judge/perturbations.hpp"
 
 #include <bit>
 
@@ -24,27 +24,34 @@ void scale(Film& film, const std::string& channel, double by) {
     if (by != 1) change(film, channel, [by](double x) { return x * by; });
 }
 
+/// With this part of each error, to both sides.
+void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
+                       const PermittedErrors& errors, double part) {
+    for (const int v : {-1, 0, 1})
+        for (const int u : {-1, 0, 1})
+            if (u != 0 || v != 0)
+                all.push_back({"weight", u * part * errors.weight, v * part * errors.weight});
+    for (const double by : {-part, part}) {
+        all.push_back({"level", 0, 0, by * errors.level});
+        if (group == GroupKind::hit) {
+            all.push_back({"ray", 0, 0, 0, by * errors.ray});
+            all.push_back({"rate", 0, 0, 0, 0, by * errors.ray});
+        }
+        all.push_back({"texel", 0, 0, 0, 0, 0, by * errors.texel});
+        for (std::size_t axis = 0; group == GroupKind::shadow && axis < 3; ++axis) {
+            all.push_back({"normal"});
+            all.back().tilt[axis] = by * errors.normal;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors) {
     std::vector<Perturbation> all;
     if (group < GroupKind::hit) return all;
-    for (const int v : {-1, 0, 1})
-        for (const int u : {-1, 0, 1})
-            if (u != 0 || v != 0) all.push_back({"weight", u * errors.weight, v * errors.weight});
-    for (const double sign : {-1.0, 1.0}) all.push_back({"level", 0, 0, sign * errors.level});
-    if (group == GroupKind::hit)
-        for (const double sign : {-1.0, 1.0}) {
-            all.push_back({"ray", 0, 0, 0, sign * errors.ray});
-            all.push_back({"rate", 0, 0, 0, 0, sign * errors.ray});
-        }
-    for (const double sign : {-1.0, 1.0})
-        all.push_back({"texel", 0, 0, 0, 0, 0, sign * errors.texel});
-    for (const double sign : {-1.0, 1.0})
-        for (std::size_t axis = 0; group == GroupKind::shadow && axis < 3; ++axis) {
-            all.push_back({"normal"});
-            all.back().tilt[axis] = sign * errors.normal;
-        }
+    for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-6})
+        add_perturbations(all, group, errors, part);
     return all;
 }
 

@@ -1,4 +1,4 @@
-#include "conformance/edges.hpp"
+#include "conformance/judge/edges.hpp"
 
 #include <algorithm>
 #include <cmath>

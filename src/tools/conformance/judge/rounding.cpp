@@ -1,4 +1,4 @@
-#include "conformance/rounding.hpp"
+#include "conformance/judge/rounding.hpp"
 
 #include <algorithm>
 #include <cmath>

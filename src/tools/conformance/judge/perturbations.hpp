@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/groups.hpp"
+#include "conformance/judge/groups.hpp"
 #include "quadrel/film/film.hpp"
 
 namespace quadrel::conformance {
@@ -40,7 +40,9 @@ struct Perturbation {
     std::array<double, 3> tilt{};  ///< is added to the frame\'s normal, which has lights behind it
 };
 
-/// Those that a group's stages may make; none of groups that look nothing up.
+/// Those that a group's stages may make; none of groups that look nothing up. First each error in
+/// full, then parts of it: searches are not continuous, and where the whole of an error flips a
+/// test, a part of it may not.
 std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors);
 
 struct TexelSize {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/perturbations.hpp"
-#include "conformance/verdicts.hpp"
+#include "conformance/judge/perturbations.hpp"
+#include "conformance/judge/verdicts.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel::conformance {
@@ -21,11 +21,11 @@ struct Redraw {
 struct JudgeOptions {
     std::string limits = "gl";  ///< as RenderOptions::limits
     PermittedErrors errors;
-    TexelSize texel;  ///< of the height map
-    std::size_t most_ranged =
-        200;                   ///< quads of a group whose ranges are computed; others are `left`
-    std::size_t examples = 3;  ///< unexplained pixels that are named
-    int threads = 0;           ///< of renders, as RenderOptions has them
+    TexelSize texel;                 ///< of the height map
+    std::size_t most_ranged = 200;   ///< quads of a group of searches whose ranges are computed,
+                                     ///< which take long; others are `left`
+    std::size_t examples = 3;        ///< unexplained pixels that are named
+    int threads = 0;                 ///< of renders, as RenderOptions has them
     bool implicit_in_loops = false;  ///< whether loops of the shaders have implicit derivatives
     std::vector<Redraw> redraws;     ///< asked in turn, where something is left unexplained
 };

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/perturbations.hpp"
+#include "conformance/judge/perturbations.hpp"
 #include "quadrel/film/film.hpp"
 
 namespace quadrel::conformance {

@@ -1,4 +1,4 @@
-#include "conformance/groups.hpp"
+#include "conformance/judge/groups.hpp"
 
 #include <algorithm>
 #include <set>
