@@ -176,7 +176,7 @@ auto shade_triangle(const RasterState& state, const std::array<ShaderVertex<n>, 
     return out;
 }
 
-/// One value a pixel, in image coordinates: from the top-left, whatever the conventions.
+/// One value per pixel, in image coordinates: from the top-left, whatever the conventions.
 template <class V>
 struct DrawnPicture {
     int width = 0, height = 0;

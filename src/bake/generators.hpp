@@ -1,4 +1,4 @@
-// The generators, one a kind.
+// The generators, one per kind.
 #pragma once
 
 #include "bake/job.hpp"

@@ -44,11 +44,6 @@ std::vector<ExportRow> export_rows() {
     return rows;
 }
 
-std::vector<std::string> export_languages() {
-    const ExportTable& table = export_table();
-    return {table.languages, table.languages + table.language_count};
-}
-
 namespace {
 
 /// What cannot be written stands in the list, with the reason.

@@ -27,7 +27,6 @@ struct ExportRow {
 };
 /// All of Quadrel's own stages.
 std::vector<ExportRow> export_rows();
-std::vector<std::string> export_languages();
 
 /// The stages' functions and all that they need. Throws UsageError with the reason where there is
 /// none.

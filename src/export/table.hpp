@@ -24,7 +24,7 @@ struct StageUse {
 
 /// Functions of stages in one text, for scenes of which little is known.
 struct ExportRequest {
-    const char* language;  ///< one of ExportTable::languages
+    const char* language;  ///< find_dialect(language)
     const StageUse* stages;
     std::int32_t stage_count;
     std::int32_t side;  ///< of the maps, in texels
@@ -89,8 +89,6 @@ struct ProgramRequest {
 
 struct ExportTable {
     std::uint32_t magic, abi_version;
-    const char* const* languages;
-    std::int32_t language_count;
     /// All stages, in the order of the data flow.
     void (*stages)(void (*put)(void* to, const ExportedStage* stage), void* to);
     /// Whether there is a text.
@@ -99,7 +97,7 @@ struct ExportTable {
 };
 
 inline constexpr std::uint32_t export_magic = 0x58455251;  // "QREX"
-inline constexpr std::uint32_t export_abi_version = 2;
+inline constexpr std::uint32_t export_abi_version = 3;
 inline constexpr const char* export_symbol = "quadrel_export_table";
 
 }  // namespace quadrel

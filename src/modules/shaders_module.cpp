@@ -120,9 +120,8 @@ void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
 
 extern "C" __attribute__((visibility("default"))) const quadrel::ExportTable*
 quadrel_export_table() {
-    static constexpr const char* languages[] = {"glsl", "glsl-es", "hlsl", "wgsl"};
-    static constexpr quadrel::ExportTable table{
-        quadrel::export_magic, quadrel::export_abi_version, languages, 4, &quadrel::list_stages,
-        &quadrel::write,       &quadrel::write_program};
+    static constexpr quadrel::ExportTable table{quadrel::export_magic, quadrel::export_abi_version,
+                                                &quadrel::list_stages, &quadrel::write,
+                                                &quadrel::write_program};
     return &table;
 }

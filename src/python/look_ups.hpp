@@ -27,12 +27,12 @@ struct LookUpArguments {
     int component = 0;  ///< gather
 };
 
-/// Four values a lane, r g b a (of gather: the texels) one after the other.
+/// Four values per lane, r g b a (of gather: the texels) one after the other.
 template <class T>
 void look_up(const SampledTexture& texture, LookUp kind, const LookUpArguments<T>& arguments,
              T* values);
 
-/// Five values a lane: rho, lambda, level, frac, 1 where it is magnified. Implicit, level,
+/// Five values per lane: rho, lambda, level, frac, 1 where it is magnified. Implicit, level,
 /// gradients.
 template <class T>
 void levels_of_detail(const SampledTexture& texture, LookUp kind,

@@ -1,4 +1,4 @@
-// Samples at any place of their pixels, one a pixel, those of a quad at the same place: what the
+// Samples at any place of their pixels, one per pixel, those of a quad at the same place: what the
 // rasterizer has for standard samples, without its speed. Vertices stay where they were snapped.
 #pragma once
 

@@ -22,17 +22,12 @@ using Prepare = std::function<void()>;
 
 int run_prepared(const std::vector<std::string>& arguments, const TemporaryFolder& folder,
                  const Prepare& prepare) {
-    std::vector<char*> argv = {const_cast<char*>(QUADREL_EXECUTABLE)};
-    for (const std::string& argument : arguments)
-        argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
         dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
         prepare();
-        if (chdir(folder.path().c_str()) == 0) execv(QUADREL_EXECUTABLE, argv.data());
-        _exit(127);
+        become_quadrel(arguments, folder.path());
     }
     return wait_for(child);
 }
@@ -195,12 +190,7 @@ TEST_F(Messages, AVanishedWorkingDirectory) {
             to_file(2, (folder / "err").string())();
             // Started here, and not in the folder of the test.
             if (chdir(place.c_str()) != 0 || rmdir(place.c_str()) != 0) _exit(126);
-            std::vector<char*> argv = {const_cast<char*>(QUADREL_EXECUTABLE)};
-            for (const std::string& argument : arguments)
-                argv.push_back(const_cast<char*>(argument.c_str()));
-            argv.push_back(nullptr);
-            execv(QUADREL_EXECUTABLE, argv.data());
-            _exit(127);
+            become_quadrel(arguments);
         });
     };
     EXPECT_EQ(run_in_vanished({"render", scene}), 5) << file_bytes(folder / "err");

@@ -18,16 +18,11 @@ inline Outcome run_on_terminal(const std::vector<std::string>& arguments,
     Outcome outcome;
     if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) return outcome;
     const std::string slave = ptsname(master);
-    std::vector<char*> argv = {const_cast<char*>(QUADREL_EXECUTABLE)};
-    for (const std::string& argument : arguments)
-        argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         dup2(open(slave.c_str(), O_RDWR | O_NOCTTY), STDERR_FILENO);
         dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-        if (chdir(folder.c_str()) == 0) execv(QUADREL_EXECUTABLE, argv.data());
-        _exit(127);
+        become_quadrel(arguments, folder);
     }
     const int kept = open(slave.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // or its end loses text
     outcome.code = wait_for(child);

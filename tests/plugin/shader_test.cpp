@@ -133,6 +133,23 @@ TEST(TriangleShader, InterpolatesInFloatAndDouble) {
     varyings_are_window_coordinates<Quad<double>>();
 }
 
+TEST(TriangleShader, TakesVaryingsAsVectors) {
+    const std::array<ShaderVertex<6>, 3> triangle{{{{-1, -1, 0, 1}, {1, 2, 3, 4, 5, 6}},
+                                                   {{1, -1, 0, 1}, {2, 3, 5, 7, 11, 13}},
+                                                   {{-1, 1, 0, 1}, {1, 2, 3, 4, 5, 6}}}};
+    const auto state = raster_state({4, 4}, hardware_model(Hardware::exact));
+    shade_triangle<F>(state, triangle, [](const auto& in) {
+        const vec3<F> three = in.varying3(3);
+        const vec4<F> four = in.varying4(1);
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_TRUE(all(three[static_cast<int>(k)] == in.varying(3 + k)));
+        EXPECT_TRUE(all(four.x == in.varying(1)) && all(four.y == in.varying(2)));
+        EXPECT_TRUE(all(four.z == in.varying(3)) && all(four.w == in.varying(4)));
+        EXPECT_THROW(in.varying4(3), std::out_of_range);
+        return F(0);
+    });
+}
+
 TEST(TriangleShader, DrawsAPictureFromTheTopLeft) {
     const auto y = [](const auto& in) { return in.varying(1); };
     const DrawnPicture<float> up = draw_triangle<F>({16, 16}, half, y, -1.0f);
@@ -159,7 +176,7 @@ TEST(TriangleShader, ExampleOfTheHeader) {
             return fwidth(uv.x) * 64.0f + uv.y;
         },
         0.0f);
-    // u grows by 1/64 a column and falls by 1/128 a row: 1 + 1/2; v at the middle row: 31.5/64.
+    // u grows by 1/64 per column and falls by 1/128 per row: 1 + 1/2; v at the middle row: 31.5/64.
     EXPECT_NEAR(picture.at(32, 32), 1.5f + 31.5f / 64, 1e-5f);
     EXPECT_EQ(picture.at(0, 0), 0.0f);
 }

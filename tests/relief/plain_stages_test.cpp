@@ -61,7 +61,7 @@ TEST(Interpolate, VaryingsAreExact) {
 
 // ---- differentiate ------------------------------------------------------------------------------
 
-/// Coarse: one difference a quad, that of its first row and column; fine: one a row and a column.
+/// Coarse: one difference per quad, of its first row and column; fine: one per row and column.
 testing::AssertionResult differences_are(const Stage& stage, DerivativeMode mode) {
     Random random(2);
     Batch<float> batch;

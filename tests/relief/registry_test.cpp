@@ -258,7 +258,7 @@ TEST(EveryStage, InactiveQuadsHaveNoEffect) {
 
 // ---- Number types -------------------------------------------------------------------------------
 
-/// Stages whose results jump where a comparison turns over: a lane in a hundred may differ.
+/// Stages whose results jump where a comparison turns over: one lane in a hundred may differ.
 bool decides(const StageInfo& stage) {
     const std::string id = stage.text.id, room = stage.text.room;
     return room == "shadow" || room == "trace" || id == "lod" || id == "shade-thesis@published";

@@ -1,4 +1,4 @@
-// The committed hashes: one line a scene, "name WIDTHxHEIGHT default all", the hashes (film_hash,
+// The committed hashes: one line per scene, "name WIDTHxHEIGHT default all", the hashes (film_hash,
 // first 16 digits) of the default channels and of all channels.
 #pragma once
 

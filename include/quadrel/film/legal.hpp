@@ -109,7 +109,7 @@ LegalVerdict legal_verdict(const LegalRange& range, double value, double extent,
 /// lacks fail.
 LegalReport judge(const LegalReference& reference, const Film& test, const LegalRules& rules);
 
-/// For people: a table with a line a channel, then the worst pixels.
+/// For people: a table with a line per channel, then the worst pixels.
 std::string to_text(const LegalReport& report);
 /// One JSON object. NaN and infinities are strings.
 std::string to_json(const LegalReport& report);

@@ -31,9 +31,7 @@ struct ShadeLayers : LitDefaults {
     void operator()(Io& io, const Params& params) const {
         using F = typename Io::Number;
         MetLayer<F> met;
-        met.look_at(layer_map(io), io.template context<TextureSlot::layers>(),
-                    io.template load<Value::hit_uv>(), io.template load<Value::hit_s>(),
-                    io.template load<Value::K>(), way_down(io));
+        look_at_slot<TextureSlot::layers>(io, met, way_down(io));
         vec4<F> base = map_at_hit<TextureSlot::color>(io, vec4<F>(F(1)), params.gradients);
         take<TextureSlot::color_2>(io, met.index == Int<F>(1), params.gradients, base);
         take<TextureSlot::color_3>(io, met.index == Int<F>(2), params.gradients, base);

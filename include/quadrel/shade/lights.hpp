@@ -33,9 +33,9 @@ F attenuation(const vec3<F>& P, const auto& light) {
     return F(light.intensity) / sum;
 }
 
-/// A sum and one more term.
+/// A sum of light and one more term; the first term alone begins it.
 template <Number F>
-vec3<F> sum_with(bool is_first, const vec3<F>& sum, const vec3<F>& term) {
+vec3<F> light_sum(bool is_first, const vec3<F>& sum, const vec3<F>& term) {
     return is_first ? term : sum + term;
 }
 
@@ -47,10 +47,10 @@ struct LightTerms {
     vec3<F> ambient = vec3<F>(F(0)), diffuse = vec3<F>(F(0)), specular = vec3<F>(F(0));
 };
 
-/// What a model of two layers says of one light: the share of the light that reaches the matte
-/// base and leaves it, and the highlight above it in its own colour.
+/// Both lobes of a model's reflection of one light: the share of the light that the matte lobe has,
+/// below a glaze, and the specular one in its own colour.
 template <Number F>
-struct Layers {
+struct ReflectionLobes {
     F matte;
     vec3<F> specular;
 };
@@ -60,13 +60,13 @@ Highlight shine_of(const Highlight& highlight) {
     return highlight;
 }
 template <Number F>
-vec3<F> shine_of(const Layers<F>& layers) {
-    return layers.specular;
+vec3<F> shine_of(const ReflectionLobes<F>& lobes) {
+    return lobes.specular;
 }
 
 /// `specular(L, N.L)`: a number, to be multiplied by the light's and the material's colours, or a
-/// colour, by the light's alone, or Layers, the share of diffuse light beside that, or NoHighlight.
-/// It is only used where N.L > 0.
+/// colour, by the light's alone, or ReflectionLobes, or NoHighlight. It is only used where
+/// N.L > 0.
 template <class Io, class Specular, class F = typename Io::Number>
 LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
                          const Specular& specular) {
@@ -80,9 +80,9 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         const F cosine = dot(N, L);
         const auto highlight = specular(L, cosine);
         using Highlight = std::remove_const_t<decltype(highlight)>;
-        const auto add = [i](vec3<F>& to, const vec3<F>& term) { to = sum_with(i == 0, to, term); };
+        const auto add = [i](vec3<F>& to, const auto& term) { to = light_sum(i == 0, to, term); };
         F arriving = max(cosine, F(0)) * visible;
-        if constexpr (std::is_same_v<Highlight, Layers<F>>)
+        if constexpr (std::is_same_v<Highlight, ReflectionLobes<F>>)
             arriving = select(cosine > F(0), arriving * highlight.matte, F(0));
         add(sum.ambient, uniform3<F>(light.ambient) * uniform3<F>(material.ambient) * base);
         add(sum.diffuse,
@@ -108,7 +108,7 @@ struct Emission {
     bool is_there = false;
     vec3<F> light = vec3<F>(F(0));
 
-    vec3<F> with(const vec3<F>& terms) const { return sum_with(!is_there, light, terms); }
+    vec3<F> with(const vec3<F>& terms) const { return light_sum(!is_there, light, terms); }
 };
 
 template <class Io, class F = typename Io::Number>

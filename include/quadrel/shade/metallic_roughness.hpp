@@ -43,7 +43,8 @@ struct ShadeMetallicRoughness : LitDefaults {
     static constexpr bool runs_on_duals = true;
     static constexpr StageText text{"shade-metallic-roughness", "shade",
                                     "rough metal, or a rough glaze over a matte base",
-                                    "The Khronos Group, glTF 2.0 Specification, appendix B"};
+                                    "The Khronos Group, glTF 2.0 Specification, appendix B; times "
+                                    "pi, as a light's unit is irradiance over pi"};
     struct Params {
         float roughness = 1, metalness = 1, occlusion_strength = 1;
         std::int32_t gradients = 0;
@@ -82,8 +83,8 @@ struct ShadeMetallicRoughness : LitDefaults {
     };
 
     template <class F>
-    static Layers<F> reflected(const Facets<F>& facets, const vec3<F>& N, const vec3<F>& V,
-                               const vec3<F>& L, F NL) {
+    static ReflectionLobes<F> reflected(const Facets<F>& facets, const vec3<F>& N, const vec3<F>& V,
+                                        const vec3<F>& L, F NL) {
         const vec3<F> H = normalize(L + V), NxH = cross(N, H);
         const F NV = dot(N, V), slant = F(1) - min(F(1), max(F(0), dot(V, H)));
         const F rest = slant * slant * slant * slant * slant, a2 = facets.a * facets.a;

@@ -38,8 +38,8 @@ struct ShadeWelsh : StageDefaults {
                 uniform3<F>(light.diffuse) * uniform3<F>(material.diffuse) * arriving;
             const vec3<F> lit = saturate(color * dot(N, to_light(P, light)));
             total = i == 0 ? lit : saturate(total + lit);
-            ambient = sum_with(i == 0, ambient,
-                               uniform3<F>(light.ambient) * uniform3<F>(material.ambient));
+            ambient = light_sum(i == 0, ambient,
+                                uniform3<F>(light.ambient) * uniform3<F>(material.ambient));
         }
         ambient = ambient * io.template load<Value::occlusion>();
         io.template store<Value::light_ambient>(ambient * rgb(base));

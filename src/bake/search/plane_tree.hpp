@@ -84,7 +84,7 @@ class PlaneTree {
 
     Block texel(int x, int y) const { return {0, u_.texel(x), v_.texel(y)}; }
 
-    /// The greatest values of a block, one a channel.
+    /// The greatest values of a block, one per channel.
     const float* greatest(const Block& block) const {
         const int level = std::min(block.level, top_level_);
         return &levels_[level][place(level, block.u.node, block.v.node)];

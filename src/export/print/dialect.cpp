@@ -248,12 +248,6 @@ std::unique_ptr<Dialect> find_dialect(std::string_view name) {
     return nullptr;
 }
 
-std::vector<std::string> dialect_names() {
-    std::vector<std::string> names;
-    for (const DialectRow& row : dialects) names.emplace_back(row.name);
-    return names;
-}
-
 bool is_reserved(const std::string& word) {
     static const char* const words[] = {
         "abs",        "abstract",    "acos",       "active",     "alias",       "alignas",

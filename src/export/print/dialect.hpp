@@ -81,8 +81,6 @@ class Dialect {
 /// By its name on the command line: glsl, glsl-es, hlsl, wgsl, c++; null where there is none of
 /// that name.
 std::unique_ptr<Dialect> find_dialect(std::string_view name);
-/// Their names.
-std::vector<std::string> dialect_names();
 
 /// Words that no shading language leaves to names.
 bool is_reserved(const std::string& word);

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "export/print/described.hpp"
-#include "export/print/fold.hpp"
+#include "export/print/fold/fold.hpp"
 #include "export/print/names.hpp"
 
 namespace quadrel::recorded {
@@ -51,6 +51,57 @@ std::string name_of_argument(const Cones& group, std::size_t i) {
     }
     return name;
 }
+
+template <class Cones>
+std::string name_of_results(const Cones& group) {
+    for (const auto& of : group)
+        if (const std::string name = name_of_result(*of.root); !name.empty()) return name;
+    return "";
+}
+
+/// A function's graph, made of nodes of another.
+class BodyCopy {
+  public:
+    explicit BodyCopy(Graph& made) : made_(made) {}
+
+    /// Stands for `of` from now on.
+    void add_input(const Node& of, const std::string& name) {
+        Node input;
+        input.kind = Kind::symbol;
+        input.type = of.type;
+        input.text = name;
+        made_.inputs.push_back({input.text, input.type});
+        copies_[&of] = own(std::move(input));
+    }
+    /// What it is computed of and is not there yet are constants.
+    void add(const Node& of) {
+        Node node = of;
+        for (Node*& argument : node.arguments) {
+            if (copies_.count(argument) == 0) add(*argument);
+            argument = copies_.at(argument);
+        }
+        copies_[&of] = own(std::move(node));
+    }
+    void store(const Node& of) {
+        Node* const result = copies_.at(&of);
+        result->name.clear();
+        result->comments.clear();
+        Event event(Event::Kind::store, static_cast<int>(made_.nodes.size()) + 1);
+        event.value = result;
+        made_.top.events.push_back(std::move(event));
+    }
+
+  private:
+    Node* own(Node node) {
+        node.region = &made_.top;
+        node.order = static_cast<int>(made_.nodes.size()) + 1;
+        made_.nodes.push_back(std::make_unique<Node>(std::move(node)));
+        return made_.nodes.back().get();
+    }
+
+    Graph& made_;
+    std::unordered_map<const Node*, Node*> copies_;
+};
 
 }  // namespace
 
@@ -182,49 +233,16 @@ void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
     auto helper = std::make_unique<Helper>();
     helper->type = first.root->type;
     helper->graph.uniforms = graph_.uniforms;
-    std::string name;
-    for (const Cone& of : group)
-        if (name.empty()) name = name_of_result(*of.root);
-    helper->name = unique_name(prefix + "_" + name, "helper", names_);
-    // The body's nodes, and inputs in the places of the arguments.
-    Graph& made = helper->graph;
-    std::unordered_map<const Node*, Node*> copies;
-    const auto copy = [&](Node node) {
-        node.region = &made.top;
-        node.order = static_cast<int>(made.nodes.size()) + 1;
-        made.nodes.push_back(std::make_unique<Node>(std::move(node)));
-        return made.nodes.back().get();
-    };
-    const auto copied = [&](const auto& self, const Node* node) -> Node* {
-        if (copies.count(node) == 0) {
-            Node constant = *node;
-            for (Node*& argument : constant.arguments) argument = self(self, argument);
-            copies[node] = copy(std::move(constant));
-        }
-        return copies.at(node);
-    };
+    helper->name = unique_name(prefix + "_" + name_of_results(group), "helper", names_);
+    BodyCopy copy(helper->graph);
     std::set<std::string> inputs;
     for (std::size_t i = 0; i < first.arguments.size(); ++i) {
-        const Node& of = *first.arguments[i];
         const std::string letter(1, static_cast<char>('a' + i));
-        Node input;
-        input.kind = Kind::symbol;
-        input.type = of.type;
-        input.text = unique_name(name_of_argument(group, i), letter.c_str(), inputs);
-        made.inputs.push_back({input.text, input.type});
-        copies[&of] = copy(std::move(input));
+        copy.add_input(*first.arguments[i],
+                       unique_name(name_of_argument(group, i), letter.c_str(), inputs));
     }
-    for (const Node* of : first.body) {
-        Node node = *of;
-        for (Node*& argument : node.arguments) argument = copied(copied, argument);
-        copies[of] = copy(std::move(node));
-    }
-    Node* const result = copies.at(first.root);
-    result->name.clear();
-    result->comments.clear();
-    Event event(Event::Kind::store, static_cast<int>(made.nodes.size()) + 1);
-    event.value = result;
-    made.top.events.push_back(std::move(event));
+    for (const Node* of : first.body) copy.add(*of);
+    copy.store(*first.root);
     for (const Cone& of : group) {
         of.root->kind = Kind::call;
         of.root->text = helper->name;

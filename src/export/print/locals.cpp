@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "export/print/fold.hpp"
+#include "export/print/fold/fold.hpp"
 
 namespace quadrel::recorded {
 

@@ -5,7 +5,7 @@
 
 #include "export/print/assignments.hpp"
 #include "export/print/described.hpp"
-#include "export/print/fold.hpp"
+#include "export/print/fold/fold.hpp"
 #include "export/print/names.hpp"
 #include "export/print/wrapped_line.hpp"
 

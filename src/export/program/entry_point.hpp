@@ -11,6 +11,9 @@
 
 namespace quadrel::recorded {
 
+/// Of each pass the targets, of each target what its four components are made of, in order.
+using PassTargets = std::vector<std::vector<std::vector<std::string>>>;
+
 struct FragmentText {
     std::string comment;
     std::vector<Varying> varyings;
@@ -19,8 +22,7 @@ struct FragmentText {
     std::string functions;
     std::vector<std::string> statements;  ///< of the entry point, before it hands values on
     std::vector<Named> values;            ///< that these give names to
-    /// Of each pass the targets, of each target what its four components are made of, in order.
-    std::vector<std::vector<std::vector<std::string>>> passes;
+    PassTargets passes;
     std::string depth, discard;  ///< depth to write, and when not to; empty: none
     std::string lod_map;         ///< map whose level of detail is asked for; empty: none
 };

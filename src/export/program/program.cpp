@@ -1,140 +1,22 @@
 #include "export/program/program.hpp"
 
-#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <set>
-#include <span>
 
 #include "export/print/wrapped_line.hpp"
 #include "export/program/entry_point.hpp"
+#include "export/program/matrices.hpp"
 #include "export/program/stage_calls.hpp"
+#include "export/program/targets.hpp"
 #include "export/stages/plain_maps.hpp"
 
 namespace quadrel::recorded {
 namespace {
 
-using Kind = ProgramChannel::Kind;
+const Uniform flat_faces{"flat_faces", "float", 0};
 
 bool is_sampler(const Uniform& uniform) { return uniform.type.rfind("sampler", 0) == 0; }
-
-/// The number of a fragment's value that a channel shows, as a shader calls it.
-struct Component {
-    std::string name;
-    Type type = Type::real;
-    int index = 0;
-};
-
-Component component_of(const ProgramChannel& channel) {
-    const ValueInfo& of = info(channel.value);
-    if (of.components == 6)
-        return {shader_name(channel.value, channel.light, channel.component < 3 ? "_u" : "_v"),
-                Type::vec3, channel.component % 3};
-    return {shader_name(channel.value, channel.light),
-            of.kind == ValueKind::integer ? Type::integer : vector_of(of.components),
-            channel.component};
-}
-
-std::string expression_of(const ProgramChannel& channel, const Dialect& dialect) {
-    switch (channel.kind) {
-        case Kind::none:
-            return "0.0";
-        case Kind::coverage:
-            return "1.0";
-        case Kind::z:
-            return "-" + shader_name(Value::hit_P) + ".z";
-        case Kind::lod_level:
-            return "level_of_detail.x";
-        case Kind::lod_lambda:
-            return "level_of_detail.y";
-        case Kind::value:
-            break;
-    }
-    const Component component = component_of(channel);
-    if (component.type == Type::integer)
-        return dialect.type(Type::real) + "(" + component.name + ")";
-    if (component.type == Type::real) return component.name;
-    return component.name + "." + "xyzw"[component.index];
-}
-
-template <class Body>
-void for_each_channel(const ProgramRequest& request, const Body& body) {
-    for (int p = 0; p < request.pass_count; ++p)
-        for (int t = 0; t < request.passes[p].target_count; ++t)
-            for (const ProgramChannel& channel : request.passes[p].channels[t]) body(channel);
-}
-
-bool asks_lod(const ProgramRequest& request) {
-    bool asks = false;
-    for_each_channel(request, [&](const ProgramChannel& channel) {
-        asks |= channel.kind == Kind::lod_level || channel.kind == Kind::lod_lambda;
-    });
-    return asks;
-}
-
-/// What targets, depth and discarding are made of.
-ValueTypes wanted_values(const ProgramRequest& request) {
-    ValueTypes wanted;
-    for_each_channel(request, [&](const ProgramChannel& channel) {
-        if (channel.kind == Kind::z) wanted.emplace(shader_name(Value::hit_P), Type::vec3);
-        if (channel.kind != Kind::value) return;
-        const Component component = component_of(channel);
-        wanted.emplace(component.name, component.type);
-    });
-    if (asks_lod(request)) wanted.emplace("uv", Type::vec2);
-    if (request.discard_below >= 0) wanted.emplace(shader_name(Value::opacity), Type::real);
-    if (request.clips != 0) wanted.emplace(shader_name(Value::hit_status), Type::integer);
-    if (request.writes_depth != 0) wanted.emplace(shader_name(Value::frag_depth), Type::real);
-    return wanted;
-}
-
-/// How many channels, from the first of these on, are a whole vector; 0: it is none.
-std::size_t components_of_vector(std::span<const ProgramChannel> channels) {
-    if (channels.front().kind != Kind::value) return 0;
-    const Component first = component_of(channels.front());
-    for (const std::size_t n : {2, 3, 4}) {
-        if (first.type != vector_of(static_cast<int>(n)) || n > channels.size()) continue;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (channels[i].kind != Kind::value) return 0;
-            const Component of = component_of(channels[i]);
-            if (of.name != first.name || of.index != static_cast<int>(i)) return 0;
-        }
-        return n;
-    }
-    return 0;
-}
-
-/// What a target's vec4 is made of.
-std::vector<std::string> parts_of(std::span<const ProgramChannel> channels,
-                                  const Dialect& dialect) {
-    std::vector<std::string> parts;
-    while (!channels.empty()) {
-        const std::size_t whole = components_of_vector(channels);
-        parts.push_back(whole > 0 ? component_of(channels.front()).name
-                                  : expression_of(channels.front(), dialect));
-        channels = channels.subspan(std::max<std::size_t>(whole, 1));
-    }
-    return parts;
-}
-
-std::vector<std::vector<std::vector<std::string>>> targets_of(const ProgramRequest& request,
-                                                              const Dialect& dialect) {
-    std::vector<std::vector<std::vector<std::string>>> passes;
-    for (int p = 0; p < request.pass_count; ++p) {
-        auto& pass = passes.emplace_back();
-        for (int t = 0; t < request.passes[p].target_count; ++t)
-            pass.push_back(parts_of(request.passes[p].channels[t], dialect));
-    }
-    return passes;
-}
-
-std::string discard_condition(const ProgramRequest& request, const Dialect& dialect) {
-    std::string condition;
-    if (request.discard_below >= 0) condition = "opacity < " + dialect.real(request.discard_below);
-    if (request.clips != 0)
-        condition += (condition.empty() ? "" : " || ") + std::string("hit_status == STATUS_CLIP");
-    return condition;
-}
 
 /// Calls of the functions, one after the other, with a variable for each value: a local where
 /// functions have outputs, else one of the whole shader.
@@ -190,23 +72,6 @@ class Statements {
     ValueTypes declared_;
     std::vector<std::string> all_;
 };
-
-/// An element of a uniform array.
-std::string element(const Uniform& uniform, int index, const Dialect& dialect) {
-    return dialect.use_of(uniform, uniform.name + "[" + std::to_string(index) + "]");
-}
-
-const Uniform model_view{"model_view", "float", 16}, projection{"projection", "float", 16};
-const Uniform texture_matrix{"texture_matrix", "float", 16}, flat_faces{"flat_faces", "float", 0};
-const Uniform normal_matrix{"normal_matrix", "float", 9};
-
-/// An object's axis in eye space: a column of the normal matrix.
-std::string object_axis(int axis, const Dialect& dialect) {
-    std::string text = dialect.type(Type::vec3) + "(";
-    for (int row = 0; row < 3; ++row)
-        text += (row == 0 ? "" : ", ") + element(normal_matrix, 3 * row + axis, dialect);
-    return text + ")";
-}
 
 /// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
@@ -276,46 +141,6 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
         add_uniforms(text.uniforms, {{text.lod_map, "sampler2D", 0}});
     }
     return text;
-}
-
-/// Rows of a matrix times a point, summed in the order of the reference.
-std::string rows_times(const Uniform& matrix, Type type, const std::string& point,
-                       const Dialect& dialect) {
-    std::string text = dialect.type(type) + "(";
-    for (int row = 0; row < components_of(type); ++row) {
-        text += row == 0 ? "affine(" : ", affine(";
-        for (int column = 0; column < 4; ++column)
-            text += element(matrix, 4 * row + column, dialect) + ", ";
-        text += point + ")";
-    }
-    return text + ")";
-}
-
-std::string normal_times(const Dialect& dialect) {
-    std::string text = dialect.type(Type::vec3) + "(";
-    for (int row = 0; row < 3; ++row) {
-        text += row == 0 ? "linear_row(" : ", linear_row(";
-        for (int column = 0; column < 3; ++column)
-            text += element(normal_matrix, 3 * row + column, dialect) + ", ";
-        text += "normal)";
-    }
-    return text + ")";
-}
-
-/// The functions of vertex shaders.
-std::string row_functions(const Dialect& dialect) {
-    const std::vector<Named> of_point = {{"a", Type::real},
-                                         {"b", Type::real},
-                                         {"c", Type::real},
-                                         {"d", Type::real},
-                                         {"p", Type::vec3}};
-    const std::vector<Named> of_vector = {
-        {"a", Type::real}, {"b", Type::real}, {"c", Type::real}, {"v", Type::vec3}};
-    return "// A row of a matrix times a point, and times a vector.\n" +
-           dialect.helper_head(Type::real, "affine", of_point) +
-           "\n    return (a * p.x + b * p.y) + (c * p.z + d);\n}\n" +
-           dialect.helper_head(Type::real, "linear_row", of_vector) +
-           "\n    return a * v.x + b * v.y + c * v.z;\n}\n\n";
 }
 
 VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragment,

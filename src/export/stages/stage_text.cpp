@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <map>
 
-#include "export/print/fold.hpp"
+#include "export/print/fold/fold.hpp"
 #include "export/print/wrapped_line.hpp"
 #include "export/print/writer.hpp"
 #include "export/stages/named_parameters.hpp"

@@ -252,7 +252,8 @@ constexpr SceneKey keys[] = {
     {"light", "ambient", "3 or 4 numbers >= 0", "`[0.1, 0.1, 0.1, 1]`", ""},
     {"light", "diffuse", "3 or 4 numbers >= 0", "`[1, 1, 1, 1]`", ""},
     {"light", "specular", "3 or 4 numbers >= 0", "`[1, 1, 1, 1]`", ""},
-    {"light", "intensity", "number >= 0", "1", ""},
+    {"light", "intensity", "number >= 0", "1",
+     "irradiance over pi: a white matte surface that faces a white light of 1 is white"},
     {"light", "attenuation", "3 numbers >= 0, not all 0", "`[1, 0, 0]`",
      "point lights: constant, linear and quadratic term in the distance"},
 

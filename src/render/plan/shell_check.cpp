@@ -71,25 +71,29 @@ std::string_view frame_of_search(std::string_view trace) {
     return "";
 }
 
-void check_shell(const Scene& scene, const Material& material) {
-    const Refusal refuse(scene, material);
+namespace {
+
+/// What is of shells, and frame and search, go together.
+void check_belongings(const Material& material, const Refusal& refuse) {
     const std::string trace = id_or_default(material, material.trace, "trace");
-    const std::string surface = id_or_default(material, material.surface, "surface");
-    const bool shell = draws_shell(material);
     const std::string shadow = id_or_default(material, material.shadow, "shadow");
     if (is_of_shells(shadow) && shell_kind(material) != ShellKind::tetrahedra)
         refuse.at(material.shadow, "shadow", shadow,
                   "\"frame\": \"frame-shell\" beside it, whose tetrahedra it goes through");
     const std::vector<std::string_view> searches = searches_of_frame(material.frame.id);
-    if (is_of_shells(trace) && !shell)
+    if (is_of_shells(trace) && !draws_shell(material))
         refuse.at(material.trace, "trace", trace,
                   fmt::format("\"frame\": \"{}\" beside it, or a search of heights",
                               frame_of_search(trace)));
-    if (!shell) return;
-    if (std::ranges::count(searches, trace) == 0)
+    if (draws_shell(material) && std::ranges::count(searches, trace) == 0)
         refuse.at(material.trace, "trace", trace,
                   fmt::format("a search of shells, {}: the frame is {}",
                               fmt::join(searches, " or "), material.frame.id));
+}
+
+/// What a shell cannot be, or be drawn by.
+void check_restrictions(const Material& material, const Refusal& refuse) {
+    const std::string surface = id_or_default(material, material.surface, "surface");
     if (shell_kind(material) == ShellKind::strips && material.seat != 0)
         refuse.at("relief.seat", fmt::format("{}", material.seat),
                   "0: frame-prism@published has the mesh at the relief's bottom");
@@ -106,6 +110,15 @@ void check_shell(const Scene& scene, const Material& material) {
         refuse.at(material.surface, "surface", surface,
                   "one that does without the face's normal, such as h2n-sobel: the faces of "
                   "shells are not the mesh's");
+}
+
+}  // namespace
+
+void check_shell(const Scene& scene, const Material& material) {
+    const Refusal refuse(scene, material);
+    check_belongings(material, refuse);
+    if (!draws_shell(material)) return;
+    check_restrictions(material, refuse);
     for (const Object& object : scene.objects)
         if (&scene.materials[object.material] == &material &&
             scene.meshes[object.mesh].normals.empty())

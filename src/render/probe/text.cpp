@@ -1,4 +1,4 @@
-// A probe's report for people: four columns, one a lane, decimal above hex float.
+// A probe's report for people: four columns, one per lane, decimal above hex float.
 #include <fmt/format.h>
 
 #include "quadrel/probe.hpp"

@@ -47,7 +47,7 @@ struct Question {
     std::string glsl{};
     std::string uniforms{};  ///< declared in front of it, for textures that are bound already
     std::function<vec4<QuadF>(const QuadInput&)> text{};
-    std::vector<std::array<float, 4>> asked{};  ///< one a pixel, row 0 first; none: zeros
+    std::vector<std::array<float, 4>> asked{};  ///< one per pixel, row 0 first; none: zeros
     std::vector<ProbeTexture> maps{};
     std::vector<Triangle> triangles{};  ///< none: one that holds the whole frame
     int version = 33;    ///< of OpenGL, that it needs: 33, 40, or 45 for derivatives' qualifiers

@@ -128,46 +128,51 @@ Probe denormals() {
     return probe;
 }
 
-Probe least_of_nan() {
-    Probe probe = number_probe("min-nan", "min(NaN, 1), min(1, NaN), max(NaN, 1), max(1, NaN)",
-                               "anything (GLSL 4.60, 8.3)", 2, 2);
+/// A question about NaN, which the shader has as asked.x, beside 1 as asked.y: a compiler that knew
+/// them could answer by itself.
+Probe nan_probe(const std::string& id, const std::string& asks, const std::string& permits,
+                const std::string& glsl, vec4<QuadF> (*text)(QuadF nan, QuadF one),
+                std::string (*words)(const Values&)) {
+    Probe probe = number_probe(id, asks, permits, 2, 2);
     probe.question.asked = ask_pixels(2, 2, [](int) {
         return std::array<float, 4>{not_a_number, 1};
     });
-    probe.question.glsl =
-        "    return vec4(min(asked.x, asked.y), min(asked.y, asked.x),\n"
-        "                max(asked.x, asked.y), max(asked.y, asked.x));";
-    probe.question.text = [](const QuadInput& in) {
-        const QuadF x = in.asked.x, y = in.asked.y;
-        return vec4<QuadF>(min(x, y), min(y, x), max(x, y), max(y, x));
-    };
-    probe.words = [](const Values& values) {
-        std::string text;
-        for (std::size_t i = 0; i < 4; ++i)
-            text += (i == 0 ? "" : " ") + std::string(std::isnan(values[i]) ? "NaN" : "1");
-        return text;
-    };
+    probe.question.glsl = glsl;
+    probe.question.text = [text](const QuadInput& in) { return text(in.asked.x, in.asked.y); };
+    probe.words = words;
     return probe;
 }
 
+Probe least_of_nan() {
+    return nan_probe(
+        "min-nan", "min(NaN, 1), min(1, NaN), max(NaN, 1), max(1, NaN)",
+        "anything (GLSL 4.60, 8.3)",
+        "    return vec4(min(asked.x, asked.y), min(asked.y, asked.x),\n"
+        "                max(asked.x, asked.y), max(asked.y, asked.x));",
+        [](QuadF nan, QuadF one) {
+            return vec4<QuadF>(min(nan, one), min(one, nan), max(nan, one), max(one, nan));
+        },
+        [](const Values& values) {
+            std::string text;
+            for (std::size_t i = 0; i < 4; ++i)
+                text += (i == 0 ? "" : " ") + std::string(std::isnan(values[i]) ? "NaN" : "1");
+            return text;
+        });
+}
+
 Probe tests_of_nan() {
-    Probe probe = number_probe("isnan", "isnan(NaN), NaN < 1, NaN != NaN; clamp(NaN, 0, 1)",
-                               "anything (GLSL 4.60, 4.7.1)", 2, 2);
-    probe.question.asked = ask_pixels(2, 2, [](int) {
-        return std::array<float, 4>{not_a_number, 1};
-    });
-    probe.question.glsl =
+    return nan_probe(
+        "isnan", "isnan(NaN), NaN < 1, NaN != NaN; clamp(NaN, 0, 1)", "anything (GLSL 4.60, 4.7.1)",
         "    float x = asked.x;\n"
-        "    return vec4(isnan(x), x < asked.y, x != asked.x + 0.0, clamp(x, 0.0, 1.0));";
-    probe.question.text = [](const QuadInput& in) {
-        const QuadF x = in.asked.x, one(1), zero(0);
-        return vec4<QuadF>(select(is_nan(x), one, zero), select(x < in.asked.y, one, zero),
-                           select(!(x == in.asked.x), one, zero), clamp(x, zero, one));
-    };
-    probe.words = [](const Values& values) {
-        return fmt::format("{:g} {:g} {:g}; {:g}", values[0], values[1], values[2], values[3]);
-    };
-    return probe;
+        "    return vec4(isnan(x), x < asked.y, x != asked.x + 0.0, clamp(x, 0.0, 1.0));",
+        [](QuadF nan, QuadF one) {
+            const QuadF yes(1), no(0);
+            return vec4<QuadF>(select(is_nan(nan), yes, no), select(nan < one, yes, no),
+                               select(!(nan == nan), yes, no), clamp(nan, no, yes));
+        },
+        [](const Values& values) {
+            return fmt::format("{:g} {:g} {:g}; {:g}", values[0], values[1], values[2], values[3]);
+        });
 }
 
 }  // namespace

@@ -10,6 +10,41 @@
 namespace quadrel::displacement {
 namespace {
 
+/// The longest side of a triangle, along one of the axes.
+class LongestSide {
+  public:
+    explicit LongestSide(const Corners& place) : place_(place) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Place d = place[(k + 1) % 3] - place[k];
+            for (const bool x : {true, false})
+                if (const std::int64_t size = std::abs(x ? d.x : d.y); size > span_) {
+                    span_ = size;
+                    number_ = k;
+                    by_x_ = x;
+                }
+        }
+    }
+
+    std::size_t number() const { return number_; }
+    /// How far along it a corner lies: 0 where it begins, 1 where it ends.
+    double at(std::size_t corner) const {
+        const Place d = place_[corner % 3] - place_[number_];
+        return span_ == 0 ? 0.0 : std::fabs(double(by_x_ ? d.x : d.y)) / double(span_);
+    }
+
+  private:
+    const Corners& place_;
+    std::size_t number_ = 0;
+    bool by_x_ = true;
+    std::int64_t span_ = -1;
+};
+
+/// A vertex on a triangle's border, and how far along the longest side.
+struct BorderVertex {
+    std::uint32_t vertex;
+    double at;
+};
+
 /// One triangle of the mesh, cut along the cells.
 class TriangleCutter {
   public:
@@ -153,6 +188,9 @@ class TriangleCutter {
     /// All corners on one line of texture space: the longest side on the one hand, both others on
     /// the other, sewn together by the order of their vertices along it.
     void cut_degenerate();
+    void append_side(std::size_t k, const LongestSide& longest,
+                     std::vector<BorderVertex>& out) const;
+    void sew(const std::vector<BorderVertex>& near, const std::vector<BorderVertex>& far);
 
     const Base& base_;
     const Edges& edges_;
@@ -166,51 +204,37 @@ class TriangleCutter {
     InteriorPoints interior_;
 };
 
-/// A vertex on a triangle's border, and how far along the longest side.
-struct BorderVertex {
-    std::uint32_t vertex;
-    double at;
-};
-
 void TriangleCutter::cut_degenerate() {
-    // Along which axis, and which side is longest.
-    std::size_t longest = 0;
-    bool by_x = true;
-    std::int64_t span = -1;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Place d = chart_.place[(k + 1) % 3] - chart_.place[k];
-        for (const bool x : {true, false})
-            if (const std::int64_t size = std::abs(x ? d.x : d.y); size > span) {
-                span = size;
-                longest = k;
-                by_x = x;
-            }
-    }
-    const auto corner_at = [&](std::size_t k) {
-        const Place d = chart_.place[k % 3] - chart_.place[longest];
-        return span == 0 ? 0.0 : std::fabs(double(by_x ? d.x : d.y)) / double(span);
-    };
-    const auto side_vertices = [&](std::size_t k, std::vector<BorderVertex>& out) {
-        k %= 3;
-        const Edge& edge = edges_.all()[sides_[k].edge];
-        const double from = corner_at(k), to = k == longest ? 1.0 : corner_at(k + 1);
-        out.push_back({corners_[k], from});
-        for (std::uint32_t n = 0; n < edge.cuts; ++n) {
-            const std::uint32_t c = edge.first_cut + (sides_[k].reversed ? edge.cuts - 1 - n : n);
-            const double part = edges_.cuts()[c].at.value();
-            const double t = sides_[k].reversed ? 1 - part : part;
-            out.push_back({static_cast<std::uint32_t>(base_.mesh.positions.size()) + c,
-                           from + t * (to - from)});
-        }
-    };
+    const LongestSide longest(chart_.place);
+    const std::size_t k = longest.number();
     std::vector<BorderVertex> near, far;
-    side_vertices(longest, near);
-    near.push_back({corners_[(longest + 1) % 3], 1});
-    side_vertices(longest + 1, far);
-    side_vertices(longest + 2, far);
-    far.push_back({corners_[longest], 0});
+    append_side(k, longest, near);
+    near.push_back({corners_[(k + 1) % 3], 1});
+    append_side((k + 1) % 3, longest, far);
+    append_side((k + 2) % 3, longest, far);
+    far.push_back({corners_[k], 0});
     std::reverse(far.begin(), far.end());
-    // The triangle lies to the left of the longest side, the other two beyond it.
+    sew(near, far);
+}
+
+/// The corner that side k begins at, and its cuts.
+void TriangleCutter::append_side(std::size_t k, const LongestSide& longest,
+                                 std::vector<BorderVertex>& out) const {
+    const Edge& edge = edges_.all()[sides_[k].edge];
+    const double from = longest.at(k), to = k == longest.number() ? 1.0 : longest.at(k + 1);
+    out.push_back({corners_[k], from});
+    for (std::uint32_t n = 0; n < edge.cuts; ++n) {
+        const std::uint32_t c = edge.first_cut + (sides_[k].reversed ? edge.cuts - 1 - n : n);
+        const double part = edges_.cuts()[c].at.value();
+        const double t = sides_[k].reversed ? 1 - part : part;
+        out.push_back(
+            {static_cast<std::uint32_t>(base_.mesh.positions.size()) + c, from + t * (to - from)});
+    }
+}
+
+/// The triangle lies to the left of the longest side, the other two beyond it.
+void TriangleCutter::sew(const std::vector<BorderVertex>& near,
+                         const std::vector<BorderVertex>& far) {
     for (std::size_t i = 0, j = 0; i + 1 < near.size() || j + 1 < far.size();) {
         const bool first =
             j + 1 == far.size() || (i + 1 < near.size() && near[i + 1].at <= far[j + 1].at);

@@ -12,7 +12,7 @@ namespace quadrel::sweep {
 /// results.json: {"title", "columns", "runs"}, without pictures.
 Json results_json(const std::string& title, const std::vector<Json>& records);
 
-/// One line a run, columns as columns.hpp has them, then look-ups by texture.
+/// One line per run, columns as columns.hpp has them, then look-ups by texture.
 std::string results_csv(const std::vector<Json>& records);
 
 /// A Markdown table of frames per second and errors, those of rows that have published figures

@@ -8,7 +8,7 @@
 namespace quadrel::textures {
 namespace {
 
-// Digits 0 to 7 in 3x5 texels, three bits a row, the top row first.
+// Digits 0 to 7 in 3x5 texels, three bits per row, the top row first.
 constexpr int digit_rows[8][5] = {{7, 5, 5, 5, 7}, {2, 6, 2, 2, 7}, {7, 1, 7, 4, 7},
                                   {7, 1, 7, 1, 7}, {5, 5, 7, 1, 1}, {7, 4, 7, 1, 7},
                                   {7, 4, 7, 5, 7}, {7, 1, 2, 2, 2}};

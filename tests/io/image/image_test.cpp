@@ -174,7 +174,7 @@ struct ExrChannel {
 /// Value of channel c at pixel (x, y) of the data window.
 float exr_value(int c, int x, int y) { return static_cast<float>(100 * c + 10 * y + x) / 8; }
 
-/// Buffers of a data window, one a channel, in the file's types.
+/// Buffers of a data window, one per channel, in the file's types.
 struct ExrPixels {
     std::vector<std::vector<char>> storage;
     Imf::FrameBuffer buffer;

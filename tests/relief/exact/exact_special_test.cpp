@@ -221,8 +221,8 @@ TEST(ExactSpecial, TilesAreEqual) {
                        [](Batch<float>& batch) { batch.real(Value::hit_s, 3) *= 0.9999999f; });
 }
 
-/// Every look-up is counted once, in its slot and in the lane's total; a walk takes one a cell, and
-/// no more cells than it can cross.
+/// Every look-up is counted once, in its slot and in the lane's total; a walk takes one per cell,
+/// and no more cells than it can cross.
 testing::AssertionResult counts_are_true(const char* row, const Changed& change) {
     Random random(10);
     Rays rays(noise_map(random, 24, 24));

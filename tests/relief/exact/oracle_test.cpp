@@ -101,7 +101,7 @@ TEST(Oracle, DecidesGrazes) {
     // A ridge of height 3/4 along x = 4 between valleys of height 1/4.
     const Map map = height_map(9, 9, [](int x, int) { return x == 4 ? 0.75f : 0.25f; });
     const Field field(map.sampled);
-    // Slope of the flanks 1/2 a cell; a ray with K = 2 cells over the depth falls as steeply.
+    // Slope of the flanks 1/2 per cell; a ray with K = 2 cells over the depth falls as steeply.
     const float K = 2.0f / 9;
     const Real through = 0.25L, u = (Real(4) + 0.5L) / 9 - through * K;
     EXPECT_LE(oracle::meet_bilinear_exactly(field, {u, 0.5L, K, 0}).s, through + 1e-12L);

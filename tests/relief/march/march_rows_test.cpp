@@ -207,7 +207,7 @@ std::vector<float> levels_of(const std::string& id, int steps, dvec2 K, int size
 }
 
 TEST(MarchRows, MipLevelsFollowTheSteps) {
-    // 64 texels in 16 steps, two samples a texel: 8 texels of level 0 a texel.
+    // 64 texels in 16 steps, two samples per texel: 8 texels of level 0 per texel.
     for (const char* id : {"steep-mip-c", "steep-mip-i"}) {
         EXPECT_EQ(levels_of(id, 16, dvec2(1, -0.5), 64)[0], 3) << id;
         EXPECT_EQ(levels_of(id, 128, dvec2(1, 0), 64)[0], 0) << id;

@@ -29,30 +29,21 @@ struct Shares {
 /// Rays of every kind of map and surface. `claimed` of `apart`: the range whose rays are asked for
 /// what they have in common.
 testing::AssertionResult all_hold(double apart, double claimed, Shares& shares) {
-    constexpr int rays_a_map = rounds(16), samples = 6;
-    for (const StressMap& kind : stress_maps()) {
-        Random random(static_cast<std::uint64_t>(kind.name[0]) + 90);
-        const JudgedMap map(random_stress_map(random, kind, 24));
-        Batch<float> rays(rays_a_map * 4);
-        fill_stress_rays(rays, map.height, random);
-        for (int lane = 0; lane < rays.lanes; ++lane) {
-            const auto surface = surfaces[static_cast<std::size_t>(lane) % surfaces.size()];
-            const judge::Ray ray = judged_ray(rays, lane);
-            const CommonHit common = judge::common_hit(map.field(surface), about(ray, claimed));
-            ++shares.rays;
-            if (common.reason != Uncertified::proven) continue;
-            ++shares.proven;
-            for (int i = 0; i < samples; ++i) {
-                const judge::Ray one = one_of(about(ray, apart), random);
-                const auto result = holds(common, judge::first_hit(map.field(surface), one));
-                if (!result)
-                    return testing::AssertionFailure()
-                           << kind.name << ", surface " << static_cast<int>(surface) << ", ray "
-                           << lane << ": " << result.message();
-            }
+    constexpr int samples = 6;
+    const auto check = [&](const JudgedMap& map, const judge::Ray& ray, int lane, Random& random) {
+        const auto surface = surfaces[static_cast<std::size_t>(lane) % surfaces.size()];
+        const CommonHit common = judge::common_hit(map.field(surface), about(ray, claimed));
+        ++shares.rays;
+        if (common.reason != Uncertified::proven) return testing::AssertionSuccess();
+        ++shares.proven;
+        testing::AssertionResult result = testing::AssertionSuccess();
+        for (int i = 0; i < samples && result; ++i) {
+            const judge::Ray one = one_of(about(ray, apart), random);
+            result = holds(common, judge::first_hit(map.field(surface), one));
         }
-    }
-    return testing::AssertionSuccess();
+        return result;
+    };
+    return on_stress_rays(rounds(16) * 4, 90, check);
 }
 
 TEST(CommonHit, HoldsForEachRayOfItsRange) {

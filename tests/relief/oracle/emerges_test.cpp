@@ -43,28 +43,22 @@ double least_above(const oracle::Field& field, Surface surface, const judge::Ray
 /// What samples show is told, and nothing else but what lies between them.
 testing::AssertionResult tells_what_samples_show(const Emerges& emerges) {
     int out = 0, in = 0, between = 0;
-    for (const StressMap& kind : stress_maps()) {
-        Random random(static_cast<std::uint64_t>(kind.name[1]) + 7);
-        const JudgedMap map(random_stress_map(random, kind, 24));
+    const auto check = [&](const JudgedMap& map, const judge::Ray& ray, int lane, Random& random) {
+        const Surface surface =
+            std::array{Surface::bilinear, Surface::block, Surface::tri_main}[std::size_t(lane % 3)];
+        const judge::Hit hit = judge::first_hit(map.field(surface), ray);
+        if (hit.status != Status::hit) return testing::AssertionSuccess();
+        const double from = hit.s + 1e-5, to = from + random.uniform(0, 0.5);
         const oracle::Field field(map.height.sampled);
-        Batch<float> rays(96);
-        fill_stress_rays(rays, map.height, random);
-        for (int lane = 0; lane < rays.lanes; ++lane) {
-            const Surface surface = std::array{Surface::bilinear, Surface::block,
-                                               Surface::tri_main}[std::size_t(lane % 3)];
-            const judge::Ray ray = judged_ray(rays, lane);
-            const judge::Hit hit = judge::first_hit(map.field(surface), ray);
-            if (hit.status != Status::hit) continue;
-            const double from = hit.s + 1e-5, to = from + random.uniform(0, 0.5);
-            const double least = least_above(field, surface, ray, from, std::min(to, 1.0));
-            const bool told = emerges(map.field(surface), ray, from, to);
-            (told ? out : in) += 1;
-            if (least < -1e-5 && !told)
-                return testing::AssertionFailure()
-                       << kind.name << " " << lane << ": not told, " << least;
-            between += told && least > 0;
-        }
-    }
+        const double least = least_above(field, surface, ray, from, std::min(to, 1.0));
+        const bool told = emerges(map.field(surface), ray, from, to);
+        (told ? out : in) += 1;
+        if (least < -1e-5 && !told) return testing::AssertionFailure() << "not told, " << least;
+        between += told && least > 0;
+        return testing::AssertionSuccess();
+    };
+    const testing::AssertionResult all = on_stress_rays(96, 7, check);
+    if (!all) return all;
     if (out < 30 || in < 30) return testing::AssertionFailure() << out << " out, " << in << " in";
     if (10 * between > out) return testing::AssertionFailure() << between << " of " << out;
     return testing::AssertionSuccess();

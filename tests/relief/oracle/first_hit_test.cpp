@@ -48,28 +48,23 @@ Finder with(Planted planted) {
     };
 }
 
-/// Rays over every kind of map, every wrap mode and any size, those along borders and through
-/// corners among them; the polygon at the top or anywhere.
+/// Of every surface every fourth ray.
 testing::AssertionResult on_rays(
-    int rays_a_map,
+    int rays_per_surface,
     const std::function<testing::AssertionResult(const JudgedMap&, Surface, const judge::Ray&)>&
         check) {
-    for (const StressMap& kind : stress_maps()) {
-        Random random(static_cast<std::uint64_t>(kind.name[0]) + 40);
-        const JudgedMap map(random_stress_map(random, kind, 24));
-        Batch<float> rays(rays_a_map * 4);
-        fill_stress_rays(rays, map.height, random);
-        rays.material.seat = random.chance(0.5) ? 1 : static_cast<float>(random.uniform(0, 1));
-        for (const Surface surface : surfaces)
-            for (int lane = static_cast<int>(surface) % 4; lane < rays.lanes; lane += 4) {
-                const auto result = check(map, surface, judged_ray(rays, lane));
-                if (!result)
-                    return testing::AssertionFailure()
-                           << kind.name << ", surface " << static_cast<int>(surface) << ", ray "
-                           << lane << ": " << result.message();
-            }
-    }
-    return testing::AssertionSuccess();
+    const auto check_surfaces = [&](const JudgedMap& map, const judge::Ray& ray, int lane,
+                                    Random&) {
+        for (const Surface surface : surfaces) {
+            if (static_cast<int>(surface) % 4 != lane % 4) continue;
+            const testing::AssertionResult result = check(map, surface, ray);
+            if (!result)
+                return testing::AssertionFailure()
+                       << "surface " << static_cast<int>(surface) << ": " << result.message();
+        }
+        return testing::AssertionSuccess();
+    };
+    return on_stress_rays(rays_per_surface * 4, 40, check_surfaces, true);
 }
 
 /// A cell of the plane as the judge names it: beyond the end of an axis the outermost one.
@@ -99,10 +94,11 @@ testing::AssertionResult certificate_holds(const JudgedMap& map, Surface surface
     return same || exact.s == 0 ? testing::AssertionSuccess() : fail("another cell");
 }
 
-testing::AssertionResult certificates_hold(const Finder& find, int rays_a_map = 24) {
-    return on_rays(rays_a_map, [&](const JudgedMap& map, Surface surface, const judge::Ray& ray) {
-        return certificate_holds(map, surface, ray, find(map, surface, ray));
-    });
+testing::AssertionResult certificates_hold(const Finder& find, int rays_per_surface = 24) {
+    return on_rays(rays_per_surface,
+                   [&](const JudgedMap& map, Surface surface, const judge::Ray& ray) {
+                       return certificate_holds(map, surface, ray, find(map, surface, ray));
+                   });
 }
 
 TEST(FirstHit, IsWhatRationalsFind) {

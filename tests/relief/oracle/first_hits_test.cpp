@@ -51,31 +51,22 @@ struct PartsFound {
 /// than `claimed`, on a surface as if it were `asked`.
 testing::AssertionResult all_are_held(double apart, double claimed, judge::Surface surface,
                                       judge::Surface asked, PartsFound& found) {
-    constexpr int rays_a_map = rounds(3), samples = 6;
-    for (const StressMap& kind : stress_maps()) {
-        Random random(static_cast<std::uint64_t>(kind.name[0]) + 7);
-        const JudgedMap map(random_stress_map(random, kind, 24));
-        Batch<float> rays(rays_a_map * 4);
-        fill_stress_rays(rays, map.height, random);
-        for (int lane = 0; lane < rays.lanes; ++lane) {
-            const judge::Ray ray = judged_ray(rays, lane);
-            const FirstHits hits(map.height.sampled, asked, about(ray, claimed));
-            ++found.ranges;
-            if (!hits.known()) continue;
-            ++found.known;
-            found.several += hits.parts() > 1;
-            for (int k = 0; k < hits.parts(); ++k) found.width += hits.part(k).width();
-            for (int i = 0; i < samples; ++i) {
-                const judge::Ray one = one_of(about(ray, apart), random);
-                const auto result = hold(hits, judge::first_hit(map.field(surface), one));
-                if (!result)
-                    return testing::AssertionFailure()
-                           << kind.name << ", surface " << static_cast<int>(surface) << ", ray "
-                           << lane << ": " << result.message();
-            }
+    constexpr int samples = 6;
+    const auto check = [&](const JudgedMap& map, const judge::Ray& ray, int, Random& random) {
+        const FirstHits hits(map.height.sampled, asked, about(ray, claimed));
+        ++found.ranges;
+        if (!hits.known()) return testing::AssertionSuccess();
+        ++found.known;
+        found.several += hits.parts() > 1;
+        for (int k = 0; k < hits.parts(); ++k) found.width += hits.part(k).width();
+        testing::AssertionResult result = testing::AssertionSuccess();
+        for (int i = 0; i < samples && result; ++i) {
+            const judge::Ray one = one_of(about(ray, apart), random);
+            result = hold(hits, judge::first_hit(map.field(surface), one));
         }
-    }
-    return testing::AssertionSuccess();
+        return result;
+    };
+    return on_stress_rays(rounds(3) * 4, 7, check);
 }
 
 TEST(FirstHits, HoldThoseOfEachRay) {

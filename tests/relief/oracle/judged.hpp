@@ -6,6 +6,7 @@
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "relief/exact/exact_search.hpp"
 #include "relief/exact/oracle_exact.hpp"
+#include "relief/stress_maps.hpp"
 
 namespace quadrel::test {
 
@@ -37,6 +38,29 @@ judge::Ray judged_ray(Batch<T>& batch, int lane) {
 }
 inline oracle::Ray long_ray(const judge::Ray& ray) {
     return {ray.u, ray.v, ray.Ku, ray.Kv, ray.s_polygon};
+}
+
+/// check(map, ray, lane, random) of rays over every kind of map, every wrap mode and any size,
+/// those along borders and through corners among them. The polygon is at the top, or `anywhere`.
+template <class Check>
+testing::AssertionResult on_stress_rays(int rays_per_map, std::uint64_t seed, const Check& check,
+                                        bool anywhere = false) {
+    for (const StressMap& kind : stress_maps()) {
+        Random random(static_cast<std::uint64_t>(kind.name[0]) + seed);
+        const JudgedMap map(random_stress_map(random, kind, 24));
+        Batch<float> rays(rays_per_map);
+        fill_stress_rays(rays, map.height, random);
+        if (anywhere && !random.chance(0.5))
+            rays.material.seat = static_cast<float>(random.uniform(0, 1));
+        for (int lane = 0; lane < rays.lanes; ++lane) {
+            const testing::AssertionResult result =
+                check(map, judged_ray(rays, lane), lane, random);
+            if (!result)
+                return testing::AssertionFailure()
+                       << kind.name << ", ray " << lane << ": " << result.message();
+        }
+    }
+    return testing::AssertionSuccess();
 }
 
 /// All numbers of the ray, each up to `apart` of its size off, or of 1.

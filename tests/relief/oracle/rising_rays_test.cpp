@@ -18,31 +18,24 @@ struct AnswersGiven {
 /// further apart than `claimed`.
 testing::AssertionResult all_are_as_said(double apart, double claimed, AnswersGiven& given) {
     constexpr int samples = 6;
-    for (const StressMap& kind : stress_maps()) {
-        Random random(static_cast<std::uint64_t>(kind.name[0]) + 11);
-        const JudgedMap map(random_stress_map(random, kind, 24));
-        Batch<float> rays(rounds(8) * 4);
-        fill_stress_rays(rays, map.height, random);
-        for (int lane = 0; lane < rays.lanes; ++lane) {
-            const judge::Ray ray = judged_ray(rays, lane);
-            const judge::RayRange range = about(ray, claimed);
-            const auto answer =
-                RisingRays(map.height.sampled, {range.u, range.v}, {range.Ku, range.Kv}).answer();
-            given.lit += answer == RisingRays::lit;
-            given.dark += answer == RisingRays::dark;
-            given.either += answer == RisingRays::either;
-            for (int i = 0; i < samples && answer != RisingRays::either; ++i) {
-                const judge::Ray one = one_of(about(ray, apart), random);
-                std::int32_t steps = 0;
-                const bool dark = judge::is_occluded(map.field(judge::Surface::bilinear),
-                                                     {one.u, one.v, one.Ku, one.Kv, 0}, steps);
-                if (dark != (answer == RisingRays::dark))
-                    return testing::AssertionFailure()
-                           << kind.name << ", ray " << lane << ": " << (dark ? "dark" : "lit");
-            }
+    const auto check = [&](const JudgedMap& map, const judge::Ray& ray, int, Random& random) {
+        const judge::RayRange range = about(ray, claimed);
+        const auto answer =
+            RisingRays(map.height.sampled, {range.u, range.v}, {range.Ku, range.Kv}).answer();
+        given.lit += answer == RisingRays::lit;
+        given.dark += answer == RisingRays::dark;
+        given.either += answer == RisingRays::either;
+        for (int i = 0; i < samples && answer != RisingRays::either; ++i) {
+            const judge::Ray one = one_of(about(ray, apart), random);
+            std::int32_t steps = 0;
+            const bool dark = judge::is_occluded(map.field(judge::Surface::bilinear),
+                                                 {one.u, one.v, one.Ku, one.Kv, 0}, steps);
+            if (dark != (answer == RisingRays::dark))
+                return testing::AssertionFailure() << (dark ? "dark" : "lit");
         }
-    }
-    return testing::AssertionSuccess();
+        return testing::AssertionSuccess();
+    };
+    return on_stress_rays(rounds(8) * 4, 11, check);
 }
 
 TEST(RisingRays, AreAsSaid) {

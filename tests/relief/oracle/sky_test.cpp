@@ -10,7 +10,7 @@ namespace {
 
 using judge::Surface;
 
-/// A point on the floor of a field of walls along v, seen from above: depth 1 a tile.
+/// A point on the floor of a field of walls along v, seen from above: depth 1 per tile.
 judge::SkyPoint floor_point(double u) { return {u, 0.5, 0, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}; }
 
 /// Blocks of height 1 over three quarters of a tile: from the middle of the trench, a quarter of a

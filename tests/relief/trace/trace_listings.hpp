@@ -346,7 +346,7 @@ inline End gpu_gems_3(const Vec2& uv, Vec3 v, int linear_steps, int binary_steps
 /// "Derivative-Based Relief Mapping", 2012, has no listing of its search by texels. Its text:
 /// "perform a linear per-pixel search over the uninterpolated height map, followed by a binary
 /// search over the interpolated values of the last two texels where the intersection is found in
-/// the linear search". Comparisons as in its listed search; `steps` is one a texel; at(s) is the
+/// the linear search". Comparisons as in its listed search; `steps` is one per texel; at(s) is the
 /// ray. The two ends of the interval are looked up once more, to see whether there is a crossing.
 inline End thesis_by_texels(const std::function<Vec2(float)>& at, int steps, int halvings,
                             const Sampler& uninterpolated, const Sampler& interpolated) {

@@ -32,7 +32,7 @@ Film take_in(const Renderer& renderer, const Scene& scene, const std::string& nu
     return renderer(scene, options);
 }
 
-/// A textured square in parallel view, 1 unit a pixel, parallel to the picture.
+/// A textured square in parallel view, 1 unit per pixel, parallel to the picture.
 Scene aligned_scene() {
     Scene scene = empty_scene(40, 32);
     set_pixel_camera(scene);

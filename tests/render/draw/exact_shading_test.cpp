@@ -18,7 +18,7 @@ Film take_shading(const Renderer& renderer, const Scene& scene, const std::strin
     return renderer(scene, options);
 }
 
-/// Heights and colours rise with u by 1 a tile, between the centres of the outermost texels.
+/// Heights and colours rise with u by 1 per tile, between the centres of the outermost texels.
 TextureReference ramp() {
     return texture(write_texture("ramp.exr", 8, [](int x, int, int) { return (x + 0.5) / 8; }));
 }

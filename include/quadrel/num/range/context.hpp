@@ -44,7 +44,7 @@ struct RangeContext {
 
     /// Lanes in which both sides of a decision were taken together.
     std::uint32_t joined = 0;
-    std::uint32_t undecided[4] = {};  ///< kinds, a lane
+    std::uint32_t undecided[4] = {};  ///< kinds, per lane
     bool too_many = false;            ///< the limits above were not enough
     /// Kinds of decisions of which the followed lane takes both sides together, too.
     std::uint32_t together = 0;
@@ -70,7 +70,7 @@ struct RangeContext {
     std::int32_t questions = 0, questions_of_lane = 0;
     std::int32_t shared_errors = 0;  ///< groups of named errors so far
     std::int32_t unit_vectors = 0;   ///< likewise
-    /// The groups of the coordinates of the place that is shaded, a lane each; 0: none yet.
+    /// The groups of the coordinates of the place that is shaded, per lane; 0: none yet.
     std::int32_t places = 0;
     /// The level of detail of look-ups there, and of which map: what they share.
     struct PlaceLevel {

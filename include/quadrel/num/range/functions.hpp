@@ -15,10 +15,6 @@ inline RealInterval near(double low, double high) {
     return {low - off(low), high + off(high)};
 }
 
-inline Ranged whole_or(const Ranged& a, const Ranged& result) {
-    return a.is_bounded() ? result : Ranged::anything();
-}
-
 /// Both ends of a growing function.
 template <class Function>
 RealInterval growing(const RealInterval& x, Function function) {

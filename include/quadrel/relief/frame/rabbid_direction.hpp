@@ -5,10 +5,6 @@
 
 namespace quadrel {
 
-/// What that ray is made of.
-inline constexpr auto rabbid_direction_inputs =
-    values(Value::P, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy);
-
 template <Number F>
 struct RabbidDirection {
     UvDirections<F> axes;  ///< columns of tbnMat: gradients of u and v, scaled to a common length

@@ -12,13 +12,10 @@
 
 namespace quadrel {
 
-struct ShadowLayers : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowLayers : MarchedShadow {
     static constexpr StageText text{"shadow-layers", "shadow",
                                     "linear march from the hit up through depth layers",
                                     "Policarpo and Oliveira 2006"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
     static constexpr auto textures = slots(TextureSlot::layers);
     struct Params {
         std::int32_t steps = 128;

@@ -17,6 +17,14 @@ constexpr auto light_ray_inputs_and(V... more) {
     return values_and(light_ray_inputs, more...);
 }
 
+/// A shadow by a march whose look-ups have gradients, over heights where a row names no other map.
+struct MarchedShadow : StageDefaults {
+    static constexpr bool runs_on_duals = true;
+    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
+    static constexpr auto outputs = shadow_outputs;
+    static constexpr auto textures = slots(TextureSlot::height);
+};
+
 template <Number F>
 struct LightRay {
     vec3<F> L;         ///< unit, towards the light

@@ -10,14 +10,10 @@
 
 namespace quadrel {
 
-struct ShadowMarchMcguire : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowMarchMcguire : MarchedShadow {
     static constexpr StageText text{"shadow-march-mcguire", "shadow",
                                     "linear march, more steps for a lower light",
                                     "McGuire and McGuire 2005, Steep Parallax Mapping"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps_grazing = 60, steps_normal = 5;
     };

@@ -10,14 +10,10 @@
 
 namespace quadrel {
 
-struct ShadowMarchThesis : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowMarchThesis : MarchedShadow {
     static constexpr StageText text{"shadow-march-thesis", "shadow",
                                     "linear march from the hit up to the top plane",
                                     "correction of shadow-march-thesis@published"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     static constexpr bool uses_height_bounds = true;
     struct Params {
         std::int32_t steps = 128;

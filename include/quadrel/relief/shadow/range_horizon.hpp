@@ -6,7 +6,7 @@
 #pragma once
 
 #include "quadrel/relief/shadow/horizon.hpp"
-#include "quadrel/relief/trace/cone/range_cones.hpp"
+#include "quadrel/relief/trace/cone/range_baked_maps.hpp"
 
 namespace quadrel {
 

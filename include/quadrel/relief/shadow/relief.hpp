@@ -10,14 +10,10 @@
 
 namespace quadrel {
 
-struct ShadowRelief : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowRelief : MarchedShadow {
     static constexpr StageText text{"shadow-relief", "shadow",
                                     "linear search and bisection from the light's side",
                                     "Policarpo, Oliveira, Comba 2005"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 15, binary_steps = 6;
         float bias = 0.02f;

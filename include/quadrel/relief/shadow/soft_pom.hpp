@@ -5,18 +5,15 @@
 // enough, and the weighted excess of height is clamped to [0, 1]; visibility runs from 0 to 1.
 #pragma once
 
+#include "quadrel/relief/shadow/light_ray.hpp"
 #include "quadrel/relief/shadow/soft_pom_published.hpp"
 
 namespace quadrel {
 
-struct ShadowSoftPom : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowSoftPom : MarchedShadow {
     static constexpr StageText text{"shadow-soft-pom", "shadow",
                                     "seven samples on the light ray, softened",
                                     "correction of shadow-soft-pom@published"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     using Params = ShadowSoftPomPublished::Params;
     static constexpr auto parameters = ShadowSoftPomPublished::parameters;
 

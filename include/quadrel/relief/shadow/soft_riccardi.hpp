@@ -11,14 +11,10 @@
 
 namespace quadrel {
 
-struct ShadowSoftRiccardi : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ShadowSoftRiccardi : MarchedShadow {
     static constexpr StageText text{"shadow-soft-riccardi", "shadow",
                                     "greatest depth below the surface on the way to the light",
                                     "Riccardi 2018, contact refinement, soft shadow"};
-    static constexpr auto inputs = light_ray_inputs_and(Value::dUVdx, Value::dUVdy);
-    static constexpr auto outputs = shadow_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
     struct Params {
         std::int32_t steps = 32;
         float hardness = 4;

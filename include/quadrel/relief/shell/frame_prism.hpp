@@ -15,15 +15,10 @@
 
 namespace quadrel {
 
-struct FramePrism : StageDefaults {
+struct FramePrism : ShellFrame {
     static constexpr StageText text{"frame-prism", "frame",
                                     "texture space of the prisms of a shell, where rays enter",
                                     "correction of frame-prism@published"};
-    static constexpr auto inputs = shell_frame_inputs;
-    static constexpr auto outputs = frame_outputs;
-    static constexpr bool reads_vertices = true;
-    using Params = ShellFrameParams;
-    static constexpr auto parameters = shell_frame_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

@@ -24,15 +24,10 @@
 
 namespace quadrel {
 
-struct FrameShell : StageDefaults {
+struct FrameShell : ShellFrame {
     static constexpr StageText text{"frame-shell", "frame",
                                     "affine texture space of the tetrahedra of a shell",
                                     "Hirche, Ehlert, Guthe, Doggett 2004"};
-    static constexpr auto inputs = shell_frame_inputs;
-    static constexpr auto outputs = frame_outputs;
-    static constexpr bool reads_vertices = true;
-    using Params = ShellFrameParams;
-    static constexpr auto parameters = shell_frame_parameters;
 
     template <class Io>
     void operator()(Io& io, const Params& params) const {

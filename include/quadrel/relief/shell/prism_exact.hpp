@@ -17,17 +17,13 @@
 
 namespace quadrel {
 
-struct PrismExact : StageDefaults {
+struct PrismExact : PrismTrace {
     static constexpr StageText text{"prism-exact", "trace",
                                     "cells of a shell's tetrahedra on the way, exactly",
                                     "after Hirche et al. 2004; Tevs, Ihrke, Seidel 2008"};
-    static constexpr auto inputs = prism_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
     static constexpr bool needs_height_map = true;
     static constexpr bool reads_finest_heights_only = true;
-    static constexpr bool may_miss = true;
-    static constexpr bool reads_vertices = true;
 
     struct Params {
         std::int32_t surface = 0;

@@ -22,12 +22,44 @@
 
 namespace quadrel {
 
+/// Where a line passes a triangle of the prism's surface.
+///
+/// It does so where it passes all three edges on the same side. Two triangles have the same number,
+/// but for its sign, for the edge that they share, so that no line slips through between them.
+template <Number F>
+struct TrianglePassage {
+    const int (&triangle)[3];
+    F weight[3];  ///< of the triangle's corners, not of sum 1
+    F sum;
+
+    /// `corner`: of the prism, from a point of the line; `turned`: PrismFace.
+    TrianglePassage(const int (&of)[3], const vec3<F> (&corner)[6], const vec3<F>& d, F turned)
+        : triangle(of) {
+        for (int k = 0; k < 3; ++k) {
+            const int from = triangle[(k + 1) % 3], to = triangle[(k + 2) % 3];
+            weight[k] = dot(d, cross(corner[from], corner[to])) * turned;
+        }
+        sum = weight[0] + weight[1] + weight[2];
+    }
+
+    /// Whether it leaves the prism there.
+    Mask<F> leaves() const {
+        const F zero(0);
+        return (weight[0] >= zero) & (weight[1] >= zero) & (weight[2] >= zero) & (sum > zero);
+    }
+    /// What has the values of(corner) at the corners, there.
+    template <class Of>
+    F at(const Of& of) const {
+        return (of(triangle[0]) * weight[0] + of(triangle[1]) * weight[1] +
+                of(triangle[2]) * weight[2]) /
+               sum;
+    }
+};
+
 /// A ray from where it enters a prism to where it leaves it.
 ///
-/// A line leaves a triangle of the surface where it passes all three edges on the same side. Two
-/// triangles have the same number, but for its sign, for the edge that they share, so that no line
-/// slips through between them. As in prism_exit, a ray goes on for as long as it is within a place
-/// of the window's lattice of the triangle by which it leaves.
+/// As in prism_exit, a ray goes on for as long as it is within a place of the window's lattice of
+/// the triangle by which it leaves.
 template <class Io, class F = typename Io::Number>
 PrismRay<F> straight_prism_ray(const Io& io) {
     const PrismFaces<F> face(io);
@@ -48,31 +80,19 @@ PrismRay<F> straight_prism_ray(const Io& io) {
     vec2<F> uv_out = ray.uv.uv;
     Mask<F> to_floor(false);
     for (const auto& triangle : prism_triangles) {
-        F weight[3];
-        for (int k = 0; k < 3; ++k) {
-            const int from = triangle[(k + 1) % 3], to = triangle[(k + 2) % 3];
-            weight[k] = dot(d, cross(corner[from], corner[to])) * turned;
-        }
-        const F sum = weight[0] + weight[1] + weight[2];
-        const auto weighed = [&](const auto& of) {
-            return (of(0) * weight[0] + of(1) * weight[1] + of(2) * weight[2]) / sum;
-        };
-        const F t = weighed([&](int k) { return ahead[triangle[k]]; });
-        const Mask<F> leaves = (weight[0] >= zero) & (weight[1] >= zero) & (weight[2] >= zero) &
-                               (sum > zero) & (t >= zero);
-        const Mask<F> first = leaves & (t < length);
+        const TrianglePassage<F> passage(triangle, corner, d, turned);
+        const F t = passage.at([&](int k) { return ahead[k]; });
+        const Mask<F> first = passage.leaves() & (t >= zero) & (t < length);
         const vec3<F> across = cross(corner[triangle[1]] - corner[triangle[0]],
                                      corner[triangle[2]] - corner[triangle[0]]);
         const F near = (abs(dot(across, px)) + abs(dot(across, py))) * face.snap();
         length = select(first, t, length);
         past = select(first, near / abs(dot(across, d)), past);
-        s_out = select(first, weighed([&](int k) { return F(Scalar<F>(triangle[k] < 3 ? 1 : 0)); }),
-                       s_out);
-        const auto uv = [&](int k) { return face.uv(triangle[k] % 3); };
-        uv_out = select(first, vec2<F>(weighed([&](int k) { return uv(k).x; }), weighed([&](int k) {
-                                           return uv(k).y;
-                                       })),
-                        uv_out);
+        const F s = passage.at([](int k) { return F(Scalar<F>(k < 3 ? 1 : 0)); });
+        const F u = passage.at([&](int k) { return face.uv(k % 3).x; });
+        const F v = passage.at([&](int k) { return face.uv(k % 3).y; });
+        s_out = select(first, s, s_out);
+        uv_out = select(first, vec2<F>(u, v), uv_out);
         to_floor = (to_floor & !first) | (first & Mask<F>(&triangle == &prism_triangles[0]));
     }
     const Mask<F> deep = ray.uv.depth > zero, ends = (length < never) & deep;
@@ -88,16 +108,10 @@ PrismRay<F> straight_prism_ray(const Io& io) {
     return ray;
 }
 
-struct PrismGs : StageDefaults {
+struct PrismGs : PrismMarchTrace {
     static constexpr StageText text{"prism-gs", "trace",
                                     "linear and binary search from side to side of a prism",
                                     "correction of prism-gs@published"};
-    static constexpr auto inputs = prism_march_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
-    static constexpr bool may_miss = true;
-    static constexpr bool reads_vertices = true;
-
     struct Params {
         std::int32_t steps = 50, binary_steps = 10, most = 128;
     };

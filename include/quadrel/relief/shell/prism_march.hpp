@@ -8,8 +8,11 @@
 
 namespace quadrel {
 
-/// What a march loads, and what searches of heights along a PrismRay need for their gradients.
-inline constexpr auto prism_march_inputs = values_and(prism_inputs, Value::dUVdx, Value::dUVdy);
+/// A PrismTrace in steps, whose look-ups have gradients.
+struct PrismMarchTrace : PrismTrace {
+    static constexpr auto inputs = values_and(PrismTrace::inputs, Value::dUVdx, Value::dUVdy);
+    static constexpr auto textures = slots(TextureSlot::height);
+};
 
 template <class Io>
 class PrismMarch {

@@ -17,16 +17,10 @@
 
 namespace quadrel {
 
-struct PrismPom : StageDefaults {
+struct PrismPom : PrismMarchTrace {
     static constexpr StageText text{"prism-pom", "trace",
                                     "even steps through a shell's tetrahedra and one chord",
                                     "after Dachsbacher and Tatarchuk 2007; Hirche et al. 2004"};
-    static constexpr auto inputs = prism_march_inputs;
-    static constexpr auto outputs = trace_outputs;
-    static constexpr auto textures = slots(TextureSlot::height);
-    static constexpr bool may_miss = true;
-    static constexpr bool reads_vertices = true;
-
     struct Params {
         std::int32_t steps = 16, most = 64;
     };

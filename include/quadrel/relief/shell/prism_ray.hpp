@@ -10,10 +10,15 @@
 
 namespace quadrel {
 
-/// What searches of shells load.
-inline constexpr auto prism_inputs =
-    values(Value::P, Value::dPdx, Value::dPdy, Value::uv, Value::uv_rate, Value::relief_depth,
-           Value::frame_status, Value::frame_flags);
+/// A search through a piece of a shell, where rays may leave without a hit.
+struct PrismTrace : StageDefaults {
+    static constexpr auto inputs =
+        values(Value::P, Value::dPdx, Value::dPdy, Value::uv, Value::uv_rate, Value::relief_depth,
+               Value::frame_status, Value::frame_flags);
+    static constexpr auto outputs = trace_outputs;
+    static constexpr bool may_miss = true;
+    static constexpr bool reads_vertices = true;
+};
 
 template <Number F>
 struct PrismRay {

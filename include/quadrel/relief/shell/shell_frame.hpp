@@ -7,22 +7,24 @@ namespace quadrel {
 
 inline constexpr ValueName shell_normal_names[] = {{0, "vertex"}, {1, "level"}};
 
-struct ShellFrameParams {
-    std::int32_t normal = 0;
+/// A frame of the rows that a shell's faces have.
+struct ShellFrame : StageDefaults {
+    static constexpr auto inputs = values(Value::P, Value::vertex_normal, Value::relief_depth);
+    static constexpr auto outputs = frame_outputs;
+    static constexpr bool reads_vertices = true;
+    struct Params {
+        std::int32_t normal = 0;
+    };
+    static constexpr std::array parameters{choice<&Params::normal>(
+        "normal", "vertex: interpolated, smooth; level: across the planes of equal height",
+        shell_normal_names, 0)};
 };
-inline constexpr std::array shell_frame_parameters{choice<&ShellFrameParams::normal>(
-    "normal", "vertex: interpolated, smooth; level: across the planes of equal height",
-    shell_normal_names, 0)};
-
-/// What it is made of.
-inline constexpr auto shell_frame_inputs =
-    values(Value::P, Value::vertex_normal, Value::relief_depth);
 
 /// Everything is measured along the ray: r = 1, uv_rate = J d. `s_gradient`: of the depth below
 /// the shell's top.
 template <class Io, class F = typename Io::Number>
 void store_shell_frame(const Io& io, const vec3<F>& grad_u, const vec3<F>& grad_v,
-                       const vec3<F>& s_gradient, const ShellFrameParams& params) {
+                       const vec3<F>& s_gradient, const ShellFrame::Params& params) {
     const vec3<F> d = -to_viewer(io.template load<Value::P>(), io.frame());
     const F depth = io.template load<Value::relief_depth>();
     const Mask<F> yes(true), deep = depth > F(0);

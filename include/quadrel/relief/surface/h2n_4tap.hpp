@@ -10,12 +10,9 @@
 
 namespace quadrel {
 
-struct H2n4Tap : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2n4Tap : NormalFromTexels {
     static constexpr StageText text{"h2n-4tap", "surface", "normal from central differences",
                                     "correction of h2n-4tap@published"};
-    static constexpr auto inputs = relief_normal_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -10,12 +10,9 @@
 
 namespace quadrel {
 
-struct H2n4TapPublished : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2n4TapPublished : RabbidNormal {
     static constexpr StageText text{"h2n-4tap@published", "surface", "normal from four taps",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
-    static constexpr auto inputs = rabbid_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

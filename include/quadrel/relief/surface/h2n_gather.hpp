@@ -9,12 +9,9 @@
 
 namespace quadrel {
 
-struct H2nGather : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2nGather : NormalFromTexels {
     static constexpr StageText text{"h2n-gather", "surface", "normal from the 2x2 texels around",
                                     "correction of h2n-gather@published"};
-    static constexpr auto inputs = relief_normal_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

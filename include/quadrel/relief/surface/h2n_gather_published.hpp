@@ -10,12 +10,9 @@
 
 namespace quadrel {
 
-struct H2nGatherPublished : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2nGatherPublished : RabbidNormal {
     static constexpr StageText text{"h2n-gather@published", "surface", "normal from one gather",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
-    static constexpr auto inputs = rabbid_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -9,12 +9,9 @@
 
 namespace quadrel {
 
-struct H2nSobel : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2nSobel : NormalFromTexels {
     static constexpr StageText text{"h2n-sobel", "surface", "normal from Sobel's 3x3 operator",
                                     "correction of h2n-sobel@published"};
-    static constexpr auto inputs = relief_normal_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -10,12 +10,9 @@
 
 namespace quadrel {
 
-struct H2nSobelPublished : NormalFromHeights {
-    static constexpr bool runs_on_duals = true;
+struct H2nSobelPublished : RabbidNormal {
     static constexpr StageText text{"h2n-sobel@published", "surface", "normal from nine taps",
                                     "Rabbid76, Normal, Parallax and Relief mapping"};
-    static constexpr auto inputs = rabbid_inputs;
-    static constexpr bool needs_height_map = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -11,10 +11,13 @@
 
 namespace quadrel {
 
-/// What a normal of that listing loads besides what its heights need.
-inline constexpr auto rabbid_inputs =
-    values(Value::P, Value::Ng, Value::vertex_normal, Value::dPdx, Value::dPdy, Value::dUVdx,
-           Value::dUVdy, Value::hit_uv);
+/// A normal of that listing.
+struct RabbidNormal : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
+    static constexpr auto inputs = values(Value::P, Value::Ng, Value::vertex_normal, Value::dPdx,
+                                          Value::dPdy, Value::dUVdx, Value::dUVdy, Value::hit_uv);
+    static constexpr bool needs_height_map = true;
+};
 
 /// normalize( tbnMat * n ) after the third column was changed. `depth` is the listing's
 /// u_displacement_scale.

@@ -15,6 +15,13 @@ inline constexpr auto relief_normal_inputs =
     values(Value::relief_depth, Value::frame_normal, Value::J, Value::frame_status, Value::dUVdx,
            Value::dUVdy, Value::hit_uv);
 
+/// The normal of texels around the hit.
+struct NormalFromTexels : NormalFromHeights {
+    static constexpr bool runs_on_duals = true;
+    static constexpr auto inputs = relief_normal_inputs;
+    static constexpr bool needs_height_map = true;
+};
+
 /// The normal of slopes (dh/du, dh/dv) at relief depth `depth`, by the frame's normal and J.
 template <class Io, class F = typename Io::Number>
 vec3<F> relief_normal(const Io& io, const vec2<F>& slope, F depth) {

@@ -18,7 +18,7 @@ const char* const drawn_text =
     "#version 330 core\nout vec4 color;\n"
     "void main() { color = vec4(1.0); }\n";
 
-/// A picture of many samples a pixel, drawn and read sample by sample.
+/// A picture of many samples per pixel, drawn and read sample by sample.
 class SampledPicture {
   public:
     SampledPicture(int width, int height) : width_(width), height_(height) {

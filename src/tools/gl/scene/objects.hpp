@@ -42,8 +42,8 @@ class SceneTextures {
     std::vector<GLuint> ids_;
 };
 
-/// Float targets and a depth buffer, of so many samples a pixel; bound as long as it lives. Throws
-/// std::runtime_error where there are none such.
+/// Float targets and a depth buffer, of so many samples per pixel; bound as long as it lives.
+/// Throws std::runtime_error where there are none such.
 class FloatTargets {
   public:
     FloatTargets(int width, int height, std::size_t count, int samples = 1);
@@ -69,7 +69,7 @@ class FloatTargets {
     std::vector<GLuint> textures_;  ///< colours, then depth
 };
 
-/// Reads textures of several samples a pixel, sample by sample, by drawing. Leaves depth test and
+/// Reads textures of several samples per pixel, sample by sample, by drawing. Leaves depth test and
 /// culling switched off, and its own framebuffer bound.
 class SampleReader {
   public:

@@ -33,7 +33,7 @@ class BakedLookUp {
     Texel<channels, F> operator()(Mask<F> active, const vec2<F>& uv) const {
         return fetch(active, uv, level_);
     }
-    /// In a layer of the map's, one a lane.
+    /// In a layer of the map's, one per lane.
     Texel<channels, F> operator()(Mask<F> active, const vec2<F>& uv, Int<F> layer) const {
         LevelGeometry<F> level = level_;
         level.offset = level.offset + layer * (level.width * level.height * Int<F>(channels));

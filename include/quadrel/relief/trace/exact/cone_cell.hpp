@@ -25,16 +25,11 @@ CellCone<F> cell_cone(const Io& io, const PatchSearch<Io>& search) {
     return {cone.x, cone.y};
 }
 
-struct ConeCell : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct ConeCell : PatchTrace {
     static constexpr StageText text{"cone-cell", "trace",
                                     "leaps by cones between whole cells, patches exact",
                                     "correction of cone-step; after Dummer 2006"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::cone_cell);
-    static constexpr bool needs_height_map = true;
-    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -66,16 +66,11 @@ class DirectionalDistances {
     Mask<F> holds_;
 };
 
-struct Ddm : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct Ddm : PatchTrace {
     static constexpr StageText text{"ddm", "trace",
                                     "leaps by free distances per direction, patches exact",
                                     "after Mehra and Kumar 2012"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::ddm);
-    static constexpr bool needs_height_map = true;
-    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -13,16 +13,11 @@
 
 namespace quadrel {
 
-struct MaxMip : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct MaxMip : PatchTrace {
     static constexpr StageText text{"max-mip", "trace",
                                     "nodes of a maximum pyramid left in one step, patches exact",
                                     "Tevs, Ihrke, Seidel 2008"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::max_mip);
-    static constexpr bool needs_height_map = true;
-    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -6,6 +6,14 @@
 
 namespace quadrel {
 
+/// A row of such a search; those that read a baked map, too, name both.
+struct PatchTrace : HeightSearch {
+    static constexpr bool runs_on_duals = true;
+    static constexpr auto inputs = level_0_search_inputs;
+    static constexpr bool needs_height_map = true;
+    static constexpr bool reads_finest_heights_only = true;
+};
+
 template <class Io>
 class PatchSearch : public CellSearch<typename Io::Number> {
   public:

@@ -62,16 +62,11 @@ class RangeMaxima {
     int last_column_log_;
 };
 
-struct RmqLeap : StageDefaults {
-    static constexpr bool runs_on_duals = true;
+struct RmqLeap : PatchTrace {
     static constexpr StageText text{"rmq-leap", "trace",
                                     "leaps over swept rectangles by range maxima, patches exact",
                                     "after Thonat et al. 2023"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr auto outputs = trace_outputs;
     static constexpr auto textures = slots(TextureSlot::height, TextureSlot::rmq);
-    static constexpr bool needs_height_map = true;
-    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

@@ -11,14 +11,10 @@
 
 namespace quadrel {
 
-struct TexelExact : HeightSearch {
-    static constexpr bool runs_on_duals = true;
+struct TexelExact : PatchTrace {
     static constexpr StageText text{"texel-exact", "trace",
                                     "every cell on the way, its bilinear patch met exactly",
                                     "after Amanatides and Woo 1987; Ramsey et al. 2004"};
-    static constexpr auto inputs = level_0_search_inputs;
-    static constexpr bool needs_height_map = true;
-    static constexpr bool reads_finest_heights_only = true;
 
     template <class Io>
     void operator()(Io& io, const Params&) const {

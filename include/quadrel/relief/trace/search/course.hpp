@@ -62,7 +62,7 @@ class StepsOnCourse {
         StepsOnCourse& of_;
     };
 
-    /// All must outlive this object. `own_last`: a lane's last step, which is part of its result.
+    /// All must outlive this object. `own_last`: the last step per lane, part of its result.
     StepsOnCourse(const Along& course, Position& position, const Heights& heights,
                   const Mask<F>& active, int first, int last, F own_last)
         : course_(course),

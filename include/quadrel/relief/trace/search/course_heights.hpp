@@ -38,7 +38,7 @@ class CourseHeights {
     bool leaves_out_;  ///< nothing shows or marks every look-up
 };
 
-/// Heights of levels of detail that a march has settled, a lane its own.
+/// Heights of levels of detail that a march has settled, per lane.
 template <class Io>
 class SettledHeights : public CourseHeights<Io> {
   public:

@@ -71,11 +71,4 @@ class ImplicitHeights : public CourseHeights<Io> {
     bool is_settled_;
 };
 
-/// Heights at the one level, a lane's own or its quad's, that a look-up at the undisplaced UV has.
-template <class Io, class F = typename Io::Number>
-MarchHeights<Io> heights_of_implicit_level(const Io& io, const vec2<F>& uv) {
-    const SampledTexture& map = height_map(io);
-    return {io, map, implicit_lod(map, uv, io.frame().derivatives, F(0), lod_use_of(io))};
-}
-
 }  // namespace quadrel

@@ -15,7 +15,7 @@ struct LatticeRays {
     F last;         ///< a lane's last sample, which is part of its result; infinite if it has none
 };
 
-/// Samples at s = k / n, a lane's own last one at s = 1 or at step `last`.
+/// Samples at s = k / n; the last one, per lane, at s = 1 or at step `last`.
 template <Number F>
 LatticeRays<F> even_steps_down(const SearchRay<F>& ray, F n, int last) {
     const F part = F(1) / n;

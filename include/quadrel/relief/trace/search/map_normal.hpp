@@ -17,7 +17,7 @@ inline constexpr auto map_normal_inputs =
 template <Number F>
 struct MapNormal {
     vec3<F> n;
-    int fetches;  ///< that it took, a lane
+    int fetches;  ///< that it took per lane
 };
 
 /// n times the axis of the relief and times the unit view vector.

@@ -24,7 +24,7 @@ namespace quadrel {
 /// Marches of fewer steps make them all: there is less to gain than looking ahead takes. Measured.
 inline constexpr int fewest_steps_to_leave_out = 96;
 
-/// The numbers of a step, a lane's own.
+/// The numbers of a step, per lane.
 template <Packet F>
 struct LaneSteps {
     F k;

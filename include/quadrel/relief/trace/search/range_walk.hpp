@@ -41,6 +41,14 @@ class Aside {
     std::uint32_t joined_, undecided_[4];
 };
 
+/// A number in one lane, and in the others the same.
+inline Ranges everywhere(const RealInterval& x) { return Ranges(Ranged(x)); }
+inline RangeMask only(int lane) {
+    RangeMask mask(false);
+    mask.lane[lane] = true;
+    return mask;
+}
+
 /// What a step may do that begins anywhere in a piece.
 struct WalkStep {
     bool ends = false, goes_on = false;  ///< may

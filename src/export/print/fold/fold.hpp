@@ -31,19 +31,22 @@ class Folder {
     Node* folded(const Node& node);
     Node* folded_read(const Node& read);
     Node* simplified(Node node);
-    Node* simple_logic(Node& node);
-    Node* simple_sum(const Node& node);
-    void subtract_negative(Node& node);
-    Node* computed(const Node& node);
-    Node* counted(const Node& node);
-    Node* whole_again(const Node& node);
     Node* named_vector(const Node& node, Node* vector);
     Node* literal(Type type, double value);
     /// The node that is equal to `node` and known where that stands; else a new one.
     Node* unique(Node node);
     void rename(Region& region);
 
-    // A vector whose components do the same, as one operation; null where they do not.
+    // What an operation is by itself; null where nothing is known (identities.cpp).
+    Node* simple_logic(Node& node);
+    Node* simple_sum(const Node& node);
+    void subtract_negative(Node& node);
+    Node* computed(const Node& node);
+    Node* counted(const Node& node);
+    Node* whole_again(const Node& node);
+
+    // A vector whose components do the same, as one operation; null where they do not
+    // (vectors.cpp).
     Node* rolled(const std::vector<Node*>& components, const Node& at, int depth);
     Node* rolled_leaves(const std::vector<Node*>& components, const Node& at, int depth);
     Node* rolled_operation(const std::vector<Node*>& components, const Node& at, int depth);
