@@ -311,7 +311,9 @@ bool run(Arguments& arguments) {
     if (arguments.planted) return run_planted(arguments, hardware);
     const Report report = run_cases(arguments, hardware);
     write(arguments, report);
-    return conforms(report, arguments.bounds);
+    const std::vector<std::string> lines = complaints(report, arguments.bounds);
+    for (const std::string& line : lines) std::cerr << "quadrel-conformance: " << line << '\n';
+    return lines.empty();
 }
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -339,11 +341,18 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--most-ranged", a.judging.most_ranged,
                    "quads of a case whose ranges of hits, shadows and occlusion are computed, each")
         ->capture_default_str();
-    app.add_option("--most-perturbed", a.bounds.perturbed, "share of a group's pixels")
-        ->check(share);
-    app.add_option("--most-legal", a.bounds.legal, "share of a group's pixels")->check(share);
-    app.add_option("--most-open", a.bounds.open, "share of a group's pixels")->check(share);
-    app.add_option("--most-left", a.bounds.left, "share of a group's pixels")->check(share);
+    app.add_option("--most-perturbed", a.bounds.perturbed, "share of a group's pixels that may be")
+        ->check(share)
+        ->capture_default_str();
+    app.add_option("--most-legal", a.bounds.legal, "share of a group's pixels that may be")
+        ->check(share)
+        ->capture_default_str();
+    app.add_option("--most-open", a.bounds.open, "share of a group's pixels that may be")
+        ->check(share)
+        ->capture_default_str();
+    app.add_option("--most-left", a.bounds.left, "share of a group's pixels that may be")
+        ->check(share)
+        ->capture_default_str();
     app.add_flag("--json", a.json, "as JSON, with every case");
     app.add_flag("--markdown", a.markdown, "the table in Markdown");
     app.add_option("-o,--output", a.output, "into a file; .json: as JSON")->type_name("FILE");
@@ -357,9 +366,9 @@ void add_options(CLI::App& app, Arguments& a) {
         "at the first angle");
     app.add_flag("--quiet", a.quiet, "do not tell which case is drawn");
     app.footer(
-        "Exit codes: 0 everything is explained; 1 something is not, or more is merely explained "
-        "than "
-        "may be; 2 bad command line; 3 there is no OpenGL to ask; 5 output could not be written.");
+        "Exit codes: 0 everything is explained; 1 something is not, more is merely explained than "
+        "may be, or nothing could be drawn; 2 bad command line; 3 there is no "
+        "OpenGL to ask; 5 output could not be written.");
 }
 
 }  // namespace

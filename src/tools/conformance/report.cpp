@@ -82,7 +82,7 @@ std::vector<std::size_t> used_verdicts(const std::vector<RowSum>& rows) {
 
 }  // namespace
 
-bool conforms(const Report& report, const Bounds& bounds) {
+std::vector<std::string> complaints(const Report& report, const Bounds& bounds) {
     const std::pair<Verdict, double> most[] = {{Verdict::perturbed, bounds.perturbed},
                                                {Verdict::legal, bounds.legal},
                                                {Verdict::open, bounds.open},
@@ -92,15 +92,26 @@ bool conforms(const Report& report, const Bounds& bounds) {
                                                {Verdict::defect, bounds.defect},
                                                {Verdict::divergent, bounds.divergent},
                                                {Verdict::unexplained, 0}};
+    std::vector<std::string> lines;
     for (const CaseReport& one : report.cases) {
-        if (!one.failure.empty()) return false;
+        const std::string name = fmt::format("{} {} {} degrees", one.row, one.map, one.angle);
+        if (!one.failure.empty())
+            lines.push_back(fmt::format("{}: not drawn: {}", name, one.failure));
         for (const GroupReport& group : one.groups)
-            for (const auto& [verdict, bound] : most)
-                if (static_cast<double>(count_of(group.counts, verdict)) >
-                    bound * static_cast<double>(total(group.counts)))
-                    return false;
+            for (const auto& [verdict, bound] : most) {
+                const double found = static_cast<double>(count_of(group.counts, verdict));
+                if (found > bound * static_cast<double>(total(group.counts)))
+                    lines.push_back(
+                        fmt::format("{}: found {} {} of {} pixels of {}, expected at most {:.4g} %",
+                                    name, count_of(group.counts, verdict),
+                                    verdict_names[static_cast<std::size_t>(verdict)],
+                                    total(group.counts), group.name, 100 * bound));
+            }
     }
-    return true;
+    const bool judged = std::ranges::any_of(
+        report.cases, [](const CaseReport& one) { return !one.groups.empty(); });
+    if (!judged && lines.empty()) lines.emplace_back("no row could be drawn, and nothing judged");
+    return lines;
 }
 
 std::string to_text(const Report& report) {

@@ -23,8 +23,10 @@ struct Bounds {
            unordered = 0.05, defect = 0.5;
 };
 
-/// Whether nothing is unexplained, and no class is larger than its bound.
-bool conforms(const Report& report, const Bounds& bounds);
+/// A line for each group of a case that has something unexplained, or of which a class is larger
+/// than its bound, for each case that the implementation failed to draw, and where all were refused
+/// and nothing was judged. None: it conforms.
+std::vector<std::string> complaints(const Report& report, const Bounds& bounds);
 
 /// A line a row, counts over its maps and angles; what is unexplained below.
 std::string to_text(const Report& report);
