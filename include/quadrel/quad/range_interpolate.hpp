@@ -6,6 +6,10 @@
 // barycentrics in every lane, and so hardly show in differences between lanes. What is left is each
 // lane's own, `evaluation` times the largest value. Outside of the triangle the weights grow, and
 // the errors with them. Which vertices and edges a lane has are the reference's.
+//
+// Vertices that are moved by d_v move what is interpolated at a pixel by sum l_v d_v, with its
+// barycentrics l in the window: a value of gradient g by as many times g. What is the same over a
+// quad is named; what changes over it, l and, in perspective, g, is each lane's own.
 #pragma once
 
 #include "quadrel/num/range/geometry.hpp"
@@ -63,6 +67,13 @@ class Interpolator<Ranges> {
                        range_detail::near(others[v], others[v]);
             const RealInterval sum = q[0] + q[1] + q[2];
             known_[lane] = !sum.has_zero();
+            double screen = 0;
+            for (int v = 0; v < 3; ++v) {
+                part_[lane][v] = q[v].middle();
+                screen += call.edges[v][first_lane + lane];
+            }
+            for (int v = 0; v < 3; ++v)
+                screen_[lane][v] = call.edges[v][first_lane + lane] / screen;
             for (int v = 0; v < 3 && known_[lane]; ++v) weight_[lane][v] = q[v] / sum;
         }
     }
@@ -111,13 +122,46 @@ class Interpolator<Ranges> {
                weight_[lane][1] * RealInterval(of.v[1].middle()) +
                weight_[lane][2] * RealInterval(of.v[2].middle());
     }
-    /// The greatest change from pixel to pixel along x plus that along y, twice what the quad
-    /// shows: it grows towards the triangle's ends.
-    double gradient(const Vertices& of) const {
-        const auto change = [&](int a, int b) {
-            return known_[a] && known_[b] ? (middle(of, a) - middle(of, b)).magnitude() : 0;
-        };
-        return 1.25 * (std::max(change(1, 0), change(3, 2)) + std::max(change(2, 0), change(3, 1)));
+    /// How far moved vertices move a value: over the whole quad alike, and beside that in a lane.
+    /// With a tenth for what is not linear in the moves.
+    struct Moves {
+        double common = 0, own[4] = {};
+    };
+    Moves moves(const Vertices& of, double snapping) const {
+        Moves result;
+        if (!(snapping > 0)) return result;
+        double slope[4][2] = {}, mean[2] = {}, weight[3] = {}, lanes = 0;
+        for (int lane = 0; lane < 4; ++lane) {
+            if (!known_[lane]) continue;
+            lanes += 1;
+            for (int v = 0; v < 3; ++v) weight[v] += screen_[lane][v];
+            for (int axis = 0; axis < 2; ++axis)
+                mean[axis] += slope[lane][axis] = window_slope(of, lane, axis);
+        }
+        for (double& m : mean) m /= std::max(lanes, 1.0);
+        for (double& w : weight) w /= std::max(lanes, 1.0);
+        const double steepness = std::fabs(mean[0]) + std::fabs(mean[1]);
+        for (int v = 0; v < 3; ++v)
+            result.common += 1.1 * snapping * std::fabs(weight[v]) * steepness;
+        for (int lane = 0; lane < 4; ++lane)
+            for (int v = 0; v < 3 && known_[lane]; ++v) {
+                const double turned =
+                    std::fabs(slope[lane][0] - mean[0]) + std::fabs(slope[lane][1] - mean[1]);
+                result.own[lane] += 1.1 * snapping *
+                                    (std::fabs(screen_[lane][v]) * turned +
+                                     std::fabs(screen_[lane][v] - weight[v]) * steepness);
+            }
+        return result;
+    }
+    /// d value / d window along an axis: of the quotient of two functions that are linear there.
+    double window_slope(const Vertices& of, int lane, int axis) const {
+        double above = 0, below = 0;
+        for (int v = 0; v < 3; ++v) {
+            const double slope = part_[axis + 1][v] - part_[0][v];
+            above += slope * (of.v[v].middle() - middle(of, lane).middle());
+            below += part_[lane][v];
+        }
+        return below != 0 ? above / below : 0;
     }
 
     Ranges varying(const Vertices& of) const {
@@ -125,18 +169,19 @@ class Interpolator<Ranges> {
         const ErrorBudget& errors = context.budget;
         double largest = 0;
         for (const RealInterval& v : of.v) largest = std::max(largest, v.magnitude());
-        const double snapped = errors.snapping > 0 ? errors.snapping * gradient(of) : 0;
+        const Moves moved = moves(of, errors.snapping);
         const std::int32_t group = ++context.shared_errors;
         Ranges result(Ranged::anything());
         for (int lane = 0; lane < 4; ++lane) {
             if (!known_[lane]) continue;
             Ranged value(middle(of, lane));
             if (!value.is_bounded()) continue;
-            double spread = 0, parts = 0, slack = 0;
+            double spread = 0, parts = 0, slack = moved.own[lane];
             for (int v = 0; v < 3; ++v) {
                 const double weight = weight_[lane][v].middle();
                 slack += std::fabs(weight) * largest * 0x1p-50;
-                const double off = next_up(of.v[v].width() / 2) + errors.plane * largest + snapped;
+                const double off =
+                    next_up(of.v[v].width() / 2) + errors.plane * largest + moved.common;
                 value.part[v] = weight * off;
                 parts += std::fabs(value.part[v]);
                 spread += std::fabs(weight);
@@ -156,6 +201,8 @@ class Interpolator<Ranges> {
 
     bool known_[4];
     RealInterval weight_[4][3];
+    double part_[4][3];    ///< of these, before they are divided by their sum: linear in the window
+    double screen_[4][3];  ///< barycentrics in the window
 };
 
 }  // namespace quadrel

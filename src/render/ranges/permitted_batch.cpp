@@ -171,7 +171,9 @@ void PermittedBatch::run(const QuadCoverage& quad, int samples, bool centroid,
             interpolate(stage);
         else
             run_looking_up(stage, i);
-        if (stores(stage, Value::dUVdx)) find_levels();
+        if (!stores(stage, Value::dUVdx)) continue;
+        if (budget_.any_derivative) choose_differences();
+        find_levels();
     }
 }
 
@@ -241,6 +243,23 @@ void PermittedBatch::move_varying(int varying) {
     }
 }
 
+/// Of each lane, along which row or column.
+void PermittedBatch::choose_differences() {
+    constexpr Value values[] = {Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy};
+    for (int d = 0; d < PermittedErrors::differences; ++d) {
+        const std::size_t other = d % 2 == 0 ? 2 : 1;  // the lane in the other row, or column
+        for (int component = 0; component < info(values[d]).components; ++component) {
+            float* const of = floats(slot_of(values[d]) + component);
+            for (std::size_t q = 0; of != nullptr && q < implementations_.size(); ++q) {
+                const float own[4] = {of[4 * q], of[4 * q + 1], of[4 * q + 2], of[4 * q + 3]};
+                for (std::size_t k = 0; k < 4; ++k)
+                    if (implementations_[q].takes_other(d, static_cast<int>(k)))
+                        of[4 * q + k] = own[k ^ other];
+            }
+        }
+    }
+}
+
 /// How far levels of each map may be moved in all lanes of all implementations.
 void PermittedBatch::find_levels() {
     constexpr double most = 16;
@@ -300,9 +319,11 @@ void PermittedBatch::bias_levels(const PlannedStage& stage) {
 }
 
 /// Whether a stage reads maps by filtered look-ups. Noise is computed, and what reads patches of
-/// level 0 reads texels.
+/// level 0 reads texels. What is found in a warped image does not move with the place it is found
+/// at.
 bool PermittedBatch::looks_up(const PlannedStage& stage) const {
     if (stage.info->reads_finest_heights_only) return false;
+    if (std::ranges::count(stage.info->textures, TextureSlot::prewarp) != 0) return false;
     return std::ranges::any_of(stage.info->textures, [&](TextureSlot slot) {
         if (uniforms_.noise_octaves > 0 && source_of(slot) == TextureSlot::height) return false;
         return plan_.textures[material_].bound(static_cast<int>(slot)) != nullptr;

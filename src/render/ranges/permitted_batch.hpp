@@ -45,6 +45,7 @@ class PermittedBatch {
     void snap_vertices();
     void interpolate(const PlannedStage& stage);
     void move_varying(int varying);
+    void choose_differences();
     void find_levels();
     void bias_levels(const PlannedStage& stage);
     void run_looking_up(const PlannedStage& stage, std::size_t number);

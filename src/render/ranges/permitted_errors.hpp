@@ -13,8 +13,8 @@ namespace quadrel {
 /// vertices' values.
 class PermittedErrors {
   public:
-    static constexpr int varyings = 17, most_stages = 24;
-    static constexpr int count = varyings * (4 + 3) + 3 * 2 + most_stages * 2;
+    static constexpr int varyings = 17, most_stages = 24, differences = 4;
+    static constexpr int count = varyings * (4 + 3) + 3 * 2 + most_stages * 2 + differences * 4;
 
     /// ErrorBudget::evaluation, of a varying in a lane of the quad.
     float lane(int varying, int lane) const { return share_[index(7 * varying + lane)]; }
@@ -28,6 +28,12 @@ class PermittedErrors {
     float address(std::size_t stage, int axis) const {
         const int of = static_cast<int>(stage) % most_stages;
         return share_[index(7 * varyings + 6 + 2 * of + axis)];
+    }
+
+    /// ErrorBudget::any_derivative: whether a lane takes a difference (of P in x, y, of uv in x, y)
+    /// along the quad's other row or column.
+    bool takes_other(int difference, int lane) const {
+        return share_[index(7 * varyings + 6 + 2 * most_stages + 4 * difference + lane)] < 0;
     }
 
     std::array<float, count>& shares() { return share_; }
