@@ -1,14 +1,16 @@
 // quadrel-limits-table: how much the ranges of --limits say over whole scenes, as a Markdown table.
 //
-//     quadrel-limits-table [LIMITS [QUADS [SCENE...]]]
+//     quadrel-limits-table [LIMITS [QUADS [--search] [SCENE...]]]
 //
 // LIMITS as --limits has them (gl). Of every scene of data/ (but those of data/scenes/rows), QUADS
 // quads (64) are drawn, spread evenly over the frame, and judged as `compare --legal` judges a file
 // of the whole frame by itself: shares of covered pixels that are ambiguous, and that are
 // unconstrained. In brackets, what is unavoidable, since implementations that the limits permit
 // (src/render/ranges/extremes.hpp) differ by as much: of how many pixels no right range could be
-// narrow and one, and of how many none could be narrow, whatever gap it has. Tells on the other
-// stream of permitted values outside of their ranges.
+// narrow and one, and of how many none could be narrow, whatever gap it has. A scene in which
+// permitted values lie outside of their ranges has the first of them in place of figures. With
+// --search, what is in brackets alone, which takes no ranges. With QUADREL_LIMITS_PIXELS in the
+// environment, a line a pixel and channel on the other stream.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,7 +91,6 @@ struct Shares {
     double ambiguous = 0, unconstrained = 0;  ///< by the ranges
     double not_one = 0;                       ///< narrow, but for gaps at best
     double wide = 0;                          ///< wide, whatever gap there is
-    std::uint64_t wrong = 0;                  ///< permitted values outside of the range
 
     void include_worst(const Shares& other) {
         for (double Shares::*share :
@@ -100,14 +101,14 @@ struct Shares {
 
 class SceneShares {
   public:
-    SceneShares(const std::string& name, const std::string& limits, int quads)
-        : scene_(load_scene(name)), extents_(extents_of(scene_)) {
-        options_.channels = channels();
+    SceneShares(const std::string& name, const std::string& limits, int quads, bool with_ranges)
+        : scene_(load_scene(name)), extents_(extents_of(scene_)), with_ranges_(with_ranges) {
+        options_.channels = names_;
         options_.channels.emplace_back("A");
         options_.limits = limits;
-        Extremes extremes(scene_, channels(), limits);
+        Extremes extremes(scene_, names_, limits);
         const auto windows = spread_quads(scene_.width, scene_.height, quads);
-        counts_.resize(channels().size());
+        counts_.resize(names_.size());
         for (const Window& window : windows) judge_quad(window, extremes);
         if (pixels_ == 0) throw UsageError("no quad that is covered");
     }
@@ -123,9 +124,8 @@ class SceneShares {
     /// Percent, of the column's worst channel of each.
     Shares of(const Column& column) const {
         Shares worst;
-        const std::vector<std::string> names = channels();
-        for (std::size_t c = 0; c < names.size(); ++c)
-            if (std::ranges::count(column.channels, names[c]) != 0)
+        for (std::size_t c = 0; c < names_.size(); ++c)
+            if (std::ranges::count(column.channels, names_[c]) != 0)
                 worst.include_worst(percent(counts_[c]));
         return worst;
     }
@@ -145,7 +145,7 @@ class SceneShares {
         };
         auto start = Clock::now();
         options_.window = window;
-        const Film ranges = render(scene_, options_);
+        const Film ranges = with_ranges_ ? render(scene_, options_) : Film();
         seconds_ += seconds(start);
         start = Clock::now();
         std::vector<FoundPixel> pixels = extremes.search(window);
@@ -158,7 +158,18 @@ class SceneShares {
     }
 
     void judge_pixel(const Film& ranges, FoundPixel& pixel, std::size_t c) {
-        const std::string name = channels()[c];
+        const double most = LegalRules().widest * extents_.at(names_[c]);
+        if (with_ranges_) judge_range(ranges, pixel, c);
+        const FoundSpread spread = spread_of(pixel.values[c]);
+        counts_[c].not_one += spread.width > most;
+        counts_[c].wide += spread.width_less_gap > most;
+        if (std::getenv("QUADREL_LIMITS_PIXELS") != nullptr)
+            fmt::print(stderr, "{} at {},{}: found {} wide, {} less its widest gap; wide is {}\n",
+                       names_[c], pixel.x, pixel.y, spread.width, spread.width_less_gap, most);
+    }
+
+    void judge_range(const Film& ranges, FoundPixel& pixel, std::size_t c) {
+        const std::string& name = names_[c];
         const double extent = extents_.at(name), widest = LegalRules().widest;
         const std::size_t i = ranges.index(pixel.x, pixel.y);
         const auto plane = [&](const std::string& prefix) -> const Plane& {
@@ -167,31 +178,26 @@ class SceneShares {
         const LegalRange range{plane("gpu.lo.").as_float(i), plane("gpu.hi.").as_float(i),
                                plane("gpu.paths.").bits[i], plane("gpu.gap.lo.").as_float(i),
                                plane("gpu.gap.hi.").as_float(i)};
-        const double value = plane("").as_float(i);
-        const LegalVerdict verdict = legal_verdict(range, value, extent, widest);
-        if (verdict == LegalVerdict::fail) throw UsageError("a value outside of its range");
+        const float value = plane("").as_float(i);
+        pixel.values[c].push_back(value);
         Shares& counts = counts_[c];
+        const LegalVerdict verdict = legal_verdict(range, value, extent, widest);
         counts.ambiguous += verdict == LegalVerdict::ambiguous;
         counts.unconstrained += verdict == LegalVerdict::unconstrained;
         for (const float other : pixel.values[c])
-            if (legal_verdict(range, other, extent, widest) == LegalVerdict::fail) {
-                if (counts.wrong++ == 0)
-                    fmt::print(stderr, "{} of a permitted render at {},{} is {}, not in {} to {}\n",
-                               name, pixel.x, pixel.y, other, range.lo, range.hi);
-            }
-        pixel.values[c].push_back(static_cast<float>(value));
-        const FoundSpread spread = spread_of(pixel.values[c]);
-        counts.not_one += spread.width > widest * extent;
-        counts.wide += spread.width_less_gap > widest * extent;
+            if (legal_verdict(range, other, extent, widest) == LegalVerdict::fail)
+                throw UsageError(fmt::format("{} at {},{} may be {}, which is not in {} to {}",
+                                             name, pixel.x, pixel.y, other, range.lo, range.hi));
         if (std::getenv("QUADREL_LIMITS_PIXELS") != nullptr)
-            fmt::print(stderr, "{} {} {} range {} less gap {} found {} less gap {} of {}\n", name,
-                       pixel.x, pixel.y, range.hi - range.lo,
-                       range.hi - range.lo - std::max(0.0f, range.gap_hi - range.gap_lo),
-                       spread.width, spread.width_less_gap, extent);
+            fmt::print(stderr, "{} at {},{}: range {} wide, {} less its gap\n", name, pixel.x,
+                       pixel.y, range.hi - range.lo,
+                       range.hi - range.lo - std::max(0.0f, range.gap_hi - range.gap_lo));
     }
 
     Scene scene_;
     std::map<std::string, double> extents_;
+    bool with_ranges_;
+    std::vector<std::string> names_ = channels();
     RenderOptions options_;
     double seconds_ = 0, search_seconds_ = 0;
     std::size_t pixels_ = 0;
@@ -201,11 +207,12 @@ class SceneShares {
 
 /// Whether `compare` would let the channels pass: it does, it could not whatever right ranges there
 /// were, or neither is known.
-const char* target(const Shares& shares) {
+const char* target(const Shares& shares, bool with_ranges) {
     const LegalRules rules;
     const double ambiguous = 100 * rules.most_ambiguous,
                  unconstrained = 100 * rules.most_unconstrained;
-    if (shares.ambiguous <= ambiguous && shares.unconstrained <= unconstrained) return "met";
+    if (with_ranges && shares.ambiguous <= ambiguous && shares.unconstrained <= unconstrained)
+        return "met";
     const bool beyond = shares.wide > unconstrained || shares.not_one > ambiguous + unconstrained;
     return beyond ? "impossible" : "open";
 }
@@ -220,15 +227,16 @@ void print_header() {
               << rule << "---|---|---|" << std::endl;
 }
 
-void print_scene(const std::string& name, const std::string& limits, int quads) {
-    const SceneShares shares(name, limits, quads);
+void print_scene(const std::string& name, const std::string& limits, int quads, bool with_ranges) {
+    const SceneShares shares(name, limits, quads, with_ranges);
     std::string line = fmt::format("| {} | {} |", name, shares.pixels());
     std::vector<std::string> targets;
     for (const Column& column : columns()) {
         const Shares of = shares.of(column);
-        line += fmt::format(" {:.0f} / {:.0f} ({:.0f} / {:.0f}) |", of.ambiguous, of.unconstrained,
-                            of.not_one, of.wide);
-        targets.emplace_back(target(of));
+        const std::string by_ranges =
+            with_ranges ? fmt::format("{:.0f} / {:.0f} ", of.ambiguous, of.unconstrained) : "";
+        line += fmt::format(" {}({:.0f} / {:.0f}) |", by_ranges, of.not_one, of.wide);
+        targets.emplace_back(target(of, with_ranges));
     }
     std::cout << line
               << fmt::format(" {}, {} | {:.0f} + {:.0f} | {} |", targets[targets.size() - 2],
@@ -237,11 +245,12 @@ void print_scene(const std::string& name, const std::string& limits, int quads) 
               << std::endl;
 }
 
-void print_table(const std::string& limits, int quads, const std::vector<std::string>& scenes) {
+void print_table(const std::string& limits, int quads, bool with_ranges,
+                 const std::vector<std::string>& scenes) {
     print_header();
     for (const std::string& name : scenes) {
         try {
-            print_scene(name, limits, quads);
+            print_scene(name, limits, quads, with_ranges);
         } catch (const UsageError& error) {
             std::cout << fmt::format("| {} | {} |", name, error.what()) << std::endl;
         }
@@ -255,11 +264,12 @@ int main(int argc, char** argv) try {
     const std::string limits = argc > 1 ? argv[1] : "gl";
     const int quads = argc > 2 ? std::stoi(argv[2]) : 64;
     std::vector<std::string> scenes(argv + std::min(argc, 3), argv + argc);
+    const bool with_ranges = std::erase(scenes, "--search") == 0;
     if (scenes.empty()) {
         scenes = quadrel::installed_scenes();
         std::erase_if(scenes, [](const std::string& name) { return name.starts_with("rows/"); });
     }
-    quadrel::bench::print_table(limits, quads, scenes);
+    quadrel::bench::print_table(limits, quads, with_ranges, scenes);
     return 0;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "quadrel/num/math.hpp"
 #include "quadrel/quad/interpolate.hpp"
@@ -64,18 +65,6 @@ float float_within(double x, double low, double high) {
     return rounded;
 }
 
-/// Whether maps are filtered with the footprint of the undisplaced UV.
-bool has_own_gradients(const PlannedStage& stage) {
-    if (std::ranges::count(stage.info->inputs, Value::dUVdx) == 0) return false;
-    for (const ParameterText& parameter : stage.info->parameters) {
-        if (parameter.name != std::string_view("gradients")) continue;
-        std::vector<std::max_align_t> undisplaced = stage.params;
-        parameter.set(undisplaced.data(), 0);
-        return std::memcmp(undisplaced.data(), stage.params.data(), stage.info->params_size) == 0;
-    }
-    return true;
-}
-
 /// Between which two lengths of a footprint a level of detail may be made, as levels beside that of
 /// the longer gradient. Of one lane: gradients in texels along x and y.
 struct FreeLevels {
@@ -99,6 +88,26 @@ FreeLevels free_levels(const SamplerState& sampler, LodFreedom freedom, const do
 }
 
 }  // namespace
+
+/// Arrays as they were, in the end.
+class PermittedBatch::KeptValues {
+  public:
+    explicit KeptValues(const PermittedBatch& batch) : batch_(batch) {}
+    KeptValues(const KeptValues&) = delete;
+    KeptValues& operator=(const KeptValues&) = delete;
+    ~KeptValues() {
+        for (const auto& [slot, values] : kept_) std::ranges::copy(values, batch_.floats(slot));
+    }
+    void keep(int first, int count) {
+        for (int slot = first; slot < first + count; ++slot)
+            if (const float* const values = batch_.floats(slot); values != nullptr)
+                kept_.emplace_back(slot, std::vector<float>(values, values + batch_size));
+    }
+
+  private:
+    const PermittedBatch& batch_;
+    std::vector<std::pair<int, std::vector<float>>> kept_;
+};
 
 PermittedBatch::PermittedBatch(const RenderPlan& plan, const Geometry& geometry,
                                const ErrorBudget& budget)
@@ -171,9 +180,7 @@ void PermittedBatch::run(const QuadCoverage& quad, int samples, bool centroid,
             interpolate(stage);
         else
             run_looking_up(stage, i);
-        if (!stores(stage, Value::dUVdx)) continue;
-        if (budget_.any_derivative) choose_differences();
-        find_levels();
+        if (budget_.any_derivative && stores(stage, Value::dUVdx)) choose_differences();
     }
 }
 
@@ -260,14 +267,15 @@ void PermittedBatch::choose_differences() {
     }
 }
 
-/// How far levels of each map may be moved in all lanes of all implementations.
-void PermittedBatch::find_levels() {
+/// How long gradients of the undisplaced UV are for the stage's look-ups, which makes their level
+/// of detail: as the choice has it between all that each of its maps permits in a lane.
+void PermittedBatch::stretch_gradients(const PlannedStage& stage) {
     constexpr double most = 16;
-    for (std::size_t s = 0; s < texture_slot_count; ++s) {
-        const SampledTexture* const texture = call_.textures[s];
-        if (texture == nullptr) continue;
-        Levels& levels = levels_[s] = {-most, most};
-        for (std::size_t i = 0; i < 4 * implementations_.size(); ++i) {
+    for (std::size_t i = 0; i < 4 * implementations_.size(); ++i) {
+        double low = -most, high = most;
+        for (const TextureSlot slot : stage.info->textures) {
+            const SampledTexture* const texture = call_.textures[static_cast<int>(slot)];
+            if (texture == nullptr || texture->view.faces != 1) continue;
             const auto gradient = [&](Value v, int axis) {
                 const double size = axis == 0 ? texture->view.width[0] : texture->view.height[0];
                 return static_cast<double>(floats(slot_of(v) + axis)[i]) * size;
@@ -275,47 +283,38 @@ void PermittedBatch::find_levels() {
             const double x[2] = {gradient(Value::dUVdx, 0), gradient(Value::dUVdx, 1)};
             const double y[2] = {gradient(Value::dUVdy, 0), gradient(Value::dUVdy, 1)};
             const FreeLevels lane = free_levels(texture->sampler, budget_.lod_freedom, x, y);
-            levels.low = std::max(levels.low, lane.low);
-            levels.high = std::min(levels.high, lane.high);
+            low = std::max(low, lane.low - budget_.lod);
+            high = std::min(high, lane.high + budget_.lod);
         }
-        levels.high = std::max(levels.low, levels.high);
+        if (low == -most) return;  // it has no map
+        const double middle = (low + high) / 2, radius = inside * std::max(0.0, high - low) / 2;
+        const double factor = exp2(middle + radius * (2 * shared_.level - 1));
+        for (const Value v : {Value::dUVdx, Value::dUVdy})
+            for (int axis = 0; axis < 2; ++axis) {
+                float& of = floats(slot_of(v) + axis)[i];
+                of = static_cast<float>(static_cast<double>(of) * factor);
+            }
     }
 }
 
-/// The maps as the stage's look-ups see them.
-void PermittedBatch::bias_levels(const PlannedStage& stage) {
-    const bool own = has_own_gradients(stage);
-    for (std::size_t s = 0; s < texture_slot_count; ++s) {
-        const SampledTexture* const texture = plan_.textures[material_].bound(static_cast<int>(s));
-        call_.textures[s] = texture;
-        if (texture == nullptr) continue;
-        textures_[s] = *texture;
-        const Levels free = own ? levels_[s] : Levels();
-        const double low = free.low - budget_.lod, high = free.high + budget_.lod;
-        const double middle = (low + high) / 2, radius = inside * (high - low) / 2;
-        if (s < static_cast<std::size_t>(first_baked_slot))
-            textures_[s].sampler.lod_bias +=
-                static_cast<float>(middle + radius * (2 * shared_.level - 1));
-        const bool heights = s == static_cast<std::size_t>(TextureSlot::height);
-        if (heights && shared_.filtered != 0 && looks_up(stage)) {
-            const bool higher = shared_.filtered > 0;
-            std::vector<float>& moved = heights_[s][higher ? 1 : 0];
-            if (heights_of_[s] != texture->view.texels) {
-                heights_of_[s] = texture->view.texels;
-                heights_[s][0].clear();
-                heights_[s][1].clear();
-            }
-            if (moved.empty()) {
-                const double factor = 1 + (higher ? 1 : -1) * inside * budget_.filtered;
-                moved.resize(size_of(texture->view));
-                std::transform(
-                    texture->view.texels, texture->view.texels + moved.size(), moved.begin(),
-                    [&](float h) { return static_cast<float>(static_cast<double>(h) * factor); });
-            }
-            textures_[s].view.texels = moved.data();
-        }
-        call_.textures[s] = &textures_[s];
+/// Heights that are filtered by a little too much or too little.
+void PermittedBatch::move_heights() {
+    constexpr auto slot = static_cast<int>(TextureSlot::height);
+    const SampledTexture* const texture = plan_.textures[material_].bound(slot);
+    call_.textures[slot] = texture;
+    if (texture == nullptr || shared_.filtered == 0) return;
+    MovedHeights& moved = heights_[shared_.filtered > 0 ? 1 : 0];
+    if (moved.of != texture->view.texels) {
+        const double factor = 1 + (shared_.filtered > 0 ? 1 : -1) * inside * budget_.filtered;
+        moved.of = texture->view.texels;
+        moved.texels.resize(size_of(texture->view));
+        std::transform(
+            moved.of, moved.of + moved.texels.size(), moved.texels.begin(),
+            [&](float h) { return static_cast<float>(static_cast<double>(h) * factor); });
     }
+    heights_moved_ = *texture;
+    heights_moved_.view.texels = moved.texels.data();
+    call_.textures[slot] = &heights_moved_;
 }
 
 /// Whether a stage reads maps by filtered look-ups. Noise is computed, and what reads patches of
@@ -336,7 +335,7 @@ std::array<double, 2> PermittedBatch::texel_error(const PlannedStage& stage) con
     for (const TextureSlot slot : stage.info->textures)
         if (const SampledTexture* const texture =
                 plan_.textures[material_].bound(static_cast<int>(slot));
-            texture != nullptr && texture->view.faces == 1) {
+            texture != nullptr) {
             width = std::max(width, texture->view.width[0]);
             height = std::max(height, texture->view.height[0]);
         }
@@ -344,42 +343,54 @@ std::array<double, 2> PermittedBatch::texel_error(const PlannedStage& stage) con
 }
 
 void PermittedBatch::run_looking_up(const PlannedStage& stage, std::size_t number) {
-    bias_levels(stage);
+    if (!looks_up(stage)) return stage.run(&call_);
     const bool finds = stores(stage, Value::hit_uv);
-    const int from = slot_of(finds ? Value::uv : Value::hit_uv), found = slot_of(Value::hit_uv);
-    if (!looks_up(stage) || floats(from) == nullptr || floats(from + 1) == nullptr)
-        return stage.run(&call_);
-    const std::array<double, 2> error = texel_error(stage);
-    std::vector<float> kept[2], move[2];
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        float* const place = floats(from + axis);
-        kept[axis].assign(place, place + batch_size);
-        move[axis].assign(batch_size, 0.0f);
-        for (std::size_t q = 0; q < implementations_.size(); ++q) {
-            float largest = 0;
-            for (std::size_t i = 4 * q; i < 4 * q + 4; ++i)
-                largest = std::max(largest, std::fabs(place[i]));
-            if (!(largest < 0x1p60f)) continue;
-            // A multiple of what coordinates of twice the size are rounded to: moves are exact.
-            int exponent = 0;
-            std::frexp(largest, &exponent);
-            const double unit = std::ldexp(1.0, exponent - 23);
-            const double share = implementations_[q].address(number, axis);
-            const auto by = static_cast<float>(std::trunc(share * error[a] / unit) * unit);
-            for (std::size_t i = 4 * q; i < 4 * q + 4; ++i) {
-                move[axis][i] = by;
-                place[i] += by;
-            }
+    KeptValues kept(*this);
+    if (std::ranges::count(stage.info->inputs, Value::dUVdx) != 0) {
+        kept.keep(slot_of(Value::dUVdx), 2);
+        kept.keep(slot_of(Value::dUVdy), 2);
+        stretch_gradients(stage);
+    }
+    const int from = slot_of(finds ? Value::uv : Value::hit_uv);
+    kept.keep(from, 2);
+    std::array<std::vector<float>, 2> move;
+    for (int axis = 0; axis < 2; ++axis)
+        move[static_cast<std::size_t>(axis)] = move_place(stage, number, from, axis);
+    move_heights();
+    stage.run(&call_);
+    call_.textures[static_cast<int>(TextureSlot::height)] =
+        plan_.textures[material_].bound(static_cast<int>(TextureSlot::height));
+    for (int axis = 0; axis < 2 && finds; ++axis) {
+        float* const hit = floats(slot_of(Value::hit_uv) + axis);
+        const std::vector<float>& by = move[static_cast<std::size_t>(axis)];
+        for (std::size_t i = 0; hit != nullptr && i < by.size(); ++i) hit[i] -= by[i];
+    }
+}
+
+/// Moves the coordinates that look-ups start from along an axis, and says by how much.
+std::vector<float> PermittedBatch::move_place(const PlannedStage& stage, std::size_t number,
+                                              int slot, int axis) {
+    std::vector<float> move(batch_size, 0.0f);
+    float* const place = floats(slot + axis);
+    if (place == nullptr) return move;
+    const double error = texel_error(stage)[static_cast<std::size_t>(axis)];
+    for (std::size_t q = 0; q < implementations_.size(); ++q) {
+        float largest = 0;
+        for (std::size_t i = 4 * q; i < 4 * q + 4; ++i)
+            largest = std::max(largest, std::fabs(place[i]));
+        if (!(largest < 0x1p60f)) continue;
+        // A multiple of what coordinates of twice the size are rounded to: moves are exact.
+        int exponent = 0;
+        std::frexp(largest, &exponent);
+        const double unit = std::ldexp(1.0, exponent - 23);
+        const double share = implementations_[q].address(number, axis);
+        const auto by = static_cast<float>(std::trunc(share * error / unit) * unit);
+        for (std::size_t i = 4 * q; i < 4 * q + 4; ++i) {
+            move[i] = by;
+            place[i] += by;
         }
     }
-    stage.run(&call_);
-    for (int axis = 0; axis < 2; ++axis) {
-        std::ranges::copy(kept[axis], floats(from + axis));
-        float* const hit = floats(found + axis);
-        for (std::size_t i = 0; finds && hit != nullptr && i < batch_size; ++i)
-            hit[i] -= move[axis][i];
-    }
+    return move;
 }
 
 }  // namespace quadrel

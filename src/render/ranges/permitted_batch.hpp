@@ -4,10 +4,11 @@
 // A varying is what exact interpolation gives, moved by its errors, rounded to a float that is
 // still permitted. Look-ups of a stage are all off by the same part of a texel: what they start
 // from is moved while it runs, and what it has found is moved back. Levels of detail are moved by
-// the sampler's bias, heights by a factor. Arithmetic is float32's own, rounded to nearest.
+// longer or shorter gradients, heights by a factor. Arithmetic is float32's own, rounded to
+// nearest.
 //
-// Stages that interpolate by themselves (vertex programs) do so without errors; levels of look-ups
-// whose gradients are not those of the undisplaced UV are moved by ErrorBudget::lod alone.
+// Stages that interpolate by themselves (vertex programs) do so without errors, and so have levels
+// of look-ups whose gradients are not those of the undisplaced UV.
 #pragma once
 
 #include <span>
@@ -38,6 +39,8 @@ class PermittedBatch {
     }
 
   private:
+    class KeptValues;
+
     void prepare(std::uint32_t material);
     float* floats(int slot) const {
         return static_cast<float*>(values_[static_cast<std::size_t>(slot)]);
@@ -46,9 +49,11 @@ class PermittedBatch {
     void interpolate(const PlannedStage& stage);
     void move_varying(int varying);
     void choose_differences();
-    void find_levels();
-    void bias_levels(const PlannedStage& stage);
+    void stretch_gradients(const PlannedStage& stage);
+    void move_heights();
     void run_looking_up(const PlannedStage& stage, std::size_t number);
+    std::vector<float> move_place(const PlannedStage& stage, std::size_t number, int slot,
+                                  int axis);
     bool looks_up(const PlannedStage& stage) const;
     std::array<double, 2> texel_error(const PlannedStage& stage) const;
 
@@ -69,14 +74,12 @@ class PermittedBatch {
     std::vector<double> exact_memory_;  ///< what interpolation gives, before errors
     std::vector<void*> exact_;
     std::vector<double> edges_[3];
-    SampledTexture textures_[texture_slot_count];
-    struct Levels {
-        double low = 0, high = 0;
+    SampledTexture heights_moved_{};  ///< the height map with texels that are moved
+    struct MovedHeights {
+        const float* of = nullptr;  ///< the map's own
+        std::vector<float> texels;
     };
-    Levels levels_[texture_slot_count];  ///< how far each may be moved
-    /// Height maps a little lower and higher than they are: [slot][0 lower, 1 higher].
-    std::vector<float> heights_[texture_slot_count][2];
-    const float* heights_of_[texture_slot_count] = {};  ///< the maps that these are made of
+    MovedHeights heights_[2];  ///< a little lower, and higher
 };
 
 }  // namespace quadrel
