@@ -138,8 +138,9 @@ class Interpolator<Ranges> {
             own += std::fabs(a - b - c + d) / 4 * off;
         }
     };
-    /// `most`: the vertices' errors, `snapping`: of their places. With a tenth for what is not
-    /// linear in the places. A lane that has no value has lane 0's coefficients, or none.
+    /// `most`: the vertices' errors, `snapping`: of their places. With a quarter more for what is
+    /// not linear in the places, and for the vertices that clipping makes far outside of the frame.
+    /// A lane that has no value has lane 0's coefficients, or none.
     QuadError quad_error(const Vertices& of, const double (&most)[3], double snapping) const {
         QuadError error;
         double slope[4][2] = {};
@@ -156,7 +157,7 @@ class Interpolator<Ranges> {
                     move[axis][lane] = screen_[from][v] * slope[from][axis];
             }
             error.add(weight, most[v]);
-            for (const auto& along : move) error.add(along, 1.1 * snapping);
+            for (const auto& along : move) error.add(along, 1.25 * snapping);
         }
         return error;
     }
