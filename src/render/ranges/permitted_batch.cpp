@@ -65,6 +65,13 @@ float float_within(double x, double low, double high) {
     return rounded;
 }
 
+/// Whether the gradients of the undisplaced UV are for the stage's look-ups, and for nothing else:
+/// with those of positions they make a frame.
+bool filters_by_gradients(const PlannedStage& stage) {
+    const auto reads = [&](Value v) { return std::ranges::count(stage.info->inputs, v) != 0; };
+    return reads(Value::dUVdx) && reads(Value::dUVdy) && !reads(Value::dPdx);
+}
+
 /// Between which two lengths of a footprint a level of detail may be made, as levels beside that of
 /// the longer gradient. Of one lane: gradients in texels along x and y.
 struct FreeLevels {
@@ -346,7 +353,7 @@ void PermittedBatch::run_looking_up(const PlannedStage& stage, std::size_t numbe
     if (!looks_up(stage)) return stage.run(&call_);
     const bool finds = stores(stage, Value::hit_uv);
     KeptValues kept(*this);
-    if (std::ranges::count(stage.info->inputs, Value::dUVdx) != 0) {
+    if (filters_by_gradients(stage)) {
         kept.keep(slot_of(Value::dUVdx), 2);
         kept.keep(slot_of(Value::dUVdy), 2);
         stretch_gradients(stage);
