@@ -1,18 +1,22 @@
 // quadrel-limits-table: how much the ranges of --limits say over whole scenes, as a Markdown table.
 //
-//     quadrel-limits-table [LIMITS [QUADS [SCENE...]]]
+//     quadrel-limits-table [LIMITS [QUADS [--search] [SCENE...]]]
 //
 // LIMITS as --limits has them (gl). Of every scene of data/ (but those of data/scenes/rows), QUADS
 // quads (64) are drawn, spread evenly over the frame, and judged as `compare --legal` judges a file
 // of the whole frame by itself: shares of covered pixels that are ambiguous, and that are
-// unconstrained. In brackets, of how many pixels no range that is right could be narrow: renders
-// that the limits permit differ there by as much as makes a range wide.
+// unconstrained. In brackets, what is unavoidable, since implementations that the limits permit
+// (src/render/ranges/extremes.hpp) differ by as much: of how many pixels no right range could be
+// narrow and one, and of how many none could be narrow, whatever gap it has. A scene in which
+// permitted values lie outside of their ranges has the first of them in place of figures. With
+// --search, what is in brackets alone, which takes no ranges. With QUADREL_LIMITS_PIXELS in the
+// environment, a line a pixel and channel on the other stream.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -22,6 +26,7 @@
 #include "quadrel/film/legal.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/ranges/extremes.hpp"
 
 namespace quadrel::bench {
 namespace {
@@ -62,34 +67,6 @@ std::vector<Window> spread_quads(int width, int height, int count) {
     return quads;
 }
 
-/// Appends the pixels of `from` that are covered, as one row.
-void append_covered(Film& row, const Film& from) {
-    const Plane& covered = *from.find("A");
-    for (std::size_t p = 0; p < from.planes.size(); ++p) {
-        if (row.planes.size() == p)
-            row.planes.push_back({from.planes[p].name, from.planes[p].type, {}});
-        for (std::size_t i = 0; i < covered.bits.size(); ++i)
-            if (covered.as_float(i) > 0) row.planes[p].bits.push_back(from.planes[p].bits[i]);
-    }
-    const int pixels = static_cast<int>(row.planes[0].bits.size());
-    row.frame = row.window = {0, 0, pixels, 1};
-}
-
-/// The covered pixels of `quads`, as one row.
-Film sampled_pixels(const Scene& scene, const std::vector<Window>& quads,
-                    const std::string& limits) {
-    RenderOptions options;
-    options.channels = channels();
-    options.channels.push_back("A");
-    options.limits = limits;
-    Film row;
-    for (const Window& quad : quads) {
-        options.window = quad;
-        append_covered(row, render(scene, options));
-    }
-    return row;
-}
-
 /// By which each channel differs over the whole frame, as `compare` says it.
 std::map<std::string, double> extents_of(const Scene& scene) {
     RenderOptions options;
@@ -108,106 +85,137 @@ std::map<std::string, double> extents_of(const Scene& scene) {
     return extents;
 }
 
-/// The biases of all textures, by their keys in the scene file.
-std::map<std::string, double> biases_of(const Scene& scene) {
-    std::map<std::string, double> biases;
-    for (const Material& material : scene.materials)
-        for (const auto& [slot, texture] : material.textures)
-            biases[texture.key] = texture.sampler.lod_bias;
-    return biases;
-}
+/// Of a channel, how many pixels its ranges say little of, and of how many no right range could say
+/// more.
+struct Shares {
+    double ambiguous = 0, unconstrained = 0;  ///< by the ranges
+    double not_one = 0;                       ///< narrow, but for gaps at best
+    double wide = 0;                          ///< wide, whatever gap there is
 
-/// Scenes whose renders the limits permit, too: levels of detail that all forms of rho allow, and
-/// an implementation that is known.
-std::vector<std::vector<std::string>> permitted(const Scene& scene, const std::string& limits) {
-    const bool direct = limits.starts_with("d3d"), exact = limits.find("rho=exact") != limits.npos;
-    const double lod = direct ? 0x1p-8 : 0x1p-4;
-    std::vector<double> biases{-lod, lod};
-    if (!direct && !exact) biases = {-lod, 0.25, 0.5};  // sqrt(2) times as long
-    std::vector<std::vector<std::string>> scenes;
-    for (const double bias : biases) {
-        std::vector<std::string> overrides;
-        for (const auto& [key, own] : biases_of(scene))
-            overrides.push_back(fmt::format("{}.lod_bias={}", key, own + bias));
-        scenes.push_back(overrides);
-    }
-    const bool interpolates = limits.find("evaluation=0") == limits.npos;
-    if (limits.starts_with("gl") && interpolates && !exact)
-        scenes.push_back({"hardware=\"llvmpipe\""});
-    return scenes;
-}
-
-/// What there is of a channel in a pixel of the row.
-struct Spread {
-    double least, most;
-    void include(double value) {
-        least = std::min(least, value);
-        most = std::max(most, value);
+    void include_worst(const Shares& other) {
+        for (double Shares::*share :
+             {&Shares::ambiguous, &Shares::unconstrained, &Shares::not_one, &Shares::wide})
+            this->*share = std::max(this->*share, other.*share);
     }
 };
 
 class SceneShares {
   public:
-    SceneShares(const std::string& name, const std::string& limits, int quads) {
-        const Scene scene = load_scene(name);
-        const auto windows = spread_quads(scene.width, scene.height, quads);
-        extents_ = extents_of(scene);
-        const auto start = std::chrono::steady_clock::now();
-        row_ = sampled_pixels(scene, windows, limits);
-        seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (row_.planes.empty() || row_.window.area() == 0)
-            throw UsageError("no quad that is covered");
-        for (const auto& overrides : permitted(scene, limits))
-            variants_.push_back(sampled_pixels(load_scene(name, overrides), windows, ""));
+    SceneShares(const std::string& name, const std::string& limits, int quads, bool with_ranges)
+        : scene_(load_scene(name)), extents_(extents_of(scene_)), with_ranges_(with_ranges) {
+        options_.channels = names_;
+        options_.channels.emplace_back("A");
+        options_.limits = limits;
+        Extremes extremes(scene_, names_, limits);
+        const auto windows = spread_quads(scene_.width, scene_.height, quads);
+        counts_.resize(names_.size());
+        for (const Window& window : windows) judge_quad(window, extremes);
+        if (pixels_ == 0) throw UsageError("no quad that is covered");
     }
 
-    std::size_t pixels() const { return row_.window.area(); }
-    double milliseconds() const { return 1000 * seconds_ / static_cast<double>(pixels()); }
+    std::size_t pixels() const { return pixels_; }
+    /// Of ranges, and of the search, a pixel.
+    double milliseconds() const { return 1000 * seconds_ / static_cast<double>(pixels_); }
+    double search_milliseconds() const {
+        return 1000 * search_seconds_ / static_cast<double>(pixels_);
+    }
+    std::uint64_t implementations() const { return implementations_; }
 
-    /// Percent ambiguous / unconstrained (at least), of the column's worst channel of each.
-    std::string text(const Column& column) const {
-        double worst[3] = {};
-        for (const std::string& channel : column.channels) {
-            const auto shares = shares_of(channel);
-            for (int k = 0; k < 3; ++k) worst[k] = std::max(worst[k], shares[k]);
-        }
-        return fmt::format("{:.0f} / {:.0f} ({:.0f})", worst[0], worst[1], worst[2]);
+    /// Percent, of the column's worst channel of each.
+    Shares of(const Column& column) const {
+        Shares worst;
+        for (std::size_t c = 0; c < names_.size(); ++c)
+            if (std::ranges::count(column.channels, names_[c]) != 0)
+                worst.include_worst(percent(counts_[c]));
+        return worst;
     }
 
   private:
-    std::array<double, 3> shares_of(const std::string& name) const {
-        const double extent = extents_.at(name), widest = LegalRules().widest;
-        const auto plane = [&](const std::string& prefix) -> const Plane& {
-            return *row_.find(prefix + name);
-        };
-        std::array<double, 3> counts{};
-        for (std::size_t i = 0; i < pixels(); ++i) {
-            const LegalRange range{plane("gpu.lo.").as_float(i), plane("gpu.hi.").as_float(i),
-                                   plane("gpu.paths.").bits[i], plane("gpu.gap.lo.").as_float(i),
-                                   plane("gpu.gap.hi.").as_float(i)};
-            const double value = plane("").as_float(i);
-            const LegalVerdict verdict = legal_verdict(range, value, extent, widest);
-            if (verdict == LegalVerdict::fail) throw UsageError("a value outside of its range");
-            counts[0] += verdict == LegalVerdict::ambiguous;
-            counts[1] += verdict == LegalVerdict::unconstrained;
-            Spread spread{value, value};
-            for (const Film& variant : variants_) {
-                const double other = variant.find(name)->as_float(i);
-                if (legal_verdict(range, other, extent, widest) == LegalVerdict::fail)
-                    throw UsageError(fmt::format("{} of a permitted render is outside", name));
-                spread.include(other);
-            }
-            counts[2] += spread.most - spread.least > widest * extent;
-        }
-        for (double& count : counts) count *= 100 / static_cast<double>(pixels());
+    Shares percent(Shares counts) const {
+        for (double Shares::*share :
+             {&Shares::ambiguous, &Shares::unconstrained, &Shares::not_one, &Shares::wide})
+            counts.*share *= 100 / static_cast<double>(pixels_);
         return counts;
     }
 
+    void judge_quad(const Window& window, Extremes& extremes) {
+        using Clock = std::chrono::steady_clock;
+        const auto seconds = [](Clock::time_point since) {
+            return std::chrono::duration<double>(Clock::now() - since).count();
+        };
+        auto start = Clock::now();
+        options_.window = window;
+        const Film ranges = with_ranges_ ? render(scene_, options_) : Film();
+        seconds_ += seconds(start);
+        start = Clock::now();
+        std::vector<FoundPixel> pixels = extremes.search(window);
+        search_seconds_ += seconds(start);
+        for (FoundPixel& pixel : pixels) {
+            ++pixels_;
+            implementations_ = pixel.values.front().size();
+            for (std::size_t c = 0; c < pixel.values.size(); ++c) judge_pixel(ranges, pixel, c);
+        }
+    }
+
+    void judge_pixel(const Film& ranges, FoundPixel& pixel, std::size_t c) {
+        const double most = LegalRules().widest * extents_.at(names_[c]);
+        if (with_ranges_) judge_range(ranges, pixel, c);
+        const FoundSpread spread = spread_of(pixel.values[c]);
+        counts_[c].not_one += spread.width > most;
+        counts_[c].wide += spread.width_less_gap > most;
+        if (std::getenv("QUADREL_LIMITS_PIXELS") != nullptr)
+            fmt::print(stderr, "{} at {},{}: found {} wide, {} less its widest gap; wide is {}\n",
+                       names_[c], pixel.x, pixel.y, spread.width, spread.width_less_gap, most);
+    }
+
+    void judge_range(const Film& ranges, FoundPixel& pixel, std::size_t c) {
+        const std::string& name = names_[c];
+        const double extent = extents_.at(name), widest = LegalRules().widest;
+        const std::size_t i = ranges.index(pixel.x, pixel.y);
+        const auto plane = [&](const std::string& prefix) -> const Plane& {
+            return *ranges.find(prefix + name);
+        };
+        const LegalRange range{plane("gpu.lo.").as_float(i), plane("gpu.hi.").as_float(i),
+                               plane("gpu.paths.").bits[i], plane("gpu.gap.lo.").as_float(i),
+                               plane("gpu.gap.hi.").as_float(i)};
+        const float value = plane("").as_float(i);
+        pixel.values[c].push_back(value);
+        Shares& counts = counts_[c];
+        const LegalVerdict verdict = legal_verdict(range, value, extent, widest);
+        counts.ambiguous += verdict == LegalVerdict::ambiguous;
+        counts.unconstrained += verdict == LegalVerdict::unconstrained;
+        for (const float other : pixel.values[c])
+            if (legal_verdict(range, other, extent, widest) == LegalVerdict::fail)
+                throw UsageError(fmt::format("{} at {},{} may be {}, which is not in {} to {}",
+                                             name, pixel.x, pixel.y, other, range.lo, range.hi));
+        if (std::getenv("QUADREL_LIMITS_PIXELS") != nullptr)
+            fmt::print(stderr, "{} at {},{}: range {} wide, {} less its gap\n", name, pixel.x,
+                       pixel.y, range.hi - range.lo,
+                       range.hi - range.lo - std::max(0.0f, range.gap_hi - range.gap_lo));
+    }
+
+    Scene scene_;
     std::map<std::string, double> extents_;
-    Film row_;
-    double seconds_ = 0;
-    std::vector<Film> variants_;  ///< what else is permitted, the same pixels
+    bool with_ranges_;
+    std::vector<std::string> names_ = channels();
+    RenderOptions options_;
+    double seconds_ = 0, search_seconds_ = 0;
+    std::size_t pixels_ = 0;
+    std::uint64_t implementations_ = 0;
+    std::vector<Shares> counts_;  ///< a channel
 };
+
+/// Whether `compare` would let the channels pass: it does, it could not whatever right ranges there
+/// were, or neither is known.
+const char* target(const Shares& shares, bool with_ranges) {
+    const LegalRules rules;
+    const double ambiguous = 100 * rules.most_ambiguous,
+                 unconstrained = 100 * rules.most_unconstrained;
+    if (with_ranges && shares.ambiguous <= ambiguous && shares.unconstrained <= unconstrained)
+        return "met";
+    const bool beyond = shares.wide > unconstrained || shares.not_one > ambiguous + unconstrained;
+    return beyond ? "impossible" : "open";
+}
 
 void print_header() {
     std::string line = "| scene | pixels |", rule = "|---|---|";
@@ -215,21 +223,34 @@ void print_header() {
         line += fmt::format(" {} |", column.name);
         rule += "---|";
     }
-    std::cout << line << " ms a pixel |\n" << rule << "---|" << std::endl;
+    std::cout << line << " N, R G B | ms a pixel | renders |\n"
+              << rule << "---|---|---|" << std::endl;
 }
 
-void print_scene(const std::string& name, const std::string& limits, int quads) {
-    const SceneShares shares(name, limits, quads);
+void print_scene(const std::string& name, const std::string& limits, int quads, bool with_ranges) {
+    const SceneShares shares(name, limits, quads, with_ranges);
     std::string line = fmt::format("| {} | {} |", name, shares.pixels());
-    for (const Column& column : columns()) line += fmt::format(" {} |", shares.text(column));
-    std::cout << line << fmt::format(" {:.1f} |", shares.milliseconds()) << std::endl;
+    std::vector<std::string> targets;
+    for (const Column& column : columns()) {
+        const Shares of = shares.of(column);
+        const std::string by_ranges =
+            with_ranges ? fmt::format("{:.0f} / {:.0f} ", of.ambiguous, of.unconstrained) : "";
+        line += fmt::format(" {}({:.0f} / {:.0f}) |", by_ranges, of.not_one, of.wide);
+        targets.emplace_back(target(of, with_ranges));
+    }
+    std::cout << line
+              << fmt::format(" {}, {} | {:.0f} + {:.0f} | {} |", targets[targets.size() - 2],
+                             targets.back(), shares.milliseconds(), shares.search_milliseconds(),
+                             shares.implementations())
+              << std::endl;
 }
 
-void print_table(const std::string& limits, int quads, const std::vector<std::string>& scenes) {
+void print_table(const std::string& limits, int quads, bool with_ranges,
+                 const std::vector<std::string>& scenes) {
     print_header();
     for (const std::string& name : scenes) {
         try {
-            print_scene(name, limits, quads);
+            print_scene(name, limits, quads, with_ranges);
         } catch (const UsageError& error) {
             std::cout << fmt::format("| {} | {} |", name, error.what()) << std::endl;
         }
@@ -243,11 +264,12 @@ int main(int argc, char** argv) try {
     const std::string limits = argc > 1 ? argv[1] : "gl";
     const int quads = argc > 2 ? std::stoi(argv[2]) : 64;
     std::vector<std::string> scenes(argv + std::min(argc, 3), argv + argc);
+    const bool with_ranges = std::erase(scenes, "--search") == 0;
     if (scenes.empty()) {
         scenes = quadrel::installed_scenes();
         std::erase_if(scenes, [](const std::string& name) { return name.starts_with("rows/"); });
     }
-    quadrel::bench::print_table(limits, quads, scenes);
+    quadrel::bench::print_table(limits, quads, with_ranges, scenes);
     return 0;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

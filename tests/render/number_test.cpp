@@ -40,7 +40,7 @@ struct Tally {
     int covered = 0, decided_otherwise = 0, off = 0, rounded = 0;
 };
 
-Tally compare(const Film& in_float, const Film& other) {
+Tally tally_of(const Film& in_float, const Film& other) {
     Tally tally;
     for (int y = 0; y < in_float.window.y1; ++y)
         for (int x = 0; x < in_float.window.x1; ++x) {
@@ -73,7 +73,7 @@ testing::AssertionResult differs_by_rounding(const Renderer& renderer, const Sce
     if (auto same = same_bits(fixed, in_double(renderer, scene, front_end)); !same) return same;
     channels.insert(channels.end(), smooth.begin(), smooth.end());
     const Film in_float = take(render, scene, channels);
-    const Tally tally = compare(in_float, in_double(renderer, scene, channels));
+    const Tally tally = tally_of(in_float, in_double(renderer, scene, channels));
     if (tally.rounded > 0 && 100 * tally.decided_otherwise <= 3 * tally.covered &&
         100 * tally.off <= 3 * tally.covered)
         return testing::AssertionSuccess();

@@ -2,10 +2,16 @@
 // is a model, whose three numbers are settings (num/range/error_budget.hpp).
 //
 // The vertices' values are off by `plane` times the largest of them, and their places by `snapping`
-// pixels along each axis. These errors belong to the triangle: they are named, weighed by the
-// barycentrics in every lane, and so hardly show in differences between lanes. What is left is each
-// lane's own, `evaluation` times the largest value. Outside of the triangle the weights grow, and
-// the errors with them. Which vertices and edges a lane has are the reference's.
+// pixels along each axis. These errors belong to the triangle: what they make of a value is the
+// same over a quad but for a little, and so hardly shows in differences between lanes. What is left
+// is each lane's own, `evaluation` times the largest value. Outside of the triangle the weights
+// grow, and the errors with them. Which vertices and edges a lane has are the reference's.
+//
+// A value at a vertex that is off by e_v moves the value in a lane by w_v e_v, with its
+// barycentrics w; a vertex that is moved by d_v, by l_v g d_v, with its barycentrics l in the
+// window and the value's gradient g there. Each such coefficient is, over a quad, a mean, a change
+// along x, one along y, and a rest: three named errors, the same in all lanes but for their signs,
+// and what is a lane's own.
 #pragma once
 
 #include "quadrel/num/range/geometry.hpp"
@@ -63,6 +69,13 @@ class Interpolator<Ranges> {
                        range_detail::near(others[v], others[v]);
             const RealInterval sum = q[0] + q[1] + q[2];
             known_[lane] = !sum.has_zero();
+            double screen = 0;
+            for (int v = 0; v < 3; ++v) {
+                part_[lane][v] = q[v].middle();
+                screen += call.edges[v][first_lane + lane];
+            }
+            for (int v = 0; v < 3; ++v)
+                screen_[lane][v] = call.edges[v][first_lane + lane] / screen;
             for (int v = 0; v < 3 && known_[lane]; ++v) weight_[lane][v] = q[v] / sum;
         }
     }
@@ -111,13 +124,52 @@ class Interpolator<Ranges> {
                weight_[lane][1] * RealInterval(of.v[1].middle()) +
                weight_[lane][2] * RealInterval(of.v[2].middle());
     }
-    /// The greatest change from pixel to pixel along x plus that along y, twice what the quad
-    /// shows: it grows towards the triangle's ends.
-    double gradient(const Vertices& of) const {
-        const auto change = [&](int a, int b) {
-            return known_[a] && known_[b] ? (middle(of, a) - middle(of, b)).magnitude() : 0;
-        };
-        return 1.25 * (std::max(change(1, 0), change(3, 2)) + std::max(change(2, 0), change(3, 1)));
+    /// What errors of the triangle make of a value: over the whole quad alike, from its middle to
+    /// either side along x and along y, and what is left in a lane.
+    struct QuadError {
+        double common = 0, along_x = 0, along_y = 0, own = 0;
+
+        /// An error up to +-`off` that lanes have with these coefficients.
+        void add(const double (&in_lane)[4], double off) {
+            const double a = in_lane[0], b = in_lane[1], c = in_lane[2], d = in_lane[3];
+            common += std::fabs(a + b + c + d) / 4 * off;
+            along_x += std::fabs(b - a + d - c) / 4 * off;
+            along_y += std::fabs(c - a + d - b) / 4 * off;
+            own += std::fabs(a - b - c + d) / 4 * off;
+        }
+    };
+    /// `most`: the vertices' errors, `snapping`: of their places. With a quarter more for what is
+    /// not linear in the places, and for the vertices that clipping makes far outside of the frame.
+    /// A lane that has no value has lane 0's coefficients, or none.
+    QuadError quad_error(const Vertices& of, const double (&most)[3], double snapping) const {
+        QuadError error;
+        double slope[4][2] = {};
+        for (int lane = 0; lane < 4 && snapping > 0; ++lane)
+            for (int axis = 0; axis < 2 && known_[lane]; ++axis)
+                slope[lane][axis] = window_slope(of, lane, axis);
+        for (int v = 0; v < 3; ++v) {
+            double weight[4] = {}, move[2][4] = {};
+            for (int lane = 0; lane < 4; ++lane) {
+                const int from = known_[lane] ? lane : 0;
+                if (!known_[from]) continue;
+                weight[lane] = weight_[from][v].middle();
+                for (int axis = 0; axis < 2; ++axis)
+                    move[axis][lane] = screen_[from][v] * slope[from][axis];
+            }
+            error.add(weight, most[v]);
+            for (const auto& along : move) error.add(along, 1.25 * snapping);
+        }
+        return error;
+    }
+    /// d value / d window along an axis: of the quotient of two functions that are linear there.
+    double window_slope(const Vertices& of, int lane, int axis) const {
+        double above = 0, below = 0;
+        for (int v = 0; v < 3; ++v) {
+            const double slope = part_[axis + 1][v] - part_[0][v];
+            above += slope * (of.v[v].middle() - middle(of, lane).middle());
+            below += part_[lane][v];
+        }
+        return below != 0 ? above / below : 0;
     }
 
     Ranges varying(const Vertices& of) const {
@@ -125,23 +177,25 @@ class Interpolator<Ranges> {
         const ErrorBudget& errors = context.budget;
         double largest = 0;
         for (const RealInterval& v : of.v) largest = std::max(largest, v.magnitude());
-        const double snapped = errors.snapping > 0 ? errors.snapping * gradient(of) : 0;
+        double most[3];
+        for (int v = 0; v < 3; ++v) most[v] = next_up(of.v[v].width() / 2) + errors.plane * largest;
+        const QuadError shared = quad_error(of, most, errors.snapping);
+        const double parts = shared.common + shared.along_x + shared.along_y;
         const std::int32_t group = ++context.shared_errors;
         Ranges result(Ranged::anything());
         for (int lane = 0; lane < 4; ++lane) {
             if (!known_[lane]) continue;
             Ranged value(middle(of, lane));
             if (!value.is_bounded()) continue;
-            double spread = 0, parts = 0, slack = 0;
+            double spread = 0, slack = shared.own;
             for (int v = 0; v < 3; ++v) {
-                const double weight = weight_[lane][v].middle();
-                slack += std::fabs(weight) * largest * 0x1p-50;
-                const double off = next_up(of.v[v].width() / 2) + errors.plane * largest + snapped;
-                value.part[v] = weight * off;
-                parts += std::fabs(value.part[v]);
-                spread += std::fabs(weight);
-                slack += weight_[lane][v].width() * off;
+                const double weight = std::fabs(weight_[lane][v].middle());
+                slack += weight * largest * 0x1p-50 + weight_[lane][v].width() * most[v];
+                spread += weight;
             }
+            value.part[0] = shared.common;
+            value.part[1] = lane % 2 == 0 ? -shared.along_x : shared.along_x;
+            value.part[2] = lane < 2 ? -shared.along_y : shared.along_y;
             const RealInterval own =
                 range_detail::widened({value.lo, value.hi}, errors.evaluation * largest * spread +
                                                                 slack + parts * 0x1p-48);
@@ -156,6 +210,8 @@ class Interpolator<Ranges> {
 
     bool known_[4];
     RealInterval weight_[4][3];
+    double part_[4][3];    ///< of these, before they are divided by their sum: linear in the window
+    double screen_[4][3];  ///< barycentrics in the window
 };
 
 }  // namespace quadrel

@@ -11,6 +11,7 @@
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "render/inject/injected_values.hpp"
+#include "render/ranges/exact_rows.hpp"
 
 namespace quadrel {
 namespace {
@@ -21,16 +22,6 @@ constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
 constexpr double no_border = std::numeric_limits<double>::infinity();
 
 constexpr FragmentRange unknown{-no_border, no_border, 0, no_border, no_border};
-
-/// By the pieces that triangles have been cut into, whose vertices the edges belong to.
-void interpolate_exactly(StageCall& call, const Geometry& geometry) {
-    call.planes = nullptr;
-    const PrimitiveRows& pieces = geometry.pieces;
-    if (pieces.data.empty()) return;
-    call.primitives = pieces.data.data();
-    if (!pieces.frames.empty()) call.frames = pieces.frames.data();
-    if (!pieces.vertices.empty()) call.vertices = pieces.vertices.data();
-}
 
 /// Before the first of several.
 constexpr FragmentRange no_range{no_border, -no_border, 0};
