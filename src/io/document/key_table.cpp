@@ -109,7 +109,9 @@ constexpr SceneKey keys[] = {
     {"material", "layers", "name or `texture`", "none",
      "depth layers, for the searches that look behind things: depths of a front and of the back "
      "behind it in two or four channels, in pairs, sorted, 0 at the top and 1 at the bottom; where "
-     "both are equal there is nothing. Of one channel: a front that is solid down to the bottom",
+     "both are equal there is nothing. Of one channel: a front that is solid down to the bottom; "
+     "of "
+     "three the second solid is",
      Below::object, "texture"},
     {"material", "layers_2", "name or `texture`", "none",
      "depths of two more solids, behind those of `layers`, for `true-impostor`", Below::object,

@@ -129,6 +129,7 @@ void read_parts(const std::filesystem::path& path, Parts& parts) {
     check_gltf_version(parts.file.name, parts.file.json);
     check_gltf_extensions(parts.file.name, parts.file.json);
     parts.checked = checked_gltf(parts.file.name, parts.file.json);
+    note_images(parts.file.json, path.parent_path());
 }
 
 }  // namespace
@@ -139,7 +140,6 @@ GltfFile open_gltf(const std::filesystem::path& path) {
     fill_model(parts.file, parts.checked);
     load_gltf_buffers(parts.file, parts.checked, path.parent_path(), parts.binary);
     drop_bytes(parts.file.json);
-    note_images(parts.file.json, path.parent_path());
     return std::move(parts.file);
 }
 
