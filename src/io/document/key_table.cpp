@@ -71,7 +71,11 @@ constexpr SceneKey keys[] = {
      "how the file's colour channels are encoded"},
     {"texture", "format", "`unorm8` `srgb8` `unorm16` `half` `float`", "the file's",
      "what texels of all levels are rounded to"},
-    {"texture", "mip", "`none` `box` `area`", "`box`", "how levels are made"},
+    {"texture", "mip", "`none` `box` `area`", "`box`",
+     "how levels are made, each of the one before in linear light as it is before rounding, the "
+     "first "
+     "of the image as decoded: `half` of a file in sRGB too is rounded once a level, and not what "
+     "the levels behind it are means of"},
     {"texture", "flip_v", "boolean", "false", "row 0 is the file's last row"},
     {"texture", "allow_nan", "boolean", "false",
      "NaN and infinite texels are kept instead of refused; `--stats` counts them"},
