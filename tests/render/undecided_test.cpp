@@ -106,6 +106,27 @@ TEST(Undecided, MarksPixelsThatSnappingMayCoverOrNot) {
     EXPECT_FALSE(marks_what_may_change("gl,snapping=0", false));
 }
 
+/// Where a search clips what it discards: along the rims of bars, not in the holes between them.
+TEST(Undecided, MarksDiscardedFragmentsWhereTheyMayBeKept) {
+    RenderOptions options;
+    options.channels = {"A", "undecided"};
+    options.limits = "gl,snapping=0.0625";
+    options.window = Window{12, 12, 24, 24};
+    const Film film = render(load_scene("lattice", {"size=[40,40]"}), options);
+    int marked[2] = {}, unmarked[2] = {};
+    for (int y = 12; y < 24; ++y)
+        for (int x = 12; x < 24; ++x) {
+            const std::size_t i = film.index(x, y);
+            const bool covered = is_covered(film, i), open = has_bit(film, i, undecided_presence);
+            ++(open ? marked : unmarked)[covered];
+            EXPECT_FALSE(open && is_inner(film, x, y)) << x << "," << y;
+            EXPECT_TRUE(covered || (film.find("undecided")->bits[i] & ~undecided_presence) == 0);
+        }
+    EXPECT_GT(marked[0] + marked[1], 0);
+    EXPECT_GT(unmarked[0], 0);
+    EXPECT_GT(unmarked[1], 0);
+}
+
 /// Of hits whose range holds a border between cells those are marked, and no others; `shift`: the
 /// bits of a pixel so far away.
 testing::AssertionResult marks_cells(const Film& film, int texels, std::size_t shift = 0) {

@@ -285,12 +285,9 @@ void TileRenderer::mark_presence(const Tile& tile) {
     const PixelRect& rect = tile.rect;
     Presence presence(rect, plan_.limits.budget.snapping);
     for (const DrawnTriangle& triangle : geometry_.triangles) presence.add(triangle.screen);
-    const auto is_covered = [&](int x, int y) {
-        return solid_ || (!tile.triangles.empty() && buffer_.triangle(x, y, 0) != no_triangle);
-    };
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1; ++x)
-            if (presence.is_open(x, y, is_covered(x, y))) add_undecided(x, y, undecided_presence);
+            if (presence.is_open(x, y)) add_undecided(x, y, undecided_presence);
     mark_discarded();
 }
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 
 namespace quadrel {
 namespace {
 
-constexpr std::uint8_t all_corners = 15;
+/// Of a pixel's square, in its halves.
+constexpr int places[][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+constexpr std::uint8_t all_places = 31;
 
 bool covers(const ScreenTriangle& triangle, std::int64_t x, std::int64_t y) {
     return std::ranges::all_of(
@@ -26,8 +29,8 @@ bool may_touch(const ScreenTriangle& triangle, std::int64_t x, std::int64_t y, s
 Presence::Presence(const PixelRect& rect, double snapping)
     : rect_(rect),
       reach_(static_cast<std::int64_t>(std::ceil(snapping * subpixel_units))),
-      corners_(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height())),
-      touched_(corners_.size()) {}
+      places_(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height())),
+      touched_(places_.size()) {}
 
 std::size_t Presence::index(int x, int y) const {
     return static_cast<std::size_t>(y - rect_.y0) * static_cast<std::size_t>(rect_.width()) +
@@ -46,17 +49,15 @@ void Presence::add(const ScreenTriangle& triangle) {
             const std::size_t i = index(x, y);
             if (!may_touch(triangle, u, v, reach_)) continue;
             touched_[i] = true;
-            for (int corner = 0; corner < 4; ++corner)
-                if (covers(triangle, u + (corner % 2 == 0 ? -reach_ : reach_),
-                           v + (corner / 2 == 0 ? -reach_ : reach_)))
-                    corners_[i] |= static_cast<std::uint8_t>(1u << corner);
+            for (std::size_t k = 0; k < std::size(places); ++k)
+                if (covers(triangle, u + reach_ * places[k][0], v + reach_ * places[k][1]))
+                    places_[i] |= static_cast<std::uint8_t>(1u << k);
         }
 }
 
-bool Presence::is_open(int x, int y, bool covered) const {
-    if (reach_ == 0) return false;
+bool Presence::is_open(int x, int y) const {
     const std::size_t i = index(x, y);
-    return covered ? corners_[i] != all_corners : touched_[i];
+    return touched_[i] && places_[i] != all_places;
 }
 
 }  // namespace quadrel

@@ -20,16 +20,17 @@ class Presence {
     /// One of the triangles, of whatever material and depth.
     void add(const ScreenTriangle& triangle);
 
-    /// Of a pixel that is covered, or is not.
-    bool is_open(int x, int y, bool covered) const;
+    /// Whether triangles cover a part of the pixel's square and not all of it, by its corners and
+    /// its middle.
+    bool is_open(int x, int y) const;
 
   private:
     std::size_t index(int x, int y) const;
 
     PixelRect rect_;
-    std::int64_t reach_;                 ///< in units of sub-pixels, not less than `snapping`
-    std::vector<std::uint8_t> corners_;  ///< of each pixel's square: those that are covered
-    std::vector<bool> touched_;          ///< whether any part of it may be
+    std::int64_t reach_;                ///< in units of sub-pixels, not less than `snapping`
+    std::vector<std::uint8_t> places_;  ///< of each pixel's square: those that are covered
+    std::vector<bool> touched_;         ///< whether any part of it may be
 };
 
 }  // namespace quadrel

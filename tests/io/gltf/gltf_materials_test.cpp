@@ -240,9 +240,10 @@ TEST_F(GltfMaterials, WhatIsNoSamplerIsRefused) {
         }
         return "nothing";
     };
-    for (const auto& [key, known, wrong] :
-         {std::tuple{"wrapS", 10497, 9729}, {"wrapT", 33648, 33069}, {"magFilter", 9729, 9987},
-          {"minFilter", 9987, 10497}}) {
+    for (const auto& [key, known, wrong] : {std::tuple{"wrapS", 10497, 9729},
+                                            {"wrapT", 33648, 33069},
+                                            {"magFilter", 9729, 9987},
+                                            {"minFilter", 9987, 10497}}) {
         EXPECT_EQ(refused(key, wrong), std::string("samplers[0].") + key);
         EXPECT_EQ(refused(key, "9728"), std::string("samplers[0].") + key);
         EXPECT_EQ(refused(key, known), "nothing") << key;
