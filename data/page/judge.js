@@ -72,26 +72,27 @@ function verdictOf(reference, drawn) {
 // `snapsCoarser`: the GPU places corners by fewer bits than the ranges take for granted, as it may.
 function verdictLine({ rows, counts, pixels, unranged, first }, snapsCoarser) {
   const apart = unranged.filter(({ unequal }) => unequal).length;
-  if (!rows.length) return apart ? `No ranges are embedded; ${apart} of ${counted(unranged.length, "channel")} ${apart === 1 ? "differs" : "differ"}.` : "Equal, bit for bit.";
+  if (!rows.length) return `Not judged: no ranges are embedded. ${apart ? `${apart} of ${counted(unranged.length, "channel")} ${apart === 1 ? "differs" : "differ"}.` : "All channels are equal, bit for bit."}`;
   const judged = pixels - counts[4];
+  if (!judged) return "No pixel is judged.";
   return counts[3] ? `${counted(counts[3], "pixel")} of ${judged} ${counts[3] === 1 ? "leaves its" : "leave their"} legal range, first in ${first}${snapsCoarser ? ": perhaps as this GPU snaps corners coarser than the ranges know, which it may (below)" : ""}.` :
-    `None of ${judged} pixels leaves its legal range.`;
+    `None of ${counted(judged, "judged pixel")} leaves its legal range${counts[4] ? `; ${counts[4]} are not judged` : ""}.`;
 }
 function channelButton(name) {
   return html("button", { type: "button", onclick: () => { byId("channel").value = name; takeControls(); byId("stage").scrollIntoView({ block: "nearest" }); } }, name);
 }
 function verdictTable({ rows, counts, pixels, unranged }) {
   const number = (n, bad) => html("td", { className: bad && n ? "unequal" : n ? "" : "equal" }, String(n));
-  /* What is not judged is so in all channels. */
-  const head = html("tr", {}, ...["Channel", "equal bits", ...classNames.slice(0, 4), "farthest outside"].map((text, k) =>
-    html("th", { scope: "col" }, ...(k > 1 && k < 6 ? [html("i", { className: "box", style: `background:rgb(${classColours[k - 2]})` }), " "] : []), text)));
+  const shown = counts[4] ? classNames : classNames.slice(0, 4), last = shown.length;
+  const head = html("tr", {}, ...["Channel", "equal bits", ...shown, "farthest outside"].map((text, k) =>
+    html("th", { scope: "col" }, ...(k > 1 && k < last + 2 ? [html("i", { className: "box", style: `background:rgb(${classColours[k - 2]})` }), " "] : []), text)));
   const body = rows.map((row) => html("tr", {}, html("th", { scope: "row" }, channelButton(row.name)), number(row.equal),
-    ...row.counts.slice(0, 4).map((n, k) => number(n, k === 3)), html("td", { className: row.counts[3] ? "unequal" : "equal" }, row.counts[3] ? short(row.farthest) : "–")));
+    ...row.counts.slice(0, last).map((n, k) => number(n, k === 3)), html("td", { className: row.counts[3] ? "unequal" : "equal" }, row.counts[3] ? short(row.farthest) : "–")));
   for (const { name, equal, unequal } of unranged)
     body.push(html("tr", {}, html("th", { scope: "row" }, channelButton(name)), number(equal),
-      html("td", { colSpan: 5, className: unequal ? "word unequal" : "word equal" }, unequal ? `no range; ${unequal} of ${pixels} differ` : "no range")));
+      html("td", { colSpan: last + 1, className: unequal ? "word unequal" : "word equal" }, unequal ? `no range; ${unequal} of ${pixels} differ` : "no range")));
   if (rows.length)
-    body.unshift(html("tr", { className: "all" }, html("th", { scope: "row" }, "pixels by their worst"), html("td", {}, ""), ...counts.slice(0, 4).map((n, k) => number(n, k === 3)), html("td", {}, "")));
+    body.unshift(html("tr", { className: "all" }, html("th", { scope: "row" }, "pixels by their worst"), html("td", {}, ""), ...counts.slice(0, last).map((n, k) => number(n, k === 3)), html("td", {}, "")));
   return html("div", { className: "scroll tall" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...body)));
 }
 function notesOf(drawing, verdict) {
@@ -99,7 +100,7 @@ function notesOf(drawing, verdict) {
   if (verdict?.edges) notes.push(`${counted(verdict.edges, "pixel")} at edges ${verdict.edges === 1 ? "is" : "are"} covered on one side alone, which snapping permits; nothing else is judged there.`);
   if (verdict?.uncovered) notes.push(`${counted(verdict.uncovered, "pixel")} away from all edges ${verdict.uncovered === 1 ? "is" : "are"} covered on one side alone.`);
   if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most an eighth of their distance from the reference.`);
-  if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared.`);
+  if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared and no more.`);
   if (lacking.length) notes.push(`Not judged: ${lacking.join(", ")}, for which neither GLSL ES 3.0 nor WGSL has a word.`);
   if (refusal) notes.push(`Some channels have no range: ${refusal}.`);
   return notes;

@@ -120,14 +120,19 @@ function classesOf(a, b, choice) {
   return { classes, counts, picture: paint(a, (i) => classColours[classes[i]]) };
 }
 /* The first channel of each pixel, in the reference's order, that leaves its range; null where there are no ranges. */
+const noneLeft = [60, 64, 72];
 function firstLeftOf(a, b) {
   const judged = judgedChannels(a, b);
   if (judged.length === 0 || !a.fits(b)) return null;
-  const first = new Int16Array(a.width * a.height).fill(-1), counts = judged.map(() => 0);
+  const none = -1, unknown = -2, first = new Int16Array(a.width * a.height).fill(unknown), counts = judged.map(() => 0);
   judged.forEach((of, k) => {
-    for (let i = 0; i < first.length; i += 1)
-      if (first[i] < 0 && isOutside(of, i)) { first[i] = k; counts[k] += 1; }
+    for (let i = 0; i < first.length; i += 1) {
+      if (first[i] >= 0 || !isJudged(of, i)) continue;
+      first[i] = none;
+      if (isOutside(of, i)) { first[i] = k; counts[k] += 1; }
+    }
   });
-  return { names: judged.map(({ name }) => name), counts, inside: first.length - counts.reduce((x, y) => x + y, 0),
-           picture: paint(a, (i) => (first[i] < 0 ? [0, 0, 0] : colourOfCode(first[i]))) };
+  const unjudged = first.filter((k) => k === unknown).length;
+  return { names: judged.map(({ name }) => name), counts, unjudged, inside: first.filter((k) => k === none).length,
+           picture: paint(a, (i) => (first[i] === unknown ? classColours[4] : first[i] === none ? noneLeft : colourOfCode(first[i]))) };
 }

@@ -48,16 +48,17 @@ function presetCell(result, preset) {
   if (preset.differing === 0) return html("td", { className: "word equal" }, "=");
   return html("td", { className: "word" }, preset.does === result.seen ? `${preset.differing} of ${preset.answers} differ` : preset.does);
 }
-function seenCell(result) {
-  if (result.missing) return html("td", { className: "word equal" }, `not asked: ${result.missing}`);
+function seenCell(result, { missing }) {
+  if (result.missing) return html("td", { className: "word equal" }, `not asked: ${missing || result.missing}`);
   if (result.permitted === false) return html("td", { className: "word unequal" }, `${result.seen}: not permitted`);
   return html("td", { className: "word" }, result.seen);
 }
 function rulesTable({ presets, probes }, results) {
   const head = html("tr", {}, ...["Probe", "This GPU", ...presets].map((text, k) => html("th", { scope: "col", className: k ? "word" : "" }, text)));
+  const texts = probes.map((probe) => probeTexts(probe, wishes.by));
   const rows = results.map((result, i) => html("tr", {},
-    html("th", { scope: "row", title: `Permitted: ${probes[i].permits}` }, result.id, probes[i].not_modelled ? " *" : "", html("small", {}, probes[i].asks)),
-    seenCell(result), ...result.presets.map((preset) => presetCell(result, preset))));
+    html("th", { scope: "row", title: `Permitted: ${texts[i].permits}` }, result.id, probes[i].not_modelled ? " *" : "", html("small", {}, texts[i].asks)),
+    seenCell(result, texts[i]), ...result.presets.map((preset) => presetCell(result, preset))));
   return html("div", { className: "scroll" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...rows)));
 }
 function agreements(presets, results) {
@@ -67,9 +68,11 @@ function agreements(presets, results) {
 function showRules(described, results) {
   const counts = agreements(described.presets, results), closest = counts.reduce((x, y) => (y.agreed > x.agreed ? y : x));
   const wrong = results.filter(({ permitted }) => permitted === false).map(({ id }) => id);
+  const byWebGpu = wishes.by === "webgpu";
   const left = described.probes.filter(({ not_modelled }) => not_modelled);
   byId("rules").replaceChildren(
-    html("p", { id: "rules-verdict", className: wrong.length ? "bad" : "good" }, wrong.length ? `Not permitted: ${wrong.join(", ")}.` : "All that is seen is permitted."),
+    html("p", { id: "rules-verdict", className: wrong.length ? "bad" : "good" }, wrong.length ? `Not permitted${byWebGpu ? " by OpenGL" : ""}: ${wrong.join(", ")}.` : `All that is seen is permitted${byWebGpu ? " by OpenGL" : ""}.`),
+    ...(byWebGpu ? [html("p", { className: "lead" }, "The scene is drawn by WebGPU, the probes are asked by WebGL 2 on the same GPU, perhaps by another driver: what is seen need not hold there.")] : []),
     html("p", { className: "lead" }, `Small shaders make visible what a GPU does where it may choose; Quadrel's own code runs on the same numbers, once for each preset of hardware. = : the same answers. ` +
       `Closest is ${closest.name}: ${counts.map(({ name, agreed, of }) => `${name} ${agreed} of ${of}`).join(", ")}.`),
     rulesTable(described, results),
@@ -77,7 +80,7 @@ function showRules(described, results) {
 }
 
 /* The tabs. Probes are asked when theirs is first opened. */
-let rulesAsked = null;
+let rulesAsked = null, rulesAnswers = null;
 async function openTab(name) {
   const isRules = name === "rules";
   for (const tab of document.querySelectorAll("#tabs button")) tab.ariaSelected = String(tab.value === name);
@@ -87,11 +90,13 @@ async function openTab(name) {
   else delete state.more.tab;
   if (state.choice) remember();
   if (!isRules) sizePanels();
+  if (isRules && rulesAnswers) showRules(...rulesAnswers);  /* the scene may be drawn by another interface now */
   if (!isRules || rulesAsked) return rulesAsked;
   byId("rules").replaceChildren(html("p", { className: "lead" }, "Asking…"));
   const ask = async () => {
     const described = JSON.parse(await unpackedText(judgedScene.rules)), results = await askRules(described);
     document.body.dataset.rules = JSON.stringify(results);
+    rulesAnswers = [described, results];
     showRules(described, results);
   };
   rulesAsked = ask().catch((error) => {

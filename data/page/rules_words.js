@@ -250,3 +250,28 @@ const ruleWords = {
   "log2": ofFunction((x) => Math.log2(x), 3),
   "sin": ofFunction((x) => Math.sin(x)),
 };
+
+/* The probes for who looks at WebGPU: WebGL 2 asks them on the same GPU; they are told by WGSL's names, with what WebGPU
+   permits. Of rasterizer and samplers no document states it. */
+const wgslNames = [[/dFd([xy])(Coarse|Fine)?/g, "dpd$1$2"], [/textureGrad/g, "textureSampleGrad"], [/texture\(\)/g, "textureSample()"],
+                   [/textureLod/g, "textureSampleLevel"], [/textureSize/g, "textureDimensions"], [/inversesqrt/g, "inverseSqrt"]];
+const inWgsl = (text) => wgslNames.reduce((told, [glsl, wgsl]) => told.replace(glsl, wgsl), text);
+const accuracy = "WGSL, Floating Point Accuracy", noNaN = "anything: that there is no NaN may be assumed (WGSL, Floating Point Evaluation)";
+const noDocument = "no document states it; ranges assume Vulkan's", noFunction = "WGSL has no such function";
+const webGpuPermits = {
+  "derivatives": `any value (${accuracy}); ranges assume a difference along any row and column of the quad`,
+  "derivatives-qualified": `any value (${accuracy}); ranges assume what the names say`,
+  "fill-fans": "once, where triangles share an edge: Vulkan's, which is assumed", "snapping": "no document states it: Vulkan, 4 bits at least; ranges assume 8 unless snapping= says otherwise",
+  "lod-query": noFunction, "lod-query-level": noFunction, "isnan": `${noFunction} (of NaN); ${noNaN}`, "min-nan": noNaN, "coordinates-nan": noNaN,
+  "gather": "i0j1 i1j1 i1j0 i0j0 (WGSL, textureGather)", "texture-size": "each pixel's own level's (WGSL, textureDimensions)", "quad-gradients": "each lane's own (WGSL, textureSampleGrad)",
+  "denormals": `kept, or 0 (${accuracy})`, "contraction": "either (WGSL, Reassociation and Fusion)", "fma": `either: as x y + z (${accuracy})`,
+  "division": `2.5 ulp (${accuracy})`, "sqrt": `as 1 / inverseSqrt (${accuracy})`, "inversesqrt": `2 ulp (${accuracy})`, "exp2": `3 + 2 abs(x) ulp (${accuracy})`,
+  "log2": `3 ulp outside of [0.5, 2], 2^-21 within (${accuracy})`, "sin": `2^-11 in [-pi, pi] (${accuracy})`,
+};
+/* A probe's text in the terms of the interface that draws the scene: { asks, permits, missing }. */
+function probeTexts({ id, asks, permits, missing }, by) {
+  if (by !== "webgpu") return { asks, permits, missing };
+  const lacks = missing.startsWith("GLSL ES");
+  return { asks: inWgsl(asks), permits: webGpuPermits[id] ?? noDocument,
+           missing: lacks ? `WebGL 2 asks, and ${missing}${webGpuPermits[id] === noFunction ? ", nor has WGSL" : ""}` : missing };
+}

@@ -36,14 +36,20 @@ async function unpackedBits(base64, count, earlier) {
 
 /* What range_codes (src/page/range_codes.hpp) did, undone: the bits of bounds of `values`. */
 function boundBits(values, codes, end) {
-  const bounds = new Uint32Array(codes.length), nanCode = 0x2000, inward = 0x1000, infinity = 0x7f800000;
-  const distanceOf = (code) => (code < 16 ? code : (8 + code % 8) * 2 ** (Math.floor(code / 8) - 1));
+  const bounds = new Uint32Array(codes.length), floats = new Float32Array(bounds.buffer), numbers = new Float32Array(values.buffer);
+  const nanCode = 0x2000, inward = 0x1000, infiniteCode = 1, firstCode = 2, firstExponent = -24, low = end === "low";
+  const distanceOf = (code, exponent) => (code === 0 ? 0 : code === infiniteCode ? Infinity :
+    (8 + (code - firstCode) % 8) * 2 ** (Math.floor((code - firstCode) / 8) + firstExponent - 3 + exponent));
   for (let i = 0; i < codes.length; i += 1) {
     if (codes[i] === nanCode) { bounds[i] = 0x7fc00000; continue; }
-    const distance = distanceOf(codes[i] & ~inward), down = (end === "low") === !(codes[i] & inward);
-    const base = isNaNBits(values[i]) ? 0 : onLine(values[i]);
-    const at = Math.min(Math.max(base + (down ? -distance : distance), -infinity), infinity);
-    bounds[i] = at < 0 ? (-at | 0x80000000) >>> 0 : at;
+    const finite = Number.isFinite(numbers[i]), base = finite ? numbers[i] : 0;
+    const exponent = Math.max(finite ? (values[i] >>> 23) & 255 : 0, 1) - 127;
+    const distance = distanceOf(codes[i] & ~inward, exponent), exact = low === !(codes[i] & inward) ? base - distance : base + distance;
+    floats[i] = exact;
+    if (low ? floats[i] > exact : floats[i] < exact) {  /* to the next float outwards */
+      const at = onLine(bounds[i]) + (low ? -1 : 1);
+      bounds[i] = at < 0 ? (-at | 0x80000000) >>> 0 : at;
+    }
   }
   return bounds;
 }

@@ -127,6 +127,7 @@ function rangesOf(source, name) {
   const [gapLow, gapHigh] = ["lo", "hi"].map((end) => source.channels.get(`gpu.gap.${end}.${name}`) || high);
   return low && high && paths ? { low, high, paths, gapLow, gapHigh } : null;
 }
+/* As extent_of has it. */
 function extentOf(source, name) {
   const vector = vectorOf(name), own = statisticsOf(source.channels.get(name));
   let magnitude = 0;
@@ -135,7 +136,7 @@ function extentOf(source, name) {
     const s = statisticsOf(channel);
     if (s.finite) magnitude = Math.max(magnitude, Math.abs(s.least), Math.abs(s.most));
   }
-  return Math.max(own.finite ? own.most - own.least : 0, 0.01 * magnitude);
+  return Math.max(own.finite ? own.most - own.least : 0, 0.1 * (magnitude || 100 * 2 ** -20));
 }
 /* As legal_verdict has it, with its 10 % of the extent. */
 function classOf(ranges, extent, value, i) {
@@ -159,6 +160,7 @@ function judgedChannels(a, b) {
   return [...a.channels.keys()].map((name) => ({ name, ranges: rangesOf(a, name), value: b.channels.get(name) }))
     .filter(({ ranges, value }) => ranges && value).map((judged) => ({ ...judged, extent: extentOf(a, judged.name) }));
 }
+const isJudged = ({ ranges }, i) => ranges.paths.values[i] !== notJudged;
 const isOutside = ({ ranges, value, extent }, i) => classOf(ranges, extent, value.values[i], i) === 3;
 /* As compare --legal has it: pixels outside of their range, NaN first, then by the distance from it. */
 function worstOutside(judged, count) {

@@ -130,8 +130,8 @@ function legendOfHeat() {
 function legendOfClasses(found) {
   return classNames.map((name, k) => boxText(classColours[k], `${name}: ${found.counts[k]}`)).filter((_, k) => k < 4 || found.counts[k]);
 }
-function legendOfFirstLeft({ names, counts, inside }) {
-  return [boxText([0, 0, 0], `none: ${inside}`), ...names.map((name, k) => boxText(colourOfCode(k), `${name}: ${counts[k]}`)).filter((_, k) => counts[k])];
+function legendOfFirstLeft({ names, counts, inside, unjudged }) {
+  return [boxText(noneLeft, `none: ${inside}`), ...(unjudged ? [boxText(classColours[4], `not judged: ${unjudged}`)] : []), ...names.map((name, k) => boxText(colourOfCode(k), `${name}: ${counts[k]}`)).filter((_, k) => counts[k])];
 }
 function showLegend() {
   const found = b() && classes(), single = state.view === "difference" && isOneChannel();
@@ -170,16 +170,16 @@ function rangeCell(name, place) {
   if (!ranges || !value || i < 0 || j < 0) return html("td", {}, "");
   const found = classOf(ranges, extentOf(a(), name), value.values[j], i);
   return html("td", { className: "word" }, html("i", { className: "box", style: `background:rgb(${classColours[found]})` }), " " + classNames[found],
-    html("small", {}, `${short(ranges.low.values[i])} to ${short(ranges.high.values[i])}`));
+    html("small", {}, found === 4 ? "" : `${short(ranges.low.values[i])} to ${short(ranges.high.values[i])}`));
 }
 const hasRanges = () => Boolean(b()) && channelNames().some((name) => rangesOf(a(), name));
 function showFirstLeft(ranged, place) {
   const i = a().index(place.x, place.y), line = byId("first-left");
   if (!ranged || i < 0 || !a().fits(b())) return;
-  const name = judgedChannels(a(), b()).find(({ name, ...judged }) => isOutside(judged, i))?.name;
+  const judged = judgedChannels(a(), b()).filter((of) => isJudged(of, i)), name = judged.find((of) => isOutside(of, i))?.name;
   line.hidden = false;
   line.className = name ? "lead unequal" : "lead";
-  line.textContent = name ? `First to leave its range: ${name}` : "No channel leaves its range here.";
+  line.textContent = name ? `First to leave its range: ${name}` : judged.length ? "No channel leaves its range here." : "Not judged here: no channel has a range.";
 }
 function showValues() {
   const place = state.kept || state.hovered, head = byId("values").tHead, body = byId("values").tBodies[0];
@@ -211,6 +211,15 @@ function showPixel() {
   drawPanels();
   remember();
 }
+/* Of channels none of whose values leaves its range. */
+function inRangeText(channels) {
+  if (!hasRanges()) return "";
+  const pixels = a().width * a().height;
+  let judged = 0;
+  for (let i = 0; i < pixels; i += 1) judged += channels.some((of) => isJudged(of, i));
+  if (judged === 0) return "; none is judged";
+  return judged === pixels ? "; all are in their range" : `; the ${counted(judged, "pixel")} that ${judged === 1 ? "is" : "are"} judged ${judged === 1 ? "is" : "are"} in range, ${pixels - judged} are not judged`;
+}
 function showWorst() {
   byId("worst-section").hidden = !b();
   if (!b()) return;
@@ -222,7 +231,7 @@ function showWorst() {
   const outside = judgedChannels(a(), b()).filter(({ name }) => state.choice.names.includes(name)), left = worstOutside(outside, 12);
   const worst = left.length ? left : worstPixels(pairs, 12), by = left.length ? "Outside by" : "Apart";
   lead.textContent = left.length ? `Of ${state.choice.label}, outside of the range: NaN first, then by the distance. Click one to see it.` :
-    worst.length ? `Of ${state.choice.label}, by the absolute difference${outside.length ? "; all are in their range" : ""}. Click one to see it.` :
+    worst.length ? `Of ${state.choice.label}, by the absolute difference${inRangeText(outside)}. Click one to see it.` :
     `${state.choice.label} is equal, bit for bit.`;
   if (!worst.length) return;
   table.parentElement.hidden = false;

@@ -44,7 +44,7 @@ Variants parse_variants(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
         throw UsageError(fmt::format("--each: found \"{}\", expected KEY=VALUE,VALUE...", text));
-    return {text.substr(0, equals), parse_list("--each", text.substr(equals + 1))};
+    return {text.substr(0, equals), parse_values("--each", text.substr(equals + 1))};
 }
 
 bool is_image(const std::filesystem::path& file) { return file.extension() == ".exr"; }

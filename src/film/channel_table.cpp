@@ -235,7 +235,7 @@ void add_ranges(Table& table) {
     table.push_back(
         {"undecided", integer, "bits",
          "what a GPU may decide either way: 1 coverage, 2 a test of the search, 4 cell of the hit, "
-         "8 mip level, 16 cube face, 32 branch"});
+         "8 mip level, 16 cube face, 32 branch, 64 whether the pixel has a fragment at all"});
 }
 
 Table make_table() {

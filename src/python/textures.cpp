@@ -157,14 +157,15 @@ HeldTexture bake_map(const HeldTexture& heights, const std::string& kind_name,
 /// A film of the layers, the length of a tile and the thickness of the relief in the mesh's own
 /// units, and under how many texels more solids lie than are kept.
 py::tuple peel_layers(const std::string& mesh, int width, int height,
-                      const std::array<double, 3>& towards, double margin,
+                      const std::array<double, 3>& towards, double margin, int solids,
                       const py::object& progress) {
     const auto named = std::make_shared<NamedFilm>();
     DepthLayers layers;
     run_interruptibly(progress, [&](Work& work) {
         Mesh solid;
         named->inputs = inputs_of([&] { solid = closed_mesh(mesh); });
-        DepthLayerOptions options{width, height, {towards[0], towards[1], towards[2]}, margin};
+        DepthLayerOptions options{
+            width, height, {towards[0], towards[1], towards[2]}, margin, solids};
         options.progress = [&](double share) { work.report(share); };
         layers = peel_depth_layers(solid, options);
     });
@@ -204,8 +205,9 @@ void bind_textures(py::module_& module) {
         "bakes_layers",
         [](const std::string& kind) { return bakes_layers(bake_kind_from_name(kind)); },
         py::arg("kind"));
+    module.attr("most_solids") = most_solids;
     module.def("peel_layers", peel_layers, py::arg("mesh"), py::arg("width"), py::arg("height"),
-               py::arg("towards"), py::arg("margin"), py::arg("progress"));
+               py::arg("towards"), py::arg("margin"), py::arg("solids"), py::arg("progress"));
     module.def("bake", bake_map, py::arg("heights"), py::arg("kind"), py::arg("sampler"),
                py::arg("parameters"), py::arg("cache"), py::arg("threads"), py::arg("output"),
                py::arg("progress"));

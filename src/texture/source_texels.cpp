@@ -67,7 +67,7 @@ void SourceTexels::fill_channel(const float* stored, int c, double* out) const {
     else if (codes_ != 0)
         fill([&](float v) { return static_cast<double>(code(v)); });
     else if (is_decoded(c))
-        fill([](float v) { return srgb_decode(v); });
+        fill([](float v) { return srgb_decode(static_cast<double>(v)); });
     else
         fill([](float v) { return static_cast<double>(v); });
 }

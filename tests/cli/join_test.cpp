@@ -146,6 +146,18 @@ TEST_F(Parts, ThatDoNotFitAreRefused) {
     EXPECT_TRUE(refuses({"p1.exr", "p2.exr", "p3.exr", "p2.exr"}, {"2/3", "p2.exr"}));
     EXPECT_TRUE(refuses({"p1.exr", "p2.exr", "scene.json"}, {"scene.json"}));
     EXPECT_TRUE(refuses({"p1.exr", "p2.exr", "none.exr"}, {"none.exr"}));
+    // Of a long text what differs is said, however far behind, and whose the other one is.
+    std::string bytes = file_bytes(folder / "p2.exr");
+    const std::size_t at = bytes.find("quadrel:algorithm");
+    ASSERT_NE(at, std::string::npos);
+    const std::size_t shading = bytes.find("shade-lambert", at);
+    ASSERT_LT(shading, bytes.find("quadrel:", at + 1));
+    EXPECT_GT(shading - at, 150u) << "not so far behind";
+    bytes[shading] = 'S';
+    write_bytes(folder / "damaged.exr", bytes);
+    EXPECT_TRUE(refuses({"p1.exr", "damaged.exr", "p3.exr"},
+                        {"damaged.exr: quadrel:algorithm: found ...", "Shade-lambert",
+                         "expected ...", "shade-lambert", " as in p1.exr"}));
     ASSERT_EQ(quadrel({"render", "scene.json", "-o", "whole.exr"}).code, 0);
     EXPECT_TRUE(refuses({"whole.exr"}, {"whole.exr", "found none", "render --task"}));
     // Of another version, which only its file tells.

@@ -31,6 +31,15 @@ TEST(MeshFilesCli, IgnoredPartsAreNamedOnce) {
             folder.path());
     EXPECT_EQ(sheet.code, 0) << sheet.err;
     EXPECT_EQ(count(sheet.err, note), 1u) << sheet.err;
+    // Commas within brackets do not separate: "[1" would be no colour.
+    const auto sheet_of = [&](const std::string& each, const char* out) {
+        return run({"sheet", scene, "--each", each, "--size", "4x4", "--columns", "1", "-o", out},
+                   folder.path());
+    };
+    EXPECT_EQ(sheet_of("material.diffuse=[1,0,0,1], [0, 1, 0, 1]", "two.png").code, 0);
+    const Outcome open = sheet_of("material.diffuse=[1,0,0,1],[0,1", "no.png");
+    EXPECT_NE(open.err.find("found the string \"[0,1\""), std::string::npos) << open.err;
+    EXPECT_EQ(sheet_of("material.diffuse=[1,0,0,1],", "no.png").code, 2);
     const Outcome probed = run({"probe", scene, "--pixel", "1,1", "--json"}, folder.path());
     EXPECT_EQ(count(probed.err, note), 1u) << probed.err;
     EXPECT_EQ(count(probed.out, "ignored"), 0u) << "data stays data";

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/process.hpp"
@@ -107,6 +108,27 @@ TEST_F(Render, ImagesThatDoNotFitAreNotInjected) {
     EXPECT_EQ(code("hit.uv=all.exr", "is the input", "all.exr"), 2);
     EXPECT_EQ(file_bytes(folder / "all.exr"), before);
     EXPECT_EQ(folder.count(), 1u);
+}
+
+/// A row of the README's table of statistics stands for each field.
+TEST_F(Render, StatisticsAreDocumented) {
+    ASSERT_EQ(render({"-o", "/dev/null", "--channels", "R,err.kind,certified,certified.pixel",
+                      "--touched", "--stats", "stats.json"})
+                  .code,
+              0);
+    const auto stats = nlohmann::json::parse(file_bytes(folder / "stats.json"));
+    const std::string readme = file_bytes(QUADREL_SOURCE_DIR "/README.md");
+    const std::size_t from = readme.find("## Statistics");
+    const std::string section = readme.substr(from, readme.find("\n## ", from) - from);
+    const auto is_said = [&](const std::string& field) {
+        return section.find("`" + field + "`") != std::string::npos;
+    };
+    for (const auto& [field, value] : stats.items()) EXPECT_TRUE(is_said(field)) << field;
+    for (const char* const part : {"primitives", "maxima"})
+        for (const auto& [field, value] : stats[part].items()) EXPECT_TRUE(is_said(field)) << field;
+    for (const auto& [field, value] : stats["textures"].at(0).items())
+        EXPECT_TRUE(is_said(field)) << field;
+    EXPECT_FALSE(is_said("no_such_field"));
 }
 
 TEST_F(Render, OutputsThatCannotBeWritten) {

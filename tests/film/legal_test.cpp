@@ -12,6 +12,7 @@
 #include "film/films.hpp"
 #include "film/planted.hpp"
 #include "quadrel/error.hpp"
+#include "quadrel/film/presence.hpp"
 
 namespace quadrel {
 namespace {
@@ -255,6 +256,78 @@ TEST(Legal, MissingPixelsFail) {
     EXPECT_EQ(report.structure.size(), 1u);
 }
 
+// ---- Coverage -----------------------------------------------------------------------------------
+
+/// Covered but for the last two columns of ten; next to these it is undecided what is.
+Film partly_covered() {
+    Film film = reference_film();
+    film.add("A", ChannelType::float32);
+    film.add("undecided", ChannelType::uint32, 2);
+    for (int y = 1; y < 9; ++y)
+        for (int x = 2; x < 12; ++x) {
+            const std::size_t i = film.index(x, y);
+            film.find("A")->bits[i] = bits(x < 10 ? 1.0f : 0.0f);
+            if (x == 9 || x == 10) film.find("undecided")->bits[i] |= undecided_presence;
+        }
+    return film;
+}
+
+/// `drawn` without a fragment at a pixel, or with one that lies in its range.
+void change_coverage(Film& drawn, int x, int y, bool covered) {
+    const std::size_t i = drawn.index(x, y);
+    drawn.find("A")->bits[i] = bits(covered ? 1.0f : 0.0f);
+    if (!covered) drawn.find("R")->bits[i] = bits(-7);
+}
+
+/// What is missing or too much beside an edge is ambiguous, in the interior it fails, even where
+/// the value lies in its range; `judge_` may forget that.
+AssertionResult judges_coverage(const JudgeFilms& judge_) {
+    const Film reference = partly_covered();
+    const auto judged = [&](int x, bool covered) {
+        Film test = reference;
+        std::erase_if(test.planes, [](const Plane& plane) { return plane.name.size() > 1; });
+        change_coverage(test, x, 4, covered);
+        return judge_(reference, test);
+    };
+    for (const auto& [x, covered] : {std::pair{9, false}, {10, true}}) {
+        const LegalReport report = judged(x, covered);
+        if (!report.passes() || report.channels.at(0).count(LegalVerdict::ambiguous) != 1 ||
+            report.alone_undecided != 1)
+            return AssertionFailure() << "undecided at " << x << ": " << to_text(report);
+    }
+    for (const auto& [x, covered] : {std::pair{5, false}, {11, true}}) {
+        const LegalReport report = judged(x, covered);
+        if (report.passes() || report.channels.at(0).count(LegalVerdict::fail) != 1 ||
+            report.alone_decided != 1 ||
+            to_text(report).find("one side alone covers the pixel") == std::string::npos)
+            return AssertionFailure() << "decided at " << x << ": " << to_text(report);
+    }
+    return AssertionSuccess();
+}
+
+TEST(Legal, CoverageIsAmbiguousWhereItIsUndecidedAlone) {
+    const JudgeFilms right = [](const Film& a, const Film& b) { return judge_films(a, b); };
+    EXPECT_TRUE(judges_coverage(right));
+    EXPECT_FALSE(judges_coverage([&](Film a, const Film& b) {  // whatever is undecided excuses
+        for (std::uint32_t& undecided : a.find("undecided")->bits) undecided |= undecided_presence;
+        return right(a, b);
+    }));
+    EXPECT_FALSE(judges_coverage([&](Film a, const Film& b) {  // nothing excuses
+        for (std::uint32_t& undecided : a.find("undecided")->bits) undecided &= ~undecided_presence;
+        return right(a, b);
+    }));
+    EXPECT_FALSE(judges_coverage([&](Film a, const Film& b) {  // values alone are judged
+        std::erase_if(a.planes, [](const Plane& plane) { return plane.name == "undecided"; });
+        return right(a, b);
+    }));
+    // Where a side has no A nothing is said of coverage, and that is.
+    const Film reference = partly_covered();
+    const LegalReport blind = right(reference, test_film(reference));
+    EXPECT_TRUE(blind.passes());
+    ASSERT_EQ(blind.notes.size(), 1u);
+    EXPECT_EQ(blind.notes[0], "coverage is not judged: the test image lacks A");
+}
+
 TEST(Legal, SharesHaveLimits) {
     Film reference = reference_film();
     const Film test = test_film(reference);
@@ -286,7 +359,8 @@ TEST(Legal, WideIsAPartOfTheChannelsExtent) {
     EXPECT_FALSE(judge_films(reference, test, {0.015, 1, 0.99, {}}).passes());
 }
 
-/// A component that is 0 everywhere is judged by the size of its vector; a single value by itself.
+/// A component that is 0 everywhere is judged by the size of its vector; a single value by itself,
+/// and if it is 0 by roundings.
 TEST(Legal, AConstantChannelHasAnExtent) {
     Film reference{{0, 0, 2, 1}, {0, 0, 2, 1}, {}};
     for (const char* name : {"N.X", "N.Z", "hit.s", "hit.h"})
@@ -300,9 +374,22 @@ TEST(Legal, AConstantChannelHasAnExtent) {
     const LegalReport report = judge_films(reference, test);
     EXPECT_TRUE(report.passes()) << to_text(report);
     const std::map<std::string, double> expected = {
-        {"N.X", 0.02}, {"N.Z", 0.02}, {"hit.s", 0}, {"hit.h", 0.02}};
+        {"N.X", 0.2}, {"N.Z", 0.2}, {"hit.s", 10 * 0x1p-20}, {"hit.h", 0.2}};
     for (const LegalChannelReport& channel : report.channels)
         EXPECT_DOUBLE_EQ(channel.extent, expected.at(channel.name)) << channel.name;
+    const auto unconstrained = [&](const std::string& name, float width) {
+        Film wide = reference;
+        for (std::uint32_t& of : wide.find("gpu.hi." + name)->bits)
+            of = bits(std::bit_cast<float>(of) + width);
+        std::uint64_t count = 0;
+        for (const LegalChannelReport& channel : judge_films(wide, test).channels)
+            count += channel.count(LegalVerdict::unconstrained);
+        return count == 2;
+    };
+    EXPECT_FALSE(unconstrained("N.X", 0.0199f));
+    EXPECT_TRUE(unconstrained("N.X", 0.0201f));
+    EXPECT_FALSE(unconstrained("hit.s", 0x1p-21f));
+    EXPECT_TRUE(unconstrained("hit.s", 0x1p-19f));
 }
 
 TEST(Legal, IntegersAreJudgedByValue) {

@@ -97,6 +97,7 @@ def test_sizes_may_be_numpys():
     (lambda s, f: quadrel.bake(np.zeros((4, 4)), "cone-cell", slices="x"), "slices: found 'x'"),
     (lambda s, f: quadrel.depth_layers("cube", towards="up"), "towards: found 'up'"),
     (lambda s, f: quadrel.depth_layers("cube", margin="wide"), "margin: found 'wide'"),
+    (lambda s, f: quadrel.depth_layers("cube", solids=7), "solids: found 7"),
 ])
 def test_wrong_arguments_are_usage_errors(bricks, call, message):
     film = quadrel.Film({"R": np.zeros((48, 48), np.float32)})

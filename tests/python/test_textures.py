@@ -236,6 +236,11 @@ def test_meshes_are_peeled(tmp_path):
     assert layers.tile == pytest.approx(2 * layers.thickness, rel=1e-3) and layers.deeper == 0
     layers.film.write(tmp_path / "layers.exr")
     assert quadrel.read(tmp_path / "layers.exr").attributes["quadrel:bake.kind"] == "depth-layers"
+    edge_on = [quadrel.depth_layers("torus", size=(32, 32), towards=(1, 0, 0), solids=solids)
+               for solids in (1, 2, 3)]
+    assert [len(of.film) for of in edge_on] == [2, 4, 6] and edge_on[0].deeper > 0
+    assert all(of.deeper == 0 for of in edge_on[1:])
+    assert np.array_equal(edge_on[2].film["A"], edge_on[1].film["A"])
     with pytest.raises(quadrel.UsageError, match="towards"):
         quadrel.depth_layers("sphere", towards=(0, 0, 0))
     with pytest.raises(quadrel.UsageError, match="margin"):

@@ -513,6 +513,10 @@ TEST(Limits, AreRefusedWhereThereAreNone) {
     EXPECT_NE(refuses(scene).find("vulkan, d3d, gl or webgpu"), std::string::npos);
     options.limits = "gl,planes=1";
     EXPECT_NE(refuses(scene).find("plane="), std::string::npos);
+    for (const char* const open : {"gl,", "gl,plane=1e-6,", "gl,,plane=1e-6"}) {
+        options.limits = open;
+        EXPECT_NE(refuses(scene).find("found \"\""), std::string::npos) << open;
+    }
     options.limits = "gl,plane=much";
     EXPECT_NE(refuses(scene).find("number"), std::string::npos);
     options.limits = "";

@@ -1,6 +1,7 @@
 // What `undecided` says of coverage and of cells: edges that are moved, hits that may be in two.
 #include <cmath>
 
+#include "quadrel/film/presence.hpp"
 #include "quadrel/num/range/context.hpp"
 #include "quadrel/scene/load.hpp"
 #include "quadrel/texture/image.hpp"
@@ -59,6 +60,71 @@ TEST(Undecided, MarksCoverageThatSnappingMayChange) {
     EXPECT_TRUE(marks_what_may_be_lost("gl,snapping=0.25"));
     EXPECT_FALSE(marks_what_may_be_lost("gl,snapping=0.05"));
     EXPECT_FALSE(marks_what_may_be_lost("gl,snapping=0"));
+}
+
+/// Whether no pixel of the other kind is within two pixels.
+bool is_inner(const Film& film, int x, int y) {
+    const Window& w = film.window;
+    const bool covered = is_covered(film, film.index(x, y));
+    for (int v = std::max(y - 2, w.y0); v < std::min(y + 3, w.y1); ++v)
+        for (int u = std::max(x - 2, w.x0); u < std::min(x + 3, w.x1); ++u)
+            if (is_covered(film, film.index(u, v)) != covered) return false;
+    return true;
+}
+
+/// Whether pixels are marked, and none else, that gain or lose what covers them where the quad
+/// moves by a quarter of a pixel; its diagonal, of which both sides move together, is no edge.
+/// `gained`: pixels that nothing covers count.
+testing::AssertionResult marks_what_may_change(const std::string& limits, bool gained = true) {
+    const Film film = turned_quad(0, 0, limits);
+    int changed[2] = {};
+    for (const double right : {-0.24, 0.24})
+        for (const double up : {-0.24, 0.24}) {
+            const Film moved = turned_quad(right, up, limits);
+            for (std::size_t i = 0; i < film.window.area(); ++i) {
+                const bool before = is_covered(film, i), after = is_covered(moved, i);
+                if (before == after || (after && !gained)) continue;
+                ++changed[after];
+                if (!has_bit(film, i, undecided_presence))
+                    return testing::AssertionFailure()
+                           << "pixel " << i << (after ? " is gained" : " is lost");
+            }
+        }
+    for (int y = 0; y < film.window.y1; ++y)
+        for (int x = 0; x < film.window.x1; ++x)
+            if (is_inner(film, x, y) && has_bit(film, film.index(x, y), undecided_presence))
+                return testing::AssertionFailure() << x << "," << y << " is marked";
+    return changed[0] > 0 && (changed[1] > 0 || !gained)
+               ? testing::AssertionSuccess()
+               : testing::AssertionFailure() << changed[0] << ", " << changed[1] << " change";
+}
+
+TEST(Undecided, MarksPixelsThatSnappingMayCoverOrNot) {
+    EXPECT_TRUE(marks_what_may_change("gl,snapping=0.25"));
+    EXPECT_FALSE(marks_what_may_change("gl,snapping=0.05"));
+    EXPECT_FALSE(marks_what_may_change("gl,snapping=0"));
+    EXPECT_FALSE(marks_what_may_change("gl,snapping=0", false));
+}
+
+/// Where a search clips what it discards: along the rims of bars, not in the holes between them.
+TEST(Undecided, MarksDiscardedFragmentsWhereTheyMayBeKept) {
+    RenderOptions options;
+    options.channels = {"A", "undecided"};
+    options.limits = "gl,snapping=0.0625";
+    options.window = Window{12, 12, 24, 24};
+    const Film film = render(load_scene("lattice", {"size=[40,40]"}), options);
+    int marked[2] = {}, unmarked[2] = {};
+    for (int y = 12; y < 24; ++y)
+        for (int x = 12; x < 24; ++x) {
+            const std::size_t i = film.index(x, y);
+            const bool covered = is_covered(film, i), open = has_bit(film, i, undecided_presence);
+            ++(open ? marked : unmarked)[covered];
+            EXPECT_FALSE(open && is_inner(film, x, y)) << x << "," << y;
+            EXPECT_TRUE(covered || (film.find("undecided")->bits[i] & ~undecided_presence) == 0);
+        }
+    EXPECT_GT(marked[0] + marked[1], 0);
+    EXPECT_GT(unmarked[0], 0);
+    EXPECT_GT(unmarked[1], 0);
 }
 
 /// Of hits whose range holds a border between cells those are marked, and no others; `shift`: the

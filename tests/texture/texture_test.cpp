@@ -227,6 +227,56 @@ TEST(Mips, FromUnroundedLevels) {
     }));
 }
 
+/// Halves in sRGB: their decoded values are no halves, and it is these that are averaged. Rounded
+/// first, some of many means would be other halves.
+testing::AssertionResult averages_decoded_halves(const Chain& last_level) {
+    std::mt19937 random(3);
+    int differing = 0;
+    for (int k = 0; k < 200; ++k) {
+        std::vector<float> stored;
+        double sum = 0, sum_of_rounded = 0;
+        for (int i = 0; i < 4; ++i) {
+            stored.push_back(store(static_cast<double>(random() % 4096) / 4096, TexelFormat::half));
+            const double decoded = srgb_decode(static_cast<double>(stored.back()));
+            sum += decoded;
+            sum_of_rounded += double{store(decoded, TexelFormat::half)};
+        }
+        const float expected = store(sum / 4, TexelFormat::half);
+        const auto got = last_level(make_image(2, 2, 1, stored, TexelFormat::half));
+        if (got[0] != expected)
+            return testing::AssertionFailure() << got[0] << ", expected " << expected;
+        differing += store(sum_of_rounded / 4, TexelFormat::half) != expected;
+    }
+    return differing > 0 ? testing::AssertionSuccess()
+                         : testing::AssertionFailure() << "nothing is told apart";
+}
+
+TEST(Mips, OfHalvesInSrgbAreMeansOfWhatTheyDecodeTo) {
+    TextureOptions srgb;
+    srgb.srgb = true;
+    EXPECT_TRUE(averages_decoded_halves(
+        [&](const Image& image) { return level(*make_texture(image, srgb), 1); }));
+    EXPECT_FALSE(averages_decoded_halves([&](const Image& image) {  // Planted::mips_of_rounded
+        const auto first = level(*make_texture(image, srgb), 0);
+        return level(*make_texture(make_image(2, 2, 1, first, TexelFormat::half)), 1);
+    }));
+}
+
+/// Not in float32, whose powers are an ulp off here and there.
+TEST(Mips, FloatsInSrgbAreDecodedInDouble) {
+    TextureOptions srgb;
+    srgb.srgb = true;
+    int differing = 0;
+    for (int k = 1; k < 200; ++k) {
+        const float stored = static_cast<float>(k) / 199;
+        const Image image = make_image(1, 1, 1, {stored}, TexelFormat::float32);
+        const auto expected = static_cast<float>(srgb_decode(static_cast<double>(stored)));
+        EXPECT_EQ(level(*make_texture(image, srgb), 0)[0], expected) << stored;
+        differing += srgb_decode(stored) != expected;
+    }
+    EXPECT_GT(differing, 0);
+}
+
 TEST(Mips, TiesOfCodesAreExact) {
     for (int code = 0; code < 255; ++code) {
         const auto texture = make_texture(make_codes(2, 1, 1, {code, code + 1}));

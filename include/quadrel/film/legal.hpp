@@ -18,9 +18,11 @@ namespace quadrel {
 /// known.
 enum class LegalVerdict : std::int32_t {
     pass,           ///< in its range, which is narrow and one
-    ambiguous,      ///< in one of several ranges with gaps between them, which are narrow together
+    ambiguous,      ///< in one of several ranges with gaps between them, which are narrow together;
+                    ///< or covered on one side alone, where that may be decided either way
     unconstrained,  ///< not outside, but the range is unknown, infinite or wide: it says little
-    fail            ///< outside of its range; a NaN that is not permitted; no such pixel
+    fail            ///< outside of its range; a NaN that is not permitted; no such pixel; covered
+                    ///< on one side alone, where that is decided
 };
 inline constexpr std::size_t legal_verdict_count = 4;
 
@@ -43,6 +45,9 @@ struct LegalReference {
     Film gap_lo, gap_hi;                 ///< gpu.gap.lo.X, gpu.gap.hi.X; where absent, gpu.hi.X
     std::vector<std::string> structure;  ///< a line for each channel whose parts are incomplete
     std::vector<std::string> rangeless;  ///< channels of which there is a value alone
+    /// A, which is above 0 where something is covered, and `undecided`, whose bit
+    /// undecided_presence says where an implementation may decide that otherwise.
+    std::optional<Plane> coverage{}, undecided{};
 };
 
 /// Takes `reference` apart; channels whose parts are incomplete are left out. Throws InputError,
@@ -63,6 +68,7 @@ struct LegalPixel {
     std::uint32_t reference = 0;
     std::optional<std::uint32_t> test{};  ///< none: the test image lacks the pixel
     LegalRange range{};
+    bool covered_alone = false;  ///< on one side, where that is decided
 };
 
 struct LegalChannelReport {
@@ -70,7 +76,8 @@ struct LegalChannelReport {
     ChannelType reference_type = ChannelType::float32, test_type = ChannelType::float32;
     Encoding encoding = Encoding::none;
     /// What `widest` is a share of: by how much the channel's finite reference values differ; at
-    /// least 1 % of the largest magnitude in its vector (N.X: of N.X, N.Y and N.Z).
+    /// least 10 % of the largest magnitude in its vector (N.X: of N.X, N.Y and N.Z), or 10 * 2^-20
+    /// where all of that is 0.
     double extent = 0;
     std::uint64_t pixels = 0;
     std::array<std::uint64_t, legal_verdict_count> counts{};  ///< by LegalVerdict
@@ -96,7 +103,11 @@ struct LegalReport {
     std::vector<std::string> structure;  ///< a line each: frames or channels that do not fit
     std::vector<std::string> notes;      ///< a line each: what is not judged and does not matter
     std::uint64_t left_out = 0;
-    std::vector<LegalChannelReport> channels;
+    /// Pixels that are covered on one side alone: where that is undecided they are ambiguous in all
+    /// channels, elsewhere they fail in all. Of a reference without `undecided` nothing is known:
+    /// their values are judged as others are.
+    std::uint64_t alone_undecided = 0, alone_decided = 0, alone_unknown = 0;
+    std::vector<LegalChannelReport> channels{};
 
     /// Whether nothing fails, no channel is lacking, and the shares are within the rules.
     bool passes() const;

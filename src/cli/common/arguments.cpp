@@ -35,6 +35,23 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
+/// Where the value that begins at `from` ends: at a comma outside of brackets, braces and quotes,
+/// or at the end of the text. A bracket that is never closed takes the rest.
+std::size_t end_of_value(const std::string& text, std::size_t from) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = from; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') ++i;
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (c == ',' && depth <= 0) return i;
+    }
+    return text.size();
+}
+
 std::optional<int> parse_side(const std::string& text) {
     int value = 0;
     const char* end = text.data() + text.size();
@@ -51,6 +68,17 @@ std::vector<std::string> parse_list(const std::string& option, const std::string
     for (const std::string& part : parts)
         if (part.empty()) reject(option, text, "names separated by commas");
     return parts;
+}
+
+std::vector<std::string> parse_values(const std::string& option, const std::string& text) {
+    std::vector<std::string> values;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = end_of_value(text, from);
+        values.push_back(trimmed(text.substr(from, end - from)));
+        if (values.back().empty()) reject(option, text, "values separated by commas");
+        from = end + 1;
+    }
+    return values;
 }
 
 Size parse_size(const std::string& option, const std::string& text) {

@@ -11,6 +11,9 @@ namespace quadrel::cli {
 /// "a,b,c" in its parts, blanks around them dropped. Throws UsageError for an empty part.
 std::vector<std::string> parse_list(const std::string& option, const std::string& text);
 
+/// The same of values of a scene: commas within brackets, braces and quotes do not separate.
+std::vector<std::string> parse_values(const std::string& option, const std::string& text);
+
 struct Size {
     int width = 0, height = 0;
 };

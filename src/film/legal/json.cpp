@@ -20,7 +20,8 @@ Json pixel_json(const LegalChannelReport& channel, const LegalPixel& pixel) {
             {"y", pixel.y},
             {"reference", value_json(channel.reference_type, pixel.reference)},
             {"test", pixel.test ? value_json(channel.test_type, *pixel.test) : Json()},
-            {"range", range_json(pixel.range)}};
+            {"range", range_json(pixel.range)},
+            {"covered_alone", pixel.covered_alone}};
 }
 
 Json channel_json(const LegalChannelReport& channel) {
@@ -55,6 +56,9 @@ std::string to_json(const LegalReport& report) {
     json["structure"] = report.structure;
     json["notes"] = report.notes;
     json["left_out"] = report.left_out;
+    json["covered_alone"] = {{"undecided", report.alone_undecided},
+                             {"decided", report.alone_decided},
+                             {"unknown", report.alone_unknown}};
     json["channels"] = Json::array();
     for (const LegalChannelReport& channel : report.channels)
         json["channels"].push_back(channel_json(channel));

@@ -47,12 +47,14 @@ void judge_channel(const LegalReference& reference, std::size_t plane, const Fil
     const Plane* other = test.find(values.name);
     if (other == nullptr) return;
     const std::vector<std::size_t> pixels = pixels_in(test, reference.values.window);
+    const std::vector<Covered> covered = compare_coverage(reference, test, pixels);
     const double extent = extent_of(reference.values, values, rules.left_out);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (!rules.left_out.empty() && rules.left_out[i]) continue;
         const LegalVerdict verdict =
-            pixels[i] == no_pixel
-                ? LegalVerdict::fail
+            pixels[i] == no_pixel || covered[i] == Covered::alone_decided ? LegalVerdict::fail
+            : covered[i] == Covered::alone_undecided
+                ? LegalVerdict::ambiguous
                 : legal_verdict(range_at(reference, plane, i), value_of(*other, pixels[i]), extent,
                                 rules.widest);
         for (Verdicts* verdicts : into) verdicts->raise(i, verdict);

@@ -34,7 +34,9 @@ void keep_ranged_channels(const std::string& option, const std::vector<std::stri
                          [&](const std::string& name) { return is_meant(name, request); }))
             throw UsageError(option + ": the reference holds no range of \"" + request +
                              "\", expected " + one_of(request, ranged));
+    // Coverage is judged whatever channels are.
     const auto unwanted = [&](const Plane& plane) {
+        if (plane.name == "A" || plane.name == "undecided") return false;
         return std::none_of(requests.begin(), requests.end(), [&](const std::string& request) {
             return is_meant(judged_name(plane.name), request);
         });

@@ -78,8 +78,26 @@ std::string worst_text(const LegalChannelReport& channel) {
             "  {} {},{}: test {}, permitted {}, reference {}\n", label, pixel.x, pixel.y,
             pixel.test ? value_text(channel.test_type, *pixel.test) : "missing",
             range_text(pixel.range), value_text(channel.reference_type, pixel.reference));
+        if (pixel.covered_alone)
+            text.insert(text.size() - 1, "; one side alone covers the pixel, which is decided");
         label = "     and";
     }
+    return text;
+}
+
+/// What one side alone covers.
+std::string coverage_text(const LegalReport& report) {
+    std::string text;
+    if (const std::uint64_t count = report.alone_undecided + report.alone_decided; count > 0)
+        text += fmt::format(
+            "pixels that one side alone covers: {}, of these undecided (ambiguous) {}, decided "
+            "(fail) {}\n",
+            count, report.alone_undecided, report.alone_decided);
+    if (report.alone_unknown > 0)
+        text += fmt::format(
+            "pixels that one side alone covers: {}; a reference with the channel undecided says "
+            "where that is permitted\n",
+            report.alone_unknown);
     return text;
 }
 
@@ -104,6 +122,7 @@ std::string to_text(const LegalReport& report) {
     for (const auto* lines : {&report.structure, &report.notes})
         for (const std::string& line : *lines) text += printable(line) + "\n";
     if (report.left_out > 0) text += fmt::format("pixels left out: {}\n", report.left_out);
+    text += coverage_text(report);
     if (!report.channels.empty()) text += table_text(report);
     for (const LegalChannelReport& channel : report.channels)
         text += reference_text(channel) + worst_text(channel);

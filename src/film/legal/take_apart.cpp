@@ -76,6 +76,12 @@ LegalReference take_apart(const Film& reference, const std::string& file) {
             parts.structure.push_back("channel " + name + ": " + text);
     for (const Plane& plane : reference.planes) {
         if (is_range(plane.name)) continue;
+        if (plane.name == "undecided" && plane.type == ChannelType::uint32) {
+            parts.undecided = plane;
+            continue;
+        }
+        if (plane.name == "A") parts.coverage = plane;
+        if (plane.name == "A" && reference.find("undecided") != nullptr) continue;
         if (ranged.count(plane.name) == 0)
             parts.rangeless.push_back(plane.name);
         else if (defect(reference, plane.name).empty())

@@ -4,11 +4,18 @@
 #include <bit>
 #include <cmath>
 
+#include "quadrel/film/presence.hpp"
+
 namespace quadrel {
 namespace {
 
-/// Below this share of its vector's largest magnitude a channel counts as constant.
-constexpr double least_extent = 0.01;
+/// Below this share of its vector's largest magnitude a channel counts as constant: what matters of
+/// a component that is 0 everywhere is how far the whole vector may turn.
+constexpr double least_extent = 0.1;
+
+/// The magnitude that a vector which is 0 everywhere is taken to have. The tenth of a tenth of it,
+/// which is not wide, is 2^-20: the roundings of what is 0 by cancelling terms of some units.
+constexpr double magnitude_of_nothing = 100 * 0x1p-20;
 
 bool is_component(const std::string& name) {
     return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
@@ -76,7 +83,25 @@ double extent_of(const Film& values, const Plane& plane, const std::vector<bool>
         if (vector_of(other.name) == vector)
             each_finite(other, left_out,
                         [&](double value) { magnitude = std::max(magnitude, std::abs(value)); });
+    if (magnitude == 0) magnitude = magnitude_of_nothing;
     return std::max(most >= least ? most - least : 0, least_extent * magnitude);
+}
+
+std::vector<Covered> compare_coverage(const LegalReference& reference, const Film& test,
+                                      const std::vector<std::size_t>& pixels) {
+    std::vector<Covered> all(pixels.size(), Covered::alike);
+    const Plane* const other = test.find("A");
+    if (!reference.coverage || other == nullptr) return all;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (pixels[i] == no_pixel) continue;
+        if ((value_of(*reference.coverage, i) > 0) == (value_of(*other, pixels[i]) > 0)) continue;
+        const bool open =
+            reference.undecided && (reference.undecided->bits[i] & undecided_presence) != 0;
+        all[i] = !reference.undecided ? Covered::alone_unknown
+                 : open               ? Covered::alone_undecided
+                                      : Covered::alone_decided;
+    }
+    return all;
 }
 
 LegalRange range_at(const LegalReference& reference, std::size_t plane, std::size_t i) {

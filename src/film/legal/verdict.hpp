@@ -17,6 +17,15 @@ std::string vector_of(const std::string& channel);
 /// LegalChannelReport::extent of a plane of `values`, pixels left out aside.
 double extent_of(const Film& values, const Plane& plane, const std::vector<bool>& left_out);
 
+/// Whether both images cover a pixel or neither does; else whether the reference says that this may
+/// be decided otherwise.
+enum class Covered : std::uint8_t { alike, alone_unknown, alone_undecided, alone_decided };
+
+/// Of each pixel of the reference's window, row by row; `pixels` are those of `test` (pixels_in).
+/// Alike where a side has no A, and where the test image lacks the pixel.
+std::vector<Covered> compare_coverage(const LegalReference& reference, const Film& test,
+                                      const std::vector<std::size_t>& pixels);
+
 /// The range of a plane's pixel.
 LegalRange range_at(const LegalReference& reference, std::size_t plane, std::size_t i);
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "file/input_record.hpp"
 #include "file/read_file.hpp"
 #include "io/gltf/asset.hpp"
 #include "io/gltf/buffers.hpp"
 #include "io/gltf/container.hpp"
+#include "io/gltf/material/members.hpp"
 #include "io/gltf/schema.hpp"
 #include "text/not_finite.hpp"
 
@@ -109,6 +111,13 @@ void drop_bytes(json& root) {
             buffer["uri"] = "data:";
 }
 
+/// Files that belong to it are inputs of whatever reads it, images that nothing is made of as well.
+void note_images(const json& root, const std::filesystem::path& folder) {
+    for (const json& image : member_of(root, "images"))
+        if (const json& uri = member_of(image, "uri"); uri.is_string())
+            if (const auto file = gltf_uri_path(uri.get<std::string>(), folder)) note_input(*file);
+}
+
 void read_parts(const std::filesystem::path& path, Parts& parts) {
     parts.file.name = path.string();
     parts.bytes = read_whole_file(path);
@@ -120,6 +129,7 @@ void read_parts(const std::filesystem::path& path, Parts& parts) {
     check_gltf_version(parts.file.name, parts.file.json);
     check_gltf_extensions(parts.file.name, parts.file.json);
     parts.checked = checked_gltf(parts.file.name, parts.file.json);
+    note_images(parts.file.json, path.parent_path());
 }
 
 }  // namespace

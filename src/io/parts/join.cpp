@@ -22,8 +22,21 @@ constexpr const char* whole_key = "quadrel:partOf";
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& key,
                          const std::string& found, const std::string& expected) {
-    constexpr std::size_t most = 120;
-    throw InputError(file.string(), key, shortened(found, most), shortened(expected, most));
+    throw InputError(file.string(), key, found, expected);
+}
+
+/// The same part of two texts that differ: of long ones from shortly before where they do.
+std::pair<std::string, std::string> differing_parts(const std::string& a, const std::string& b) {
+    constexpr std::size_t most = 120, before = 30;
+    const auto differs = std::ranges::mismatch(a, b).in1 - a.begin();
+    const std::size_t at =
+        std::max(a.size(), b.size()) <= most
+            ? 0
+            : static_cast<std::size_t>(differs) - std::min<std::size_t>(differs, before);
+    const auto part = [&](const std::string& text) {
+        return (at == 0 ? "" : "...") + shortened(std::string_view(text).substr(at), most);
+    };
+    return {part(a), part(b)};
 }
 
 std::string corners_text(const Window& window) {
@@ -112,8 +125,9 @@ std::string differing_key(const Attributes& a, const Attributes& b) {
 void check_same_image(const PartFile& part, const PartFile& first) {
     const auto check = [&](const std::string& key, const std::string& found,
                            const std::string& expected) {
-        if (found != expected)
-            refuse(part.file, key, found, expected + " as in " + first.file.string());
+        if (found == expected) return;
+        const auto [here, there] = differing_parts(found, expected);
+        refuse(part.file, key, here, there + " as in " + first.file.string());
     };
     const std::string key = differing_key(part.attributes, first.attributes);
     const auto value = [&](const Attributes& attributes) {

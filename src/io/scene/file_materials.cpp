@@ -65,21 +65,40 @@ bool wants_normal_map(const Json& material) {
     return relief.is_object() && !relief.contains("surface") && !relief.contains("preset");
 }
 
-void add_defaults(const Json& defaults, Json& material) {
+/// Returns the keys that are the defaults' now.
+std::set<std::string> add_defaults(const Json& defaults, Json& material) {
+    std::set<std::string> added;
     const bool normal_map = defaults.contains("normal") && wants_normal_map(material);
     for (const auto& [key, value] : defaults.items())
-        if (!material.contains(key) && (key != "normal" || normal_map)) material[key] = value;
-    if (!normal_map) return;
+        if (!material.contains(key) && (key != "normal" || normal_map)) {
+            material[key] = value;
+            added.insert(key);
+        }
+    if (!normal_map) return added;
     Json& relief = material["relief"];
     relief["surface"] = {{"id", "normal-map"}, {"green", "down"}};
     // Without a frame a normal has no directions; glTF's are MikkTSpace's (3.7.2.1).
     if (!relief.contains("frame")) relief["frame"] = "frame-mikkt";
+    return added;
 }
+
+/// One of a file's materials, and where it has met a scene's: which words of it were taken, and of
+/// which the scene had its own. A word may be both, by different materials of the scene.
+struct SourceMaterial : GltfMaterial {
+    std::vector<std::string> taken, own;
+
+    void note_keys(const std::set<std::string>& added) {
+        for (const GltfWord& word : words) {
+            auto& list = added.contains(word.key) ? taken : own;
+            if (std::ranges::count(list, word.text) == 0) list.push_back(word.text);
+        }
+    }
+};
 
 /// A file as a mesh names it, and the materials of what it draws.
 struct Source {
     std::filesystem::path file;
-    std::vector<GltfMaterial> materials;
+    std::vector<SourceMaterial> materials;
 };
 
 /// What is another is a mistake of the scene's.
@@ -102,10 +121,10 @@ MeshFileOptions options_of(const Json& mesh) {
 // ---- What is said of a file ---------------------------------------------------------------------
 
 /// Words of several materials, and whose they are: "normal", "occlusion (why) of brass, glass".
-std::string words_text(const std::vector<const GltfMaterial*>& materials,
-                       std::vector<std::string> GltfMaterial::*words) {
+std::string words_text(const std::vector<const SourceMaterial*>& materials,
+                       std::vector<std::string> SourceMaterial::*words) {
     std::vector<std::pair<std::string, std::vector<std::string>>> owners;
-    for (const GltfMaterial* const material : materials)
+    for (const SourceMaterial* const material : materials)
         for (const std::string& word : material->*words) {
             const auto found = std::find_if(owners.begin(), owners.end(),
                                             [&](const auto& entry) { return entry.first == word; });
@@ -120,21 +139,27 @@ std::string words_text(const std::vector<const GltfMaterial*>& materials,
                         : of.size() <= most_named
                             ? fmt::format("{} of {}", word, fmt::join(of, " and "))
                             : fmt::format("{} of {}", word, of.size()));
-    return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 /// Empty where the file has no materials.
 std::string line_of(const Source& source) {
     constexpr std::size_t most = 2000;
-    std::vector<const GltfMaterial*> materials;
-    for (const GltfMaterial& material : source.materials)
+    std::vector<const SourceMaterial*> materials;
+    for (const SourceMaterial& material : source.materials)
         if (material.number >= 0) materials.push_back(&material);
     if (materials.empty()) return "";
     const std::string name = materials.size() == 1 ? materials.front()->name
                                                    : fmt::format("{} materials", materials.size());
+    const auto text_of = [&](std::vector<std::string> SourceMaterial::*words) {
+        const std::string text = words_text(materials, words);
+        return text.empty() ? "nothing" : text;
+    };
+    const std::string own = words_text(materials, &SourceMaterial::own);
     const std::string text =
-        fmt::format("{}: taken: {}; left: {}", name, words_text(materials, &GltfMaterial::taken),
-                    words_text(materials, &GltfMaterial::left));
+        fmt::format("{}: taken: {};{} left: {}", name, text_of(&SourceMaterial::taken),
+                    own.empty() ? "" : " the scene's own instead: " + own + ";",
+                    text_of(&SourceMaterial::left));
     return printable(source.file.string() + ": " + shortened(text, most));
 }
 
@@ -167,7 +192,7 @@ class FileMaterials {
     struct Use {
         std::optional<std::string> base;
         const Json* mesh = nullptr;
-        const Source* source = nullptr;
+        Source* source = nullptr;
     };
     /// A file's material by its number; what takes nothing is null.
     using Meeting = std::pair<const Source*, int>;
@@ -181,24 +206,27 @@ class FileMaterials {
             use.source = source_of(name, *use.mesh);
         if (use.base && use.source == nullptr) meetings_[*use.base].insert({nullptr, -1});
         if (use.source != nullptr)
-            for (const GltfMaterial& material : use.source->materials)
+            for (const SourceMaterial& material : use.source->materials)
                 meetings_[*use.base].insert(meeting_of(*use.source, material));
         uses_.push_back(use);
     }
 
-    static Meeting meeting_of(const Source& source, const GltfMaterial& material) {
+    static Meeting meeting_of(const Source& source, const SourceMaterial& material) {
         return material.number < 0 ? Meeting{nullptr, -1} : Meeting{&source, material.number};
     }
 
     /// Null where the file is missing.
-    const Source* source_of(const std::string& name, const Json& mesh) {
+    Source* source_of(const std::string& name, const Json& mesh) {
         const std::filesystem::path file = document_.file.parent_path() / name;
         std::error_code none;
         if (!std::filesystem::is_regular_file(file, none)) return nullptr;
         const Json which = {name, mesh.value("uv_set", Json()), mesh.value("material", Json())};
         const auto [found, is_new] = sources_.try_emplace(which.dump());
         if (is_new) {
-            found->second = {file, read_gltf_materials(file, options_of(mesh))};
+            Source& source = found->second;
+            source.file = file;
+            for (GltfMaterial& material : read_gltf_materials(file, options_of(mesh)))
+                source.materials.push_back({std::move(material), {}, {}});
             in_order_.push_back(&found->second);
         }
         return &found->second;
@@ -208,7 +236,7 @@ class FileMaterials {
         const Use& use = uses_[index];
         const bool several = use.source->materials.size() > 1;
         bool first = true;
-        for (const GltfMaterial& material : use.source->materials) {
+        for (SourceMaterial& material : use.source->materials) {
             Json object = before_["objects"][index];
             if (several) {
                 if (!object.contains("name") || object["name"].is_string())
@@ -234,12 +262,13 @@ class FileMaterials {
 
     /// The scene's material that has the defaults: `base` itself where it meets no other.
     std::string take_material(const std::string& base, const Source& source,
-                              const GltfMaterial& material) {
+                              SourceMaterial& material) {
         const Meeting meeting = meeting_of(source, material);
         if (meeting.first == nullptr) return base;
         if (meetings_[base].size() == 1) {
             Json& only = material_of(root_, base);
-            if (only.is_object()) add_defaults(material.keys, only);
+            if (only.is_object() && completed_.insert(base).second)
+                material.note_keys(add_defaults(material.keys, only));
             return base;
         }
         const auto [found, is_new] = made_.try_emplace({base, meeting});
@@ -247,10 +276,11 @@ class FileMaterials {
         return found->second;
     }
 
-    std::string make_material(const std::string& base, const GltfMaterial& material) {
+    std::string make_material(const std::string& base, SourceMaterial& material) {
         Json with_defaults =
             base.empty() ? before_.value("material", Json::object()) : before_["materials"][base];
-        if (with_defaults.is_object()) add_defaults(material.keys, with_defaults);
+        if (with_defaults.is_object())
+            material.note_keys(add_defaults(material.keys, with_defaults));
         std::string name = label(base) + ": " + shortened(material.name, 80);
         while (root_.contains("materials") && root_["materials"].contains(name))
             name += fmt::format(" ({})", material.number);
@@ -287,7 +317,8 @@ class FileMaterials {
     std::vector<Use> uses_;
     std::map<std::string, std::set<Meeting>> meetings_;  ///< of each of the scene's materials
     std::map<std::pair<std::string, Meeting>, std::string> made_;
-    std::set<std::string> split_;  ///< named meshes of objects that have become several
+    std::set<std::string> completed_;  ///< the scene's materials that have their defaults
+    std::set<std::string> split_;      ///< named meshes of objects that have become several
 };
 
 }  // namespace

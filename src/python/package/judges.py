@@ -89,7 +89,9 @@ def compare(reference: Image, test: Image, *, abs: ByChannel = None, rel: ByChan
 
     legal=True judges by the ranges that the reference holds (`render(limits="gl")`) instead: a value
     passes, is ambiguous, unconstrained (its range wider than `widest` of the channel's extent), or
-    fails; most_ambiguous and most_unconstrained are the shares of pixels that may be so.
+    fails; most_ambiguous and most_unconstrained are the shares of pixels that may be so. Pixels that
+    one side alone covers are ambiguous where the reference's channel undecided says that this may be,
+    and fail elsewhere; without it, or without A on a side, their values are judged.
     """
     how = _quadrel.Comparison()
     how.tolerances = _tolerances(abs=abs, rel=rel, ulp=ulp, fraction=fraction)

@@ -162,19 +162,21 @@ class Sampler:
 class DepthLayers:
     """Depth layers of a mesh."""
 
-    film: Film  #: R G B A: front, back, second front, second back, from 0 to 1
+    film: Film  #: R G B A: front, back, second front, second back, from 0 to 1; second.R ... of the
+    #: third and fourth solid, third.R ... of the fifth and sixth
     tile: float  #: length of the square of texture space, in the mesh's units
     thickness: float  #: of the relief, depths from 0 to 1, in the mesh's units
-    deeper: int  #: texels under which more than two solids lie; the nearest two are kept
+    deeper: int  #: texels under which more solids lie than are kept, the nearest ones
 
 
 def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
                  towards: Sequence[float] = (0.0, 0.0, -1.0),
-                 margin: float = 1 / 16, progress: arguments.Progress = None) -> DepthLayers:
+                 margin: float = 1 / 16, solids: int = 2,
+                 progress: arguments.Progress = None) -> DepthLayers:
     """Peels a closed mesh (a file, or cube, icosahedron, sphere, torus) into the depth layers that
     searches behind things read, as `quadrel bake --kind depth-layers`. `towards` is the way of depth
-    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5). Ctrl-C ends it,
-    once the mesh is read. Raises InputError for a mesh that is not closed."""
+    in the mesh's own axes, `margin` the tiles left free on its longer side, [0, 0.5), `solids`
+    how many behind each other are kept, 1 to 6. Ctrl-C ends it, once the mesh is read. Raises InputError for a mesh that is not closed."""
     width, height = arguments.size(size, 16384)
     margin = arguments.number("margin", margin)
     try:
@@ -188,7 +190,8 @@ def depth_layers(mesh: arguments.Path, *, size: Tuple[int, int] = (256, 256),
         raise arguments.wrong("margin", f"{margin}", "a number in [0, 0.5)")
     with arguments.progress(progress) as told:
         film, tile, thickness, deeper = _quadrel.peel_layers(
-            arguments.path(mesh, "mesh"), width, height, list(direction / largest), margin, told)
+            arguments.path(mesh, "mesh"), width, height, list(direction / largest), margin,
+            arguments.whole("solids", solids, 1, _quadrel.most_solids), told)
     return DepthLayers(Film._of(film), tile, thickness, deeper)
 
 

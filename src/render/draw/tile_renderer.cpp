@@ -4,8 +4,10 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "quadrel/film/presence.hpp"
 #include "raster/solid_tile.hpp"
 #include "render/inject/injected_values.hpp"
+#include "render/ranges/presence.hpp"
 
 namespace quadrel {
 namespace {
@@ -17,6 +19,10 @@ DepthCompare depth_compare(const Scene& scene) {
 /// Whether shading decides over coverage or depth.
 bool draws_in_order(const Material& material) {
     return material.discard_below >= 0 || clips(material) || writes_depth(material);
+}
+
+bool is_any_covered(const QuadCoverage& quad) {
+    return quad.samples != std::array<std::uint16_t, 4>{};
 }
 
 /// Whether a fragment's depth goes into the film.
@@ -80,6 +86,8 @@ TileRenderer::TileRenderer(const Scene& scene, const RenderPlan& plan, const Geo
     if (plan.integral) integral_.emplace(*plan.integral, target.background);
     for (const ChannelSource& channel : *target.channels) {
         if (channel.name == "err.kind") kind_ = &channel;
+        if (channel.kind == ChannelSource::Kind::undecided)
+            undecided_ = static_cast<std::size_t>(&channel - target.channels->data());
         certifies_pixels_ = certifies_pixels_ || certifies_pixels(channel);
     }
 }
@@ -95,10 +103,12 @@ void TileRenderer::render(const Tile& tile) {
         integrate(tile);
     } else {
         quads_.clear();
+        discarded_.clear();
         solid_ = false;
         if (!tile.triangles.empty()) find_visible(tile);
         if (writes) film_.begin(tile.rect, solid_);
         shade();
+        if (writes && undecided_) mark_presence(tile);
         if (writes) film_.end();
     }
     if (times) clock_.end();
@@ -191,12 +201,16 @@ void TileRenderer::draw_batch(const DrawnTriangle& triangle, std::span<QuadCover
         static_cast<int>(quads.size()));
     for (std::size_t q = 0; q < quads.size(); ++q) {
         std::array<float, 4> depth{};
+        QuadCoverage discarded{quads[q].x, quads[q].y, quads[q].triangle, {}};
         for (int lane = 0; lane < 4; ++lane) {
             const int i = 4 * static_cast<int>(q) + lane;
-            if (is_discarded(material, i)) quads[q].samples[static_cast<std::size_t>(lane)] = 0;
+            if (is_discarded(material, i))
+                std::swap(quads[q].samples[static_cast<std::size_t>(lane)],
+                          discarded.samples[static_cast<std::size_t>(lane)]);
             if (writes_depth(material))
                 depth[static_cast<std::size_t>(lane)] = batch_.real(slot_of(Value::frag_depth), i);
         }
+        if (undecided_ && is_any_covered(discarded)) discarded_.push_back(discarded);
         if (writes_depth(material))
             write_quad_depth(quads[q], depth, buffer_);
         else
@@ -257,6 +271,44 @@ void TileRenderer::shade() {
                 count_certified_pixels(*judges.bounds, material, drawn);
         }
         first = end;
+    }
+}
+
+void TileRenderer::add_undecided(int x, int y, std::uint32_t bits) {
+    if (const std::ptrdiff_t pixel = target_.index(x, y); pixel >= 0)
+        target_.film->planes[*undecided_].bits[static_cast<std::size_t>(pixel)] |= bits;
+}
+
+/// Pixels where other implementations may have a fragment and this one has none, or the other way
+/// round.
+void TileRenderer::mark_presence(const Tile& tile) {
+    const PixelRect& rect = tile.rect;
+    Presence presence(rect, plan_.limits.budget.snapping);
+    for (const DrawnTriangle& triangle : geometry_.triangles) presence.add(triangle.screen);
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1; ++x)
+            if (presence.is_open(x, y)) add_undecided(x, y, undecided_presence);
+    mark_discarded();
+}
+
+/// Of discarded fragments where nothing else is: whether other implementations may keep them.
+void TileRenderer::mark_discarded() {
+    for (QuadCoverage& quad : discarded_)
+        for (int lane = 0; lane < 4; ++lane)
+            if (const int x = lane_x(quad, lane), y = lane_y(quad, lane);
+                !buffer_.rect().contains(x, y) || buffer_.triangle(x, y, 0) != no_triangle)
+                quad.samples[static_cast<std::size_t>(lane)] = 0;
+    std::erase_if(discarded_, [](const QuadCoverage& quad) { return !is_any_covered(quad); });
+    for (const QuadCoverage& quad : discarded_) {
+        const std::uint32_t material = material_of(quad);
+        run(plan_.materials[material], material, &quad, 1);
+        const QuadContext context(command_, {&quad, 1});
+        limits_->run(material, stage_call(plan_, material), batch_, &quad, geometry_,
+                     plan_.injected.get());
+        for (int lane = 0; lane < 4; ++lane)
+            if (quad.samples[static_cast<std::size_t>(lane)] != 0)
+                add_undecided(lane_x(quad, lane), lane_y(quad, lane),
+                              limits_->undecided(lane) & undecided_presence);
     }
 }
 

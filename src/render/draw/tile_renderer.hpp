@@ -69,6 +69,9 @@ class TileRenderer {
     bool is_discarded(const Material& material, int i) const;
     void shade();
     Judges run_judges(std::uint32_t material, const QuadCoverage* quads, int count);
+    void mark_presence(const Tile& tile);
+    void mark_discarded();
+    void add_undecided(int x, int y, std::uint32_t bits);
     void integrate(const Tile& tile);
     void integrate_block(const Tile& block);
     void write_integral();
@@ -111,10 +114,12 @@ class TileRenderer {
     StageClock clock_;
     DrawRecord record_;
     std::vector<QuadCoverage> quads_;
-    bool solid_ = false;                   ///< the quads are all those of the tile, and whole
-    const ChannelSource* kind_ = nullptr;  ///< err.kind, where it is drawn
-    bool certifies_pixels_ = false;        ///< certified.pixel is
-    bool solid_tiles_;                     ///< nothing asks for what only the buffer has
+    bool solid_ = false;                    ///< the quads are all those of the tile, and whole
+    const ChannelSource* kind_ = nullptr;   ///< err.kind, where it is drawn
+    bool certifies_pixels_ = false;         ///< certified.pixel is
+    std::optional<std::size_t> undecided_;  ///< the plane of that channel, if it is
+    std::vector<QuadCoverage> discarded_;   ///< lanes of the tile, for that
+    bool solid_tiles_;                      ///< nothing asks for what only the buffer has
 };
 
 }  // namespace quadrel

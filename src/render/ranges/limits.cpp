@@ -129,6 +129,7 @@ ErrorBudget budget_of_limits(const std::string& text) {
     else
         throw UsageError(
             fmt::format("--limits: found \"{}\", expected vulkan, d3d, gl or webgpu", part));
+    if (text.ends_with(',')) apply_setting(budget, "");
     while (std::getline(parts, part, ',')) {
         if (is_exact_rho(part))
             budget.lod_freedom = LodFreedom::exact;

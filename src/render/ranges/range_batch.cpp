@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "quadrel/film/presence.hpp"
 #include "quadrel/num/range/ranged.hpp"
 #include "quadrel/relief/cells.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
@@ -25,6 +26,7 @@ constexpr FragmentRange unknown{-no_border, no_border, 0, no_border, no_border};
 
 /// Before the first of several.
 constexpr FragmentRange no_range{no_border, -no_border, 0};
+constexpr LaneWays no_way{{no_range, no_range}};
 
 /// Whether coordinates of a range may lie in two cells of an axis.
 bool may_change_cell(const FragmentRange& range, int texels, double centre, const GridAxis& axis) {
@@ -54,6 +56,12 @@ bool is_integer(int slot) {
     const auto end = std::ranges::upper_bound(first_slots, slot);
     return value_table[static_cast<std::size_t>(end - first_slots.begin() - 1)].kind ==
            ValueKind::integer;
+}
+
+/// A lane's element of an array of integers, which holds both ends.
+void put_integer(void* values, int lane, std::uint32_t bits) {
+    auto* const ends = static_cast<std::int32_t*>(values) + 2 * static_cast<std::ptrdiff_t>(lane);
+    ends[0] = ends[1] = static_cast<std::int32_t>(bits);
 }
 
 /// Ranges that meet become one; what is left is disjoint.
@@ -134,6 +142,7 @@ void RangeBatch::run(std::uint32_t material, const StageCall& call, const Batch&
         call_.values = values_.data();
         call_.lanes = quad_lanes;
         surface_ = plan_.surfaces[material];
+        discarding_ = plan_.discarding[material];
         quad_ = quads + q;
         quad_number_ = q;
         quad_known_ = injected != nullptr && injected->covers(quads[q]);
@@ -175,7 +184,7 @@ void RangeBatch::take_drawn(const PlannedStage& stage) {
             if (values == nullptr || !drawn_->has(slot)) continue;
             for (int lane = 0; lane < quad_lanes; ++lane)
                 if (info(value).kind == ValueKind::integer) {
-                    static_cast<std::uint32_t*>(values)[lane] = drawn_->integer(slot, first + lane);
+                    put_integer(values, lane, drawn_->integer(slot, first + lane));
                 } else {
                     const double number = drawn_->number(slot, first + lane);
                     static_cast<Ranged*>(values)[lane] = Ranged(number, number);
@@ -188,7 +197,7 @@ void RangeBatch::inject_after(const MaterialPlan& plan, std::size_t stage) {
         void* const values = values_[static_cast<std::size_t>(slot)];
         if (values == nullptr) return;
         if (is_integer(slot)) {
-            std::memcpy(static_cast<std::uint32_t*>(values) + lane, &bits, sizeof(bits));
+            put_integer(values, lane, bits);
             return;
         }
         const double number = std::bit_cast<float>(bits);
@@ -207,7 +216,7 @@ void RangeBatch::name_place() {
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {
     ++context_->quad;
     std::fill_n(context_->undecided, quad_lanes, 0u);
-    hits_.fill({no_range, no_range});
+    lanes_.fill(no_way);
     mark_coverage(coverage);
     context_->begin_lane(-1);
     run_stages(plan);
@@ -223,6 +232,7 @@ void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage
             follow(plan, quad, lane, borders[i]);
     }
     mark_cells();
+    mark_presence();
     for (int lane = 0; lane < quad_lanes; ++lane)
         undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
 }
@@ -250,9 +260,17 @@ void RangeBatch::mark_cells() {
         blocks ? texel_grid(width, height, map->sampler) : cell_grid(width, height, map->sampler);
     const double centre = blocks ? 0 : 0.5;
     for (int lane = 0; lane < quad_lanes; ++lane) {
-        const auto& [u, v] = hits_[static_cast<std::size_t>(lane)];
+        const auto& [u, v] = lanes_[static_cast<std::size_t>(lane)].hit;
         if (may_change_cell(u, width, centre, grid.u) || may_change_cell(v, height, centre, grid.v))
             context_->undecided[lane] |= Undecided::cell;
+    }
+}
+
+/// Where some ways of a lane discard its fragment and others keep it.
+void RangeBatch::mark_presence() {
+    for (int lane = 0; lane < quad_lanes; ++lane) {
+        const LaneWays& ways = lanes_[static_cast<std::size_t>(lane)];
+        if (ways.kept && ways.discarded) context_->undecided[lane] |= undecided_presence;
     }
 }
 
@@ -293,7 +311,30 @@ void RangeBatch::give_up(int quad) {
         for (int lane = 0; through_[s] > stages_run_ && lane < quad_lanes; ++lane)
             result(s, quad_lanes * quad + lane) = unknown;
     for (int lane = 0; lane < quad_lanes; ++lane)
-        undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] = context_->undecided[lane];
+        undecided_[static_cast<std::size_t>(quad_lanes * quad + lane)] =
+            context_->undecided[lane] | (discarding_.any() ? undecided_presence : 0);
+}
+
+/// What the last run has left says of a lane's fragment.
+void RangeBatch::record_presence(LaneWays& ways, int lane) const {
+    bool may_be_kept = true, may_be_discarded = false;
+    if (const void* const status = values_[static_cast<std::size_t>(slot_of(Value::hit_status))];
+        discarding_.by_status && status != nullptr) {
+        const auto* const ends =
+            static_cast<const std::int32_t*>(status) + 2 * static_cast<std::ptrdiff_t>(lane);
+        constexpr auto clip = static_cast<std::int32_t>(Status::clip);
+        may_be_discarded |= ends[0] <= clip && clip <= ends[1];
+        may_be_kept &= ends[0] != clip || ends[1] != clip;
+    }
+    if (const void* const opacity = values_[static_cast<std::size_t>(slot_of(Value::opacity))];
+        discarding_.below >= 0 && opacity != nullptr) {
+        double low = 0, high = 0;
+        plan_.table->ends(opacity, lane, &low, &high);
+        may_be_discarded |= !(low >= discarding_.below);
+        may_be_kept &= !(high < discarding_.below);
+    }
+    ways.kept |= may_be_kept;
+    ways.discarded |= may_be_discarded;
 }
 
 /// The ranges of a lane that the last run has left.
@@ -308,12 +349,13 @@ void RangeBatch::record(int quad, int lane) {
         else
             ways_[s].push_back(range);
     }
+    record_presence(lanes_[static_cast<std::size_t>(lane)], lane);
     const int uv = slot_of(Value::hit_uv);
     for (int axis = 0; axis < 2; ++axis) {
         const void* const values = values_[static_cast<std::size_t>(uv + axis)];
         if (values == nullptr) return;
         FragmentRange way,
-            &all = hits_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(axis)];
+            &all = lanes_[static_cast<std::size_t>(lane)].hit[static_cast<std::size_t>(axis)];
         plan_.table->ends(values, lane, &way.low, &way.high);
         all = {std::min(all.low, way.low), std::max(all.high, way.high)};
     }
@@ -321,7 +363,7 @@ void RangeBatch::record(int quad, int lane) {
 
 /// One way after another, if they are no more than `most`; else none.
 bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int most) {
-    const auto hits_before = hits_[static_cast<std::size_t>(lane)];
+    const LaneWays lane_before = lanes_[static_cast<std::size_t>(lane)];
     const std::size_t before = ways_.empty() ? 0 : ways_.front().size();
     context_->begin_lane(lane);
     int count = 0;
@@ -332,7 +374,7 @@ bool RangeBatch::follow_ways(const MaterialPlan& plan, int quad, int lane, int m
     const bool all = !context_->too_many && (count < most || !context_->next_way());
     if (all) return true;
     for (auto& ways : ways_) ways.resize(before);
-    hits_[static_cast<std::size_t>(lane)] = hits_before;
+    lanes_[static_cast<std::size_t>(lane)] = lane_before;
     return false;
 }
 
@@ -373,13 +415,13 @@ std::vector<double> RangeBatch::level_borders(int lane) const {
 void RangeBatch::follow(const MaterialPlan& plan, int quad, int lane,
                         const std::vector<double>& borders) {
     for (auto& ways : ways_) ways.clear();
-    const auto together = hits_[static_cast<std::size_t>(lane)];
-    hits_[static_cast<std::size_t>(lane)] = {no_range, no_range};
+    const LaneWays together = lanes_[static_cast<std::size_t>(lane)];
+    lanes_[static_cast<std::size_t>(lane)] = no_way;
     bool all = true;
     for (std::size_t part = 0; part <= borders.size() && all; ++part)
         all = follow_levels(plan, quad, lane, part == 0 ? -no_border : borders[part - 1],
                             part == borders.size() ? no_border : borders[part]);
-    if (!all) hits_[static_cast<std::size_t>(lane)] = together;
+    if (!all) lanes_[static_cast<std::size_t>(lane)] = together;
     for (std::size_t s = 0; all && s < plan_.slots.size(); ++s)
         result(s, quad_lanes * quad + lane) = joined(ways_[s]);
 }

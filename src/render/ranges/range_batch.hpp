@@ -21,6 +21,12 @@ struct FragmentRange {
     double gap_low = 0, gap_high = 0;
 };
 
+/// What a lane's ways have come to.
+struct LaneWays {
+    std::array<FragmentRange, 2> hit;  ///< hit.uv of all of them
+    bool kept = false, discarded = false;
+};
+
 /// One thread's.
 class RangeBatch {
   public:
@@ -58,9 +64,11 @@ class RangeBatch {
     bool follow_levels(const MaterialPlan& plan, int quad, int lane, double from, double to);
     std::vector<double> level_borders(int lane) const;
     void record(int quad, int lane);
+    void record_presence(LaneWays& ways, int lane) const;
     void give_up(int quad);
     void mark_coverage(const QuadCoverage& coverage);
     void mark_cells();
+    void mark_presence();
     Uncertified certify(std::uint32_t material, const Batch& drawn, int lane) const;
     FragmentRange& result(std::size_t slot, int lane) {
         return results_[slot * batch_lanes + static_cast<std::size_t>(lane)];
@@ -85,8 +93,9 @@ class RangeBatch {
     std::size_t stages_run_ = 0;        ///< of the last run, until there were too many ways
     std::vector<std::uint32_t> undecided_;
     std::vector<Uncertified> uncertified_;
-    std::optional<oracle::Surface> surface_;            ///< of the material that runs
-    std::array<std::array<FragmentRange, 2>, 4> hits_;  ///< of the quad's lanes: hit.uv, all ways
+    std::optional<oracle::Surface> surface_;  ///< of the material that runs
+    Discarding discarding_;                   ///< likewise
+    std::array<LaneWays, 4> lanes_;           ///< of the quad
 };
 
 }  // namespace quadrel

@@ -51,6 +51,10 @@ MaterialPlan plan_on_ranges(const Scene& scene, const Material& material, const 
     return plan;
 }
 
+Discarding discarding_of(const Material& material) {
+    return {clips(material), material.discard_below};
+}
+
 /// Throws UsageError where a stage has no function and is not known either.
 void check_runs(const MaterialPlan& plan, const std::vector<bool>& known, const Material& material,
                 const std::string& asked) {
@@ -92,9 +96,18 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
             wanted.values.set(static_cast<std::size_t>(v));
             for (int c = 0; c < 2; ++c) add_slot(plan, slot_of(v) + c);
         }
+    const bool asks_presence = std::ranges::any_of(asking, [](const ChannelSource& channel) {
+        return channel.kind == ChannelSource::Kind::undecided;
+    });
     for (const Material& material : scene.materials) {
-        plan.materials.push_back(plan_on_ranges(scene, material, wanted, *plan.table));
-        plan.known.push_back(known_stages(plan.materials.back(), wanted.values, injected));
+        plan.discarding.push_back(asks_presence ? discarding_of(material) : Discarding());
+        Wanted own = wanted;
+        if (plan.discarding.back().by_status)
+            own.values.set(static_cast<std::size_t>(Value::hit_status));
+        if (plan.discarding.back().below >= 0)
+            own.values.set(static_cast<std::size_t>(Value::opacity));
+        plan.materials.push_back(plan_on_ranges(scene, material, own, *plan.table));
+        plan.known.push_back(known_stages(plan.materials.back(), own.values, injected));
         check_runs(plan.materials.back(), plan.known.back(), material, asked);
         const auto judge = error_judge(scene, material);
         plan.surfaces.push_back(judge && judge->layers == 0 ? std::optional(judge->surface)

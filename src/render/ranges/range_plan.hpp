@@ -12,6 +12,13 @@ namespace quadrel {
 
 class InjectedValues;
 
+/// By what a material's fragments are discarded.
+struct Discarding {
+    bool by_status = false;  ///< those that the search clips
+    double below = -1;       ///< those of less opacity; negative: none
+    bool any() const { return by_status || below >= 0; }
+};
+
 /// Ranges under one budget.
 struct RangePlan {
     ErrorBudget budget;
@@ -23,6 +30,8 @@ struct RangePlan {
     std::vector<int> slots;  ///< arrays that channels show
     /// Per material, how its heights are read as a surface; none where they are no map.
     std::vector<std::optional<oracle::Surface>> surfaces;
+    /// Per material; of all none where nobody asks what is undecided.
+    std::vector<Discarding> discarding;
     bool certifies = false;  ///< what all rays of a pixel have in common is asked for
 };
 

@@ -39,7 +39,7 @@ TEST_F(JudgePageInABrowser, FindsWhatItsGpuDrawsLegal) {
     // Values of both sides at the pixel.
     EXPECT_NE(judged.dom().find("data-of=\"0 hit.U 0x"), std::string::npos);
     EXPECT_NE(judged.dom().find("data-of=\"1 hit.U 0x"), std::string::npos);
-    EXPECT_NE(judged.dom().find("No channel leaves its range here."), std::string::npos);
+    EXPECT_NE(judged.dom().find(">No channel leaves its range here."), std::string::npos);
     EXPECT_EQ(judged.dom().find("This GPU knows 4 bits"), std::string::npos);
     // Bits that come back as bytes are the same.
     const Judged packed(page, "#targets=packed");
@@ -173,6 +173,55 @@ TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
     EXPECT_EQ(judged.first_to_leave(), "N.Z");
     ASSERT_EQ(judged.verdict()["rows"].size(), 1u);
     EXPECT_GT(judged.verdict()["rows"][0]["farthest"].get<double>(), 0);
+}
+
+/// Of pixels without ranges nothing is said but that: neither by the line on top, the table and the
+/// pictures' legend, nor where one looks at a pixel.
+TEST_F(JudgePageInABrowser, SaysWhatIsNotJudged) {
+    const Scene scene = small_scene();
+    JudgePage options;
+    options.scene.language = "glsl-es";
+    options.scene.channels = {"N", "A"};
+    const ExportContent content = export_content(scene, options.scene);
+    Film film = content.expected;
+    const std::size_t pixels = film.window.area();
+    // What is drawn is elsewhere in its range than the reference.
+    for (std::uint32_t& value : film.find("N.Z")->bits)
+        value = testing_films::bits(std::bit_cast<float>(value) * 1.001f);
+    const Plane values = *film.find("N.Z");
+    for (const auto& [end, factor] : {std::pair{"gpu.lo.", 0.99f}, {"gpu.hi.", 1.01f}}) {
+        Plane& plane = film.add(std::string(end) + "N.Z", ChannelType::float32);
+        for (std::size_t i = 0; i < pixels; ++i)
+            plane.bits[i] = testing_films::bits(values.as_float(i) * factor);
+    }
+    Plane& paths = film.add("gpu.paths.N.Z", ChannelType::uint32, 1);
+    std::fill_n(paths.bits.begin() + static_cast<std::ptrdiff_t>(pixels / 2), pixels / 2,
+                0xffffffffu);
+    const auto judge = [&](const std::string& anchor) {
+        return Judged(judge_page_of(content, film, options, ""), anchor);
+    };
+    const auto says = [](const Judged& judged, const std::string& text) {
+        return judged.dom().find(text) != std::string::npos;
+    };
+    const std::string half = std::to_string(pixels / 2);
+    const Judged judged = judge("#view=first&channel=N.Z&pixel=1,1");
+    EXPECT_EQ(judged.failing(), 0) << judged.error() << judged.verdict().dump(1);
+    EXPECT_EQ(judged.verdict()["rows"][0]["counts"][4], pixels / 2);
+    EXPECT_TRUE(says(judged, "None of " + half + " judged pixels leaves its legal range; " + half +
+                                 " are not judged."));
+    EXPECT_TRUE(says(judged, "; the " + half + " pixels that are judged are in range, " + half +
+                                 " are not judged"));
+    // As an element's text: the script has the words, too.
+    EXPECT_TRUE(says(judged, ">No channel leaves its range here."));
+    EXPECT_TRUE(says(judged, "none: " + half)) << "of those that leave their range";
+    const Judged below =
+        judge(fmt::format("#view=first&channel=N.Z&pixel=1,{}", film.window.height() - 1));
+    EXPECT_TRUE(says(below, ">Not judged here: no channel has a range."));
+    EXPECT_FALSE(says(below, ">No channel leaves its range here."));
+    std::ranges::fill(paths.bits, 0xffffffffu);
+    const Judged none = judge("#channel=N.Z");
+    EXPECT_TRUE(says(none, ">No pixel is judged."));
+    EXPECT_TRUE(says(none, "by the absolute difference; none is judged."));
 }
 
 /// Megabytes of a page of bricks-45, whose pictures and maps are full of detail.

@@ -74,6 +74,30 @@ TEST_F(JudgePageInABrowser, AsksTheProbes) {
     EXPECT_EQ(result_of(results, "texture-size")["seen"], "each its own");
 }
 
+/// Where WebGPU draws the scene probes are told by WGSL's names and what WebGPU permits.
+TEST_F(JudgePageInABrowser, TellsTheProbesInTheTermsOfWhatDraws) {
+    const auto says = [](const Judged& judged, const std::string& text) {
+        return judged.dom().find(text) != std::string::npos;
+    };
+    const std::string page = plain_page();
+    // Without waiting for an adapter, which the browser's virtual time does not do.
+    const Judged by_gl(page, "#tab=rules"),
+        by_gpu(with_planted(page, "navigator.gpu", "navigator.none"), "#tab=rules&by=webgpu");
+    for (const auto& [glsl, wgsl] :
+         {std::pair{">dFdx and dFdy of a product", ">dpdx and dpdy of a product"},
+          {">textureSize of levels", ">textureDimensions of levels"},
+          {">the level of texture() along", ">the level of textureSample() along"},
+          {"title=\"Permitted: 2 ulp (GLSL 4.60, 4.7.1)", "title=\"Permitted: 2 ulp (WGSL, "},
+          {">not asked: GLSL ES 3.0 has no textureQueryLod<",
+           ">not asked: WebGL 2 asks, and GLSL ES 3.0 has no textureQueryLod, nor has WGSL<"}}) {
+        EXPECT_TRUE(says(by_gl, glsl)) << glsl;
+        EXPECT_FALSE(says(by_gl, wgsl)) << wgsl;
+        EXPECT_TRUE(says(by_gpu, wgsl)) << wgsl;
+        EXPECT_FALSE(says(by_gpu, glsl)) << glsl;
+    }
+    EXPECT_TRUE(says(by_gpu, ">The scene is drawn by WebGPU, the probes"));
+}
+
 /// A GPU that does otherwise is told.
 TEST_F(JudgePageInABrowser, ProbesTellPlantedRules) {
     struct Planted {

@@ -57,8 +57,7 @@ class GltfMaterials : public testing::Test {
         builder.set_primitive(part);
         builder.json["materials"] = json::array({material});
         builder.json["images"] = images;
-        builder.json["samplers"] =
-            json::array({{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}});
+        builder.json["samplers"] = samplers;
         builder.json["textures"] = json::array({{{"source", 0}, {"sampler", 0}}, {{"source", 1}}});
         testing_films::write_bytes(folder / "square.gltf", builder.text("square.bin"));
         testing_films::write_bytes(folder / "square.bin", builder.bytes);
@@ -82,6 +81,7 @@ class GltfMaterials : public testing::Test {
     testing_films::TemporaryFolder folder;
     json material;
     json images = json::array({{{"uri", "base.exr"}}, {{"uri", "bumps.exr"}}});
+    json samplers = json::array({{{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}}});
 };
 
 TEST_F(GltfMaterials, StandInForWhatTheSceneLeavesOut) {
@@ -151,6 +151,25 @@ TEST_F(GltfMaterials, TheScenesOwnKeysWin) {
     EXPECT_FALSE(both.textures.contains("normal"));  // heights say what the normals are
     EXPECT_EQ(both.shade.id, "shade-lambert");
     EXPECT_FLOAT_EQ(both.diffuse.x, 1);
+    EXPECT_NE(note_of(scene).find("brass: taken: nothing; the scene's own instead: map of the base "
+                                  "colour, normal, roughness, metalness; left: nothing"),
+              std::string::npos)
+        << note_of(scene);
+}
+
+/// A material of the scene may win where another one does not.
+TEST_F(GltfMaterials, WhatIsTakenBySomeIsSaidOfThem) {
+    write_mesh();
+    testing_films::write_bytes(folder / "two.json", R"({"quadrel": 1, "size": [24, 24],
+        "materials": {"plain": {}, "painted": {"color": {"file": "own.exr"}}},
+        "objects": [{"mesh": {"file": "square.gltf"}, "material": "plain"},
+                    {"mesh": {"file": "square.gltf"}, "material": "painted"},
+                    {"mesh": {"file": "square.gltf"}, "material": "painted"}]})");
+    const std::string note = note_of(load_scene(folder / "two.json"));
+    EXPECT_NE(note.find("taken: map of the base colour, normal, roughness, metalness; the scene's "
+                        "own instead: map of the base colour; left: nothing"),
+              std::string::npos)
+        << note;
 }
 
 TEST_F(GltfMaterials, FactorsAreTaken) {
@@ -202,7 +221,35 @@ TEST_F(GltfMaterials, WhatIsNoMaterialIsRefused) {
               metal + "baseColorFactor[1]");
     EXPECT_EQ(refused_at("/pbrMetallicRoughness/baseColorTexture/index", 9),
               metal + "baseColorTexture.index");
+    EXPECT_EQ(refused_at("/alphaMode", "mask"), "materials[0].alphaMode");
+    EXPECT_EQ(refused_at("/doubleSided", 1), "materials[0].doubleSided");
+    EXPECT_EQ(refused_at("/alphaMode", "OPAQUE"), "nothing");
     EXPECT_EQ(refused_at("/pbrMetallicRoughness/metallicFactor", 0.5), "nothing");
+}
+
+/// Numbers that glTF gives no meaning, of wrap modes where filters have one among them.
+TEST_F(GltfMaterials, WhatIsNoSamplerIsRefused) {
+    const auto refused = [&](const char* key, const json& value) -> std::string {
+        samplers = json::array({{{key, value}}});
+        try {
+            scene_of();
+        } catch (const InputError& error) {
+            EXPECT_NE(error.file.find("square.gltf"), std::string::npos) << error.what();
+            EXPECT_EQ(error.found, value.dump());
+            return error.key;
+        }
+        return "nothing";
+    };
+    for (const auto& [key, known, wrong] : {std::tuple{"wrapS", 10497, 9729},
+                                            {"wrapT", 33648, 33069},
+                                            {"magFilter", 9729, 9987},
+                                            {"minFilter", 9987, 10497}}) {
+        EXPECT_EQ(refused(key, wrong), std::string("samplers[0].") + key);
+        EXPECT_EQ(refused(key, "9728"), std::string("samplers[0].") + key);
+        EXPECT_EQ(refused(key, known), "nothing") << key;
+    }
+    samplers = json::array();
+    EXPECT_THROW(scene_of(), InputError) << "the first texture has one";
 }
 
 TEST_F(GltfMaterials, WhatIsLeftIsSaid) {

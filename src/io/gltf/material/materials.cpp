@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "io/gltf/buffers.hpp"
 #include "io/gltf/material/choice.hpp"
@@ -42,22 +43,28 @@ std::map<int, bool> drawn_materials(const GltfFile& file, const MeshFileOptions&
     return materials;
 }
 
-const char* wrap_word(const json& code) {
-    if (code == 33071) return "clamp-to-edge";
-    return code == 33648 ? "mirrored-repeat" : "repeat";
-}
+/// A number that glTF gives a meaning, and a scene's word for it.
+struct Code {
+    int number;
+    const char* word;
+};
 
-/// Null for what the file leaves open.
-const char* filter_word(const json& code) {
-    constexpr std::pair<int, const char*> words[] = {{9728, "nearest"},
-                                                     {9729, "linear"},
-                                                     {9984, "nearest-mipmap-nearest"},
-                                                     {9985, "linear-mipmap-nearest"},
-                                                     {9986, "nearest-mipmap-linear"},
-                                                     {9987, "linear-mipmap-linear"}};
-    for (const auto& [known, word] : words)
-        if (code == known) return word;
-    return nullptr;
+// glTF 2.0, 5.26.
+constexpr Code wrap_codes[] = {
+    {10497, "repeat"}, {33071, "clamp-to-edge"}, {33648, "mirrored-repeat"}};
+constexpr Code mag_codes[] = {{9728, "nearest"}, {9729, "linear"}};
+constexpr Code min_codes[] = {{9728, "nearest"},
+                              {9729, "linear"},
+                              {9984, "nearest-mipmap-nearest"},
+                              {9985, "linear-mipmap-nearest"},
+                              {9986, "nearest-mipmap-linear"},
+                              {9987, "linear-mipmap-linear"}};
+
+/// "9728 (nearest), 9729 (linear)".
+std::string codes_text(std::span<const Code> codes) {
+    std::vector<std::string> texts;
+    for (const auto& [number, word] : codes) texts.push_back(fmt::format("{} ({})", number, word));
+    return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 class MaterialReader {
@@ -86,7 +93,7 @@ class MaterialReader {
     }
 
   private:
-    void take(const char* what) { read_.taken.emplace_back(what); }
+    void take(const char* what, const char* key) { read_.words.push_back({what, key}); }
     void leave(const char* what, const std::string& why) {
         read_.left.push_back(fmt::format("{} ({})", what, why));
     }
@@ -141,7 +148,8 @@ class MaterialReader {
         std::optional<Json> text = image_text(image_of(found), what);
         if (!text) return std::nullopt;
         if (srgb) (*text)["colour_space"] = "srgb";
-        add_sampler(element(file_.json, "samplers", member_of(found, "sampler")), *text);
+        add_sampler(member_of(found, "sampler"),
+                    fmt::format("textures[{}].sampler", index.get<std::size_t>()), *text);
         return text;
     }
 
@@ -180,12 +188,31 @@ class MaterialReader {
         return Json{{"file", std::filesystem::absolute(*file).string()}};
     }
 
-    static void add_sampler(const json& sampler, Json& text) {
-        const char* const u = wrap_word(member_of(sampler, "wrapS"));
-        const char* const v = wrap_word(member_of(sampler, "wrapT"));
-        text["wrap"] = {u, v};
-        if (const char* const mag = filter_word(member_of(sampler, "magFilter"))) text["mag"] = mag;
-        if (const char* const min = filter_word(member_of(sampler, "minFilter"))) text["min"] = min;
+    /// The scene's word for what a sampler has at `key`; null where it has nothing.
+    const char* sampler_word(const json& sampler, const std::string& path, const char* key,
+                             std::span<const Code> codes) const {
+        const json& value = member_of(sampler, key);
+        if (value.is_null()) return nullptr;
+        for (const auto& [number, word] : codes)
+            if (value == number) return word;
+        file_.fail(path + "." + key, value.dump(), codes_text(codes));
+    }
+
+    /// `index` is that of a sampler, or nothing, and stands at `key`.
+    void add_sampler(const json& index, const std::string& key, Json& text) const {
+        if (index.is_null()) return;
+        const std::size_t count = member_of(file_.json, "samplers").size();
+        if (!index.is_number_unsigned() || index.get<std::size_t>() >= count)
+            file_.fail(key, index.dump(), fmt::format("one of the file's {} samplers", count));
+        const json& sampler = element(file_.json, "samplers", index);
+        const std::string path = fmt::format("samplers[{}]", index.get<std::size_t>());
+        const auto word = [&](const char* name, std::span<const Code> codes) {
+            return sampler_word(sampler, path, name, codes);
+        };
+        const char *const u = word("wrapS", wrap_codes), *const v = word("wrapT", wrap_codes);
+        text["wrap"] = {u ? u : "repeat", v ? v : "repeat"};
+        if (const char* const mag = word("magFilter", mag_codes)) text["mag"] = mag;
+        if (const char* const min = word("minFilter", min_codes)) text["min"] = min;
     }
 
     void read_base_colour() {
@@ -195,9 +222,9 @@ class MaterialReader {
             if (const auto found = texture(described, metal_path + "baseColorTexture",
                                            "map of the base colour", true)) {
                 read_.keys["color"] = *found;
-                take("map of the base colour");
+                take("map of the base colour", "color");
             }
-        if (member_of(metal_, "baseColorFactor").is_array()) take("base colour");
+        if (member_of(metal_, "baseColorFactor").is_array()) take("base colour", "diffuse");
     }
 
     void read_normal() {
@@ -208,7 +235,7 @@ class MaterialReader {
         const json& scale = member_of(described, "scale");
         if (!scale.is_null() && scale != json(1)) leave("scale of the normal", "none here");
         read_.keys["normal"] = *found;
-        take("normal");
+        take("normal", "normal");
     }
 
     void read_emission() {
@@ -218,12 +245,12 @@ class MaterialReader {
         const bool white = factor == std::vector<double>{1, 1, 1};
         if (described.is_null()) {
             read_.keys["emission"] = {factor[0], factor[1], factor[2], 1};
-            take("emission");
+            take("emission", "emission");
         } else if (!white) {
             leave("emission", "a texture with a factor");
         } else if (const auto found = texture(described, "emissiveTexture", "emission", true)) {
             read_.keys["emissive"] = *found;
-            take("emission");
+            take("emission", "emissive");
         }
     }
 
@@ -241,8 +268,8 @@ class MaterialReader {
                       {"metalness", number(metal_, metal_path, "metallicFactor", 1)}};
         read_gloss(shade);
         read_.keys["shade"] = shade;
-        take("roughness");
-        take("metalness");
+        take("roughness", "shade");
+        take("metalness", "shade");
     }
 
     /// Occlusion, roughness and metalness are channels of one map, as files mostly have them; a
@@ -255,13 +282,13 @@ class MaterialReader {
             gloss = texture(rough, metal_path + "metallicRoughnessTexture",
                             "map of roughness and metalness", false);
         if (!occlusion.is_null()) dims = texture(occlusion, "occlusionTexture", "occlusion", false);
-        if (gloss) take("map of roughness and metalness");
+        if (gloss) take("map of roughness and metalness", "gloss");
         if (gloss && dims && *gloss != *dims) {
             leave("occlusion", "another image than that of roughness");
             dims.reset();
         }
         if (dims) {
-            take("occlusion");
+            take("occlusion", "gloss");
             shade["occlusion_strength"] = number(occlusion, "occlusionTexture.", "strength", 1);
         }
         if (!gloss && !dims) return;
@@ -270,11 +297,17 @@ class MaterialReader {
     }
 
     void read_sides() {
-        if (member_of(material_, "doubleSided") != json(true)) {
+        const json& both = member_of(material_, "doubleSided");
+        if (!both.is_null() && !both.is_boolean())
+            file_.fail(key_ + ".doubleSided", both.dump(), "true or false");
+        if (both != json(true)) {
             read_.keys["cull"] = "back";
-            take("its one side");
+            take("its one side", "cull");
         }
         const json& mode = member_of(material_, "alphaMode");
+        if (!mode.is_null() && mode != json("OPAQUE") && mode != json("MASK") &&
+            mode != json("BLEND"))
+            file_.fail(key_ + ".alphaMode", mode.dump(), R"("OPAQUE", "MASK" or "BLEND")");
         if (mode == json("MASK")) {
             // A texture's alpha times the factor's is what is compared; what nothing reaches is 2.
             constexpr double any = std::numeric_limits<double>::max();
@@ -282,7 +315,7 @@ class MaterialReader {
             read_.keys["discard_below"] = cutoff == 0    ? 0
                                           : base_[3] > 0 ? std::min(cutoff / base_[3], 2.0)
                                                          : 2.0;
-            take("its cut-off alpha");
+            take("its cut-off alpha", "discard_below");
         } else if (mode == json("BLEND")) {
             leave("blending", "nothing is blended");
         }

@@ -10,12 +10,17 @@
 
 namespace quadrel {
 
+/// What one of the keys says, in words.
+struct GltfWord {
+    std::string text, key;
+};
+
 struct GltfMaterial {
     int number = -1;  ///< in the file's list; -1 for triangles without one, which take nothing
     std::string name;
-    Json keys = Json::object();      ///< of a scene's material, each a default; files by full names
-    std::vector<std::string> taken;  ///< what they say, in words
-    std::vector<std::string> left;   ///< what there are no keys for, and why
+    Json keys = Json::object();     ///< of a scene's material, each a default; files by full names
+    std::vector<GltfWord> words;    ///< of all keys that there are words for
+    std::vector<std::string> left;  ///< what there are no keys for, and why
 };
 
 /// Those of the triangles that a mesh of these options has, by their numbers. Throws InputError.
