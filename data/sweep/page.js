@@ -167,21 +167,29 @@ function drawOne(root, s, X, Y, dots) {
   for (const p of s.points)
     add(svg("circle", { class: `dot ${kind}`, cx: X.at(p.x), cy: Y.at(p.y), r: dots ? 5.5 : 3.5, tabindex: dots ? 0 : -1 }), p.about || s.name);
 }
-/* Beside a point, where no other name is. */
-function drawNames(root, frame, ends, X, Y, before) {
-  const taken = [];
+/* The pieces of the front's stairs as boxes of no width, which names keep off. */
+function stairsOf(front, X, Y) {
+  const boxes = [];
+  for (let i = 1; i < front.length; i += 1) {
+    const x0 = X.at(front[i - 1].x), x1 = X.at(front[i].x), y0 = Y.at(front[i - 1].y), y1 = Y.at(front[i].y);
+    boxes.push([Math.min(x0, x1), y0, Math.max(x0, x1), y0], [x1, Math.min(y0, y1), x1, Math.max(y0, y1)]);
+  }
+  return boxes;
+}
+/* Beside a point, where neither another name nor the front is; if there is no such place, on the front. */
+function drawNames(root, frame, ends, X, Y, before, front) {
+  const taken = [], stairs = stairsOf(front, X, Y);
+  const meets = (box, others) => others.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3]);
   for (const { s, p } of ends) {
     const px = X.at(p.x), py = Y.at(p.y), wide = 6.4 * s.name.length;
-    const x0 = before || px + 9 + wide > frame.right ? px - 9 - wide : px + 9;
-    if (x0 < frame.left) continue;
-    for (const dy of [-7, 14, -21, 28, -35, 42]) {
-      const box = [x0, py + dy - 11, x0 + wide, py + dy + 3];
-      if (box[1] < frame.top || box[3] > frame.bottom) continue;
-      if (taken.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3])) continue;
-      taken.push(box);
-      root.append(svg("text", { class: "label", x: x0, y: py + dy }, s.name));
-      break;
-    }
+    const left = px - 9 - wide, right = px + 9, fits = right + wide <= frame.right;
+    const sides = (before || !fits ? [left, right] : [right, left]).filter((x) => x >= frame.left && x + wide <= frame.right);
+    const places = sides.flatMap((x) => [-7, 14, -21, 28, -35, 42].map((dy) => ({ x, y: py + dy, box: [x, py + dy - 11, x + wide, py + dy + 3] })))
+      .filter(({ box }) => box[1] >= frame.top && box[3] <= frame.bottom && !meets(box, taken));
+    const place = places.find(({ box }) => !meets(box, stairs)) || places[0];
+    if (place === undefined) continue;
+    taken.push(place.box);
+    root.append(svg("text", { class: "label", x: place.x, y: place.y }, s.name));
   }
 }
 /* In the margin, in the order of the lines' ends, none on another. */
@@ -216,7 +224,7 @@ function drawChart(place, { series, front, x, y, dots, labelled }) {
   const layer = (s) => state.chosen.has(s.name) ? 2 : s.back ? 0 : 1;
   for (const s of [...series].sort((a, b) => layer(a) - layer(b))) drawOne(root, s, X, Y, dots);
   if (frame.beside) drawNamesBeside(root, frame, ends, X, Y);
-  else drawNames(root, frame, ends, X, Y, !dots);
+  else drawNames(root, frame, ends, X, Y, !dots, front || []);
   place.append(root);
 }
 

@@ -17,6 +17,7 @@ struct AdviseArguments {
     std::vector<std::string> overrides, plugins;
     double budget = 0, percent = 99;
     int side = 96, rows = 12;
+    bool json = false;
 };
 
 ExitCode run_advise(const AdviseArguments& arguments) {
@@ -33,9 +34,12 @@ ExitCode run_advise(const AdviseArguments& arguments) {
     question.progress = [&bar](std::size_t done, std::size_t all, const std::string& name) {
         bar.show(static_cast<double>(done) / static_cast<double>(all), name);
     };
-    const auto candidates = sweep::advise(question);
+    const sweep::Advice advice = sweep::advise(question);
     bar.clear();
-    print(sweep::advice_text(question, candidates, static_cast<std::size_t>(arguments.rows)));
+    if (arguments.json)
+        print_json(sweep::advice_json(question, advice).dump(2) + "\n");
+    else
+        print(sweep::advice_text(question, advice, static_cast<std::size_t>(arguments.rows)));
     return ExitCode::ok;
 }
 
@@ -68,6 +72,7 @@ void add_advise(CLI::App& app, Action& action) {
     verb->add_option("--rows", a->rows, "lines of each table")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
+    verb->add_flag("--json", a->json, "machine-readable: all searches, whatever --rows says");
     add_plugin_option(*verb, a->plugins);
     add_quiet_option(*verb);
     verb->callback([a, &action] { action = [a] { return run_advise(*a); }; });

@@ -353,7 +353,8 @@ void add_execution(CLI::App& verb, RenderOptions& options) {
     verb.add_option(
             "--limits", options.limits,
             "also render what an implementation of this interface may give: gpu.lo.X, "
-            "gpu.hi.X, gpu.paths.X and gpu.gap.*.X for each channel X; vulkan, d3d, gl or webgpu")
+            "gpu.hi.X, gpu.paths.X and gpu.gap.*.X for each channel X; vulkan, d3d, gl or webgpu, "
+            "or rounding: what float32's rounding alone may change")
         ->type_name("INTERFACE");
     verb.add_option("--isa", options.isa, "instruction set; the bits do not depend on it")
         ->check(one_word_of(

@@ -19,7 +19,7 @@ namespace {
 struct SweepArguments {
     std::string plan, output, task;
     std::vector<std::string> merged, plugins;
-    bool table = false;
+    bool table = false, partial = false;
 };
 
 void check_arguments(const SweepArguments& arguments) {
@@ -29,6 +29,8 @@ void check_arguments(const SweepArguments& arguments) {
                              : "found a plan and --merge, expected one of them");
     if (!arguments.task.empty() && arguments.plan.empty())
         throw UsageError("found --task with --merge, expected it with a plan");
+    if (arguments.partial && arguments.merged.empty())
+        throw UsageError("found --partial with a plan, expected it with --merge");
 }
 
 void finish(const SweepArguments& arguments, const std::string& title,
@@ -39,9 +41,14 @@ void finish(const SweepArguments& arguments, const std::string& title,
 }
 
 ExitCode merge(const SweepArguments& arguments) {
-    const std::vector<Json> records =
-        sweep::merge_sweeps({arguments.merged.begin(), arguments.merged.end()}, arguments.output);
-    finish(arguments, records.front().value("plan", "sweep"), records);
+    const sweep::MergedSweeps merged = sweep::merge_sweeps(
+        {arguments.merged.begin(), arguments.merged.end()}, arguments.output, arguments.partial);
+    std::string title = merged.records.front().value("plan", "sweep");
+    if (!merged.lacking.empty()) {
+        say("quadrel: warning: joined " + merged.lacking);
+        title += ", incomplete: " + merged.lacking;
+    }
+    finish(arguments, title, merged.records);
     return ExitCode::ok;
 }
 
@@ -60,7 +67,7 @@ void say_failures(const sweep::SweepOutcome& outcome) {
 ExitCode run_sweep(const SweepArguments& arguments) {
     check_arguments(arguments);
     CommandFiles files;
-    for (const char* name : {"results.json", "results.csv", "page.html"})
+    for (const char* name : {"results.json", "results.csv", "page.html", "part.json"})
         files.add_output("-o", std::filesystem::path(arguments.output) / name);
     load_plugins(arguments.plugins);
     if (arguments.plan.empty()) return merge(arguments);
@@ -99,6 +106,8 @@ void add_sweep(CLI::App& app, Action& action) {
         ->type_name("I/N");
     verb->add_option("--merge", a->merged, "join the runs of these folders instead")
         ->type_name("DIR...");
+    verb->add_flag("--partial", a->partial,
+                   "with --merge: join what is there of a plan whose runs are not all there");
     verb->add_flag("--table", a->table,
                    "also print frames per second and errors as a Markdown table");
     add_plugin_option(*verb, a->plugins);

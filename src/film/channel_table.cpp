@@ -125,7 +125,8 @@ void add_oracle(Table& table) {
          "how far oracle.s moves with the heights, |ds/dh|; 0 at the top and on walls"});
     table.push_back({"oracle.bound", real, "0 to 1",
                      "how far oracle.s is from the exact one at most, as proven"});
-    table.push_back({"oracle.status", integer, "code", "as hit.status"});
+    table.push_back({"oracle.status", integer, "code",
+                     "as hit.status; 0 where there are no heights to judge by, as of noise"});
     table.push_back({"certified", integer, "code",
                      "how oracle.* were proven: 0 not, 1 by bounds of double's rounding, 2 by "
                      "rational arithmetic"});
@@ -232,10 +233,11 @@ void add_ranges(Table& table) {
                      "least value by exact arithmetic on the same inputs"});
     table.push_back({"bound.hi." + any, real, "the channel's",
                      "greatest value by exact arithmetic on the same inputs"});
-    table.push_back(
-        {"undecided", integer, "bits",
-         "what a GPU may decide either way: 1 coverage, 2 a test of the search, 4 cell of the hit, "
-         "8 mip level, 16 cube face, 32 branch, 64 whether the pixel has a fragment at all"});
+    table.push_back({"undecided", integer, "bits",
+                     "what may be decided either way by a GPU, or without --limits by rounding: 1 "
+                     "coverage, 2 a test of the search, 4 cell of the hit, "
+                     "8 mip level, 16 cube face, 32 branch, "
+                     "64 whether the pixel has a fragment at all"});
 }
 
 Table make_table() {

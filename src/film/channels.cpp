@@ -41,12 +41,24 @@ std::string with_index(std::string name, const std::string& index) {
     return name;
 }
 
-/// Every full name that one request stands for; empty if there is none. A full name is never a
-/// group as well: "B" is blue, not the bitangent.
-std::vector<std::string> matches(const std::string& request) {
-    if (find_channel(request) != nullptr) return {request};
+/// What stands before the channel that a range is of, "gpu.lo" in "gpu.lo.K.U"; empty where the
+/// name is of none.
+std::string range_prefix(const std::string& name) {
+    for (const char* prefix :
+         {"gpu.lo", "gpu.hi", "gpu.paths", "gpu.gap.lo", "gpu.gap.hi", "bound.lo", "bound.hi"})
+        if (name == prefix || is_below(name, prefix)) return prefix;
+    return "";
+}
+
+/// "K.U" in "gpu.lo.K.U"; empty where nothing stands behind the prefix.
+std::string behind(const std::string& name, const std::string& prefix) {
+    return name.size() > prefix.size() ? name.substr(prefix.size() + 1) : "";
+}
+
+/// The channels of the table that lie in a group.
+std::vector<std::string> members(const std::string& group) {
     std::string index;
-    const std::string generic = generic_name(request, index);
+    const std::string generic = generic_name(group, index);
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
         if (channel.name.find(any_channel) != std::string::npos) continue;
@@ -57,9 +69,22 @@ std::vector<std::string> matches(const std::string& request) {
     return names;
 }
 
+/// Every full name that one request stands for; empty if there is none. A full name is never a
+/// group as well: "B" is blue, not the bitangent. "gpu.lo.K" is the group K's with ranges.
+std::vector<std::string> matches(const std::string& request) {
+    if (find_channel(request) != nullptr) return {request};
+    const std::string prefix = range_prefix(request);
+    if (prefix.empty()) return members(request);
+    std::vector<std::string> names;
+    for (const std::string& name : members(behind(request, prefix)))
+        if (has_range(name)) names.push_back(prefix + "." + name);
+    return names;
+}
+
 std::vector<std::string> known_requests() {
     std::vector<std::string> names;
     for (const ChannelInfo& channel : channel_table()) {
+        if (channel.name.find(any_channel) != std::string::npos) continue;
         names.push_back(with_index(channel.name, "0"));
         const std::size_t dot = names.back().rfind('.');
         if (dot != std::string::npos) names.push_back(names.back().substr(0, dot));
@@ -68,8 +93,15 @@ std::vector<std::string> known_requests() {
 }
 
 [[noreturn]] void reject(const std::string& request) {
-    const std::string nearest = nearest_word(request, known_requests());
-    const std::string hint = nearest.empty() ? "" : ", did you mean \"" + nearest + "\"?";
+    const std::string prefix = range_prefix(request);
+    const std::string of = prefix.empty() ? request : behind(request, prefix);
+    const std::string nearest = nearest_word(of, known_requests());
+    const std::string whole = nearest.empty() || prefix.empty() ? nearest : prefix + "." + nearest;
+    std::string hint = whole.empty() || whole == request ? "" : ", did you mean \"" + whole + "\"?";
+    if (!prefix.empty() && of.empty())
+        hint = " of which it is the range, as in \"" + prefix + ".K\"";
+    else if (!prefix.empty() && whole == request)
+        hint = " of floats, which have ranges";
     throw UsageError("channels: found \"" + request + "\", expected a channel or group" + hint +
                      " (see `quadrel list channels`)");
 }
@@ -95,15 +127,10 @@ bool is_exact_derivative(const std::string& name) {
 bool is_error_channel(const std::string& name) { return is_below(name, "err"); }
 
 std::optional<RangeChannel> range_channel(const std::string& name) {
-    for (const char* set : {"gpu", "bound"})
-        for (const char* part : {"lo", "hi", "paths", "gap.lo", "gap.hi"}) {
-            const std::string group = std::string(set) + "." + part;
-            const bool of_both = group == "bound.lo" || group == "bound.hi";
-            if ((group.starts_with("bound") && !of_both) || !is_below(name, group)) continue;
-            const std::string channel = name.substr(group.size() + 1);
-            if (has_range(channel)) return RangeChannel{set, part, channel};
-        }
-    return std::nullopt;
+    const std::string prefix = range_prefix(name), channel = behind(name, prefix);
+    if (prefix.empty() || channel.empty() || !has_range(channel)) return std::nullopt;
+    const std::size_t dot = prefix.find('.');
+    return RangeChannel{prefix.substr(0, dot), prefix.substr(dot + 1), channel};
 }
 
 bool has_range(const std::string& channel) {

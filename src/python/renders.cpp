@@ -146,7 +146,7 @@ std::string sweep_plan(const std::string& file, const std::string& output, int t
     run_interruptibly(progress, [&](Work& work) {
         sweep::Plan plan;
         const Inputs inputs = inputs_of([&] { plan = sweep::read_plan(file); });
-        for (const char* name : {"results.json", "results.csv", "page.html"})
+        for (const char* name : {"results.json", "results.csv", "page.html", "part.json"})
             inputs.check("output", std::filesystem::path(output) / name);
         sweep::SweepOptions options{output, task, of, QUADREL_VERSION, {}};
         options.pause = [&] { work.stop_if_interrupted(); };

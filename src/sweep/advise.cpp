@@ -1,7 +1,5 @@
 #include "sweep/advise.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/errors/error_plan.hpp"
 #include "sweep/measure.hpp"
 #include "sweep/plan/families.hpp"
 #include "sweep/run_scenes.hpp"
@@ -109,9 +108,11 @@ class Adviser {
 
     void add(Candidate& candidate, std::size_t view) {
         const Run run{0, 0, view, 0, question_.number, "auto", 0};
-        const JudgedRun judged = scenes_.judge(scenes_.scene_of(run), run);
+        const RunScene made = scenes_.scene_of(run);
+        const JudgedRun judged = scenes_.judge(made, run);
         const RunError& error = judged.error;
         if (error.judged == 0) throw UsageError("no ray can be judged");
+        candidate.surface = error_judge(made.scene, made.scene.materials.front())->surface;
         const double look_ups = search_cost(judged.film).lockstep;
         candidate.look_ups += look_ups;
         candidate.most_look_ups = std::max(candidate.most_look_ups, look_ups);
@@ -131,102 +132,52 @@ class Adviser {
     std::vector<Candidate> candidates_;
 };
 
-bool is_advised(const Candidate& c) { return c.is_good && c.is_affordable; }
-
 /// Good and affordable, then what is neither or one of them, then what could not be judged.
-int rank(const Candidate& c) { return !c.failed.empty() ? 2 : is_advised(c) ? 0 : 1; }
+int rank(const Candidate& c) { return !c.failed.empty() ? 2 : keeps_all(c) ? 0 : 1; }
 
 bool comes_first(const Candidate& a, const Candidate& b) {
     if (rank(a) != rank(b)) return rank(a) < rank(b);
-    return is_advised(a) ? a.look_ups < b.look_ups : a.texels < b.texels;
+    return keeps_all(a) ? a.look_ups < b.look_ups : a.texels < b.texels;
 }
 
-std::string percent(double share) { return share == 0 ? "0" : fmt::format("{:.2g}", 100 * share); }
-
-std::string misses(const Candidate& c) {
-    std::string text;
-    const auto add = [&text](double share, const char* what) {
-        if (share > 0) text += (text.empty() ? "" : ", ") + percent(share) + " % " + what;
-    };
-    for (std::size_t kind = 0; kind < c.wrong.size(); ++kind)
-        add(c.wrong[kind], error_kind_name(static_cast<ErrorKind>(kind)));
-    add(c.nan, "NaN");
-    return text.empty() ? "nothing" : text;
+bool is_to_the_nearest(const SamplerState& sampler) {
+    return sampler.mag == Filter::nearest && sampler.min == Filter::nearest;
 }
 
-std::string line_of(const Candidate& c) {
-    return fmt::format("| {} | {:.1f} | {:.1f} | {:.2g} | {:g} | {} | {} |\n", c.algorithm.name(),
-                       c.look_ups, c.most_look_ups, c.texels, c.worst_angle, misses(c),
-                       c.maps.empty() ? "-" : c.maps);
-}
-
-bool has_trace(const std::vector<Candidate>& candidates, const std::string& trace) {
-    return std::any_of(candidates.begin(), candidates.end(),
-                       [&](const Candidate& c) { return c.algorithm.trace == trace; });
-}
-
-/// Of each search that has none among `advised` the one that is nearest: the rest of a ladder says
-/// nothing more.
-std::vector<Candidate> best_rungs(const std::vector<Candidate>& candidates,
-                                  const std::vector<Candidate>& advised) {
-    std::vector<Candidate> best;
-    for (const Candidate& c : candidates)
-        if (!has_trace(best, c.algorithm.trace) && !has_trace(advised, c.algorithm.trace))
-            best.push_back(c);
-    return best;
-}
-
-std::string table_of(const std::vector<Candidate>& candidates, std::size_t most,
-                     const Question& question) {
-    if (candidates.empty()) return "none\n";
-    std::string text = fmt::format(
-        "| search | look-ups | at most | {:g} % within, texels | worst at | misses there | maps |\n"
-        "|---|---|---|---|---|---|---|\n",
-        question.percent);
-    for (std::size_t i = 0; i < std::min(most, candidates.size()); ++i)
-        text += line_of(candidates[i]);
-    return text;
+bool any_judged(const std::vector<Candidate>& sorted) {
+    return !sorted.empty() && sorted.front().failed.empty();
 }
 
 }  // namespace
 
-std::vector<Candidate> advise(const Question& question) {
-    load_scene(question.scene, question.overrides);  // what is wrong with it is no row's fault
-    std::vector<Candidate> candidates = Adviser(question).run();
-    std::stable_sort(candidates.begin(), candidates.end(), comes_first);
-    if (!candidates.empty() && !candidates.front().failed.empty())
-        throw InputError(question.scene.string(), "",
-                         "a scene on which no search can be judged: " + candidates.front().failed,
-                         "a first material with a height map");
-    return candidates;
+bool keeps_all(const Candidate& candidate) { return candidate.is_good && candidate.is_affordable; }
+
+oracle::Surface surface_of_scene(const Scene& scene) {
+    const Material& material = scene.materials.front();
+    const auto judge = error_judge(scene, material);
+    if (judge && judge->layers == 0 && material.trace.id != "trace-none") return judge->surface;
+    const auto heights = material.textures.find("height");
+    const bool blocks =
+        heights != material.textures.end() && is_to_the_nearest(heights->second.sampler);
+    return blocks ? oracle::Surface::block : oracle::Surface::bilinear;
 }
 
-std::string advice_text(const Question& question, const std::vector<Candidate>& candidates,
-                        std::size_t most) {
-    std::array<std::vector<Candidate>, 3> kinds;
-    for (const Candidate& c : candidates) kinds[static_cast<std::size_t>(rank(c))].push_back(c);
-    std::string text = fmt::format(
-        "{}: within {:g} texels of the true hit at {:g} % of the pixels, {:g} to {:g} "
-        "degrees{}\n\n",
-        question.scene.string(), question.texels, question.percent, question.angles.front(),
-        question.angles.back(),
-        question.budget ? fmt::format(", at most {:g} look-ups", *question.budget) : "");
-    text += kinds[0].empty() ? "No search keeps that.\n"
-                             : fmt::format("Cheapest: {}.\n", kinds[0].front().algorithm.name());
-    text += "\n" + table_of(kinds[0], most, question) + "\nThe nearest of those that do not:\n\n" +
-            table_of(best_rungs(kinds[1], kinds[0]), most, question);
-    for (const Candidate& c : kinds[2])
-        text += "\nNot judged: " + c.algorithm.name() + ": " + c.failed + "\n";
-    const bool has_blocks = std::any_of(
-        candidates.begin(), candidates.end(),
-        [](const Candidate& c) { return c.maps.find("texel-max") != std::string::npos; });
-    if (has_blocks)
-        text +=
-            "\nSearches that read texel-max maps are judged by blocks, the surface that they "
-            "search, all others by bilinear patches.\n";
-    return text +
-           "\nLook-ups of heights and derived maps a fragment, mean over the angles, where 8 x 4 "
-           "pixels wait for the one that takes longest.\n";
+Advice advise(const Question& question) {
+    // What is wrong with it is no row's fault.
+    const Scene scene = load_scene(question.scene, question.overrides);
+    Advice advice;
+    std::vector<Candidate> candidates = Adviser(question).run();
+    std::stable_sort(candidates.begin(), candidates.end(), comes_first);
+    if (!any_judged(candidates))
+        throw InputError(question.scene.string(), "",
+                         "a scene on which no search can be judged" +
+                             (candidates.empty() ? "" : ": " + candidates.front().failed),
+                         "a first material with a height map");
+    advice.surface = surface_of_scene(scene);
+    for (Candidate& c : candidates)
+        (c.failed.empty() && c.surface != advice.surface ? advice.others : advice.searches)
+            .push_back(std::move(c));
+    return advice;
 }
 
 }  // namespace quadrel::sweep

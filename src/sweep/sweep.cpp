@@ -7,6 +7,7 @@
 
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
+#include "sweep/part.hpp"
 #include "sweep/plan/plan_checks.hpp"
 #include "sweep/record.hpp"
 #include "sweep/report/pictures.hpp"
@@ -55,6 +56,7 @@ class Sweeper {
         check_scenes(plan_);  // before anything is written
         make_folder(runs_);
         const std::vector<Run> all = runs_of(plan_);
+        ask(all);
         const std::vector<bool> pictured = pictured_runs(plan_, all);
         const std::vector<Run> own = runs_of_task(all, options_.task, options_.of);
         for (std::size_t i = 0; i < own.size(); ++i) {
@@ -67,6 +69,16 @@ class Sweeper {
     }
 
   private:
+    /// Says in the folder what it is to have.
+    void ask(const std::vector<Run>& all) {
+        std::vector<std::string> names;
+        for (const Run& run : all)
+            names.push_back(
+                fmt::format("{}, {}, {}, {}", name_of(run), run.number, run.isa, run.threads));
+        plan_id_ = plan_id(names);
+        write_part(options_.output, {plan_.title, plan_id_, all.size(), options_.of});
+    }
+
     std::string name_of(const Run& run) const {
         const PlannedMap& map = plan_.maps[run.map];
         return fmt::format("{}, {} {}, {}, {}", plan_.scenes[run.scene].name, map.name, map.size,
@@ -121,6 +133,7 @@ class Sweeper {
 
     /// Where the run is in its plan, and how to draw it.
     void place(Json& record, const Run& run, std::size_t order, const RunScene& scene) const {
+        record["plan_id"] = plan_id_;
         record["order"] = order;
         record["command"] = render_command(plan_, run, scene.overrides);
         record["maps"] = std::filesystem::absolute(options_.output / "maps").string();
@@ -175,6 +188,7 @@ class Sweeper {
     const Plan& plan_;
     const SweepOptions& options_;
     std::filesystem::path runs_;
+    std::string plan_id_;
     RunScenes scenes_;
     SweepOutcome outcome_;
 };

@@ -30,14 +30,24 @@ struct SweepOutcome {
 /// Measures what output/runs has not: a run is known by a hash of its scene with all files, how it
 /// is run, the program and the processor. Each becomes a file of its own as it is finished; one
 /// that cannot be drawn is kept with the reason, and tried again the next time. Maps that the plan
-/// has made lie in output/maps. Throws InputError for a plan whose scenes cannot be read,
+/// has made lie in output/maps, and output/part.json says what was asked for (part.hpp). Throws
+/// InputError for a plan whose scenes cannot be read,
 /// OutputError.
 SweepOutcome run_sweep(const Plan& plan, const SweepOptions& options);
 
+struct MergedSweeps {
+    std::vector<Json> records;  ///< in the plan's order
+    /// What there is of the plan whose runs are not all there, as lacking_runs says it; empty if
+    /// all are, or the folders do not say which there should be.
+    std::string lacking;
+};
+
 /// All runs of the folders' sweeps, each once, copied into output/runs, and the maps that their
-/// commands name into output/maps. Throws InputError for a folder without any, OutputError.
-std::vector<Json> merge_sweeps(const std::vector<std::filesystem::path>& folders,
-                               const std::filesystem::path& output);
+/// commands name into output/maps. Where runs of the folders' plans are missing nothing is written,
+/// unless `partial`. Throws InputError for that, and for a folder that is none of a sweep;
+/// OutputError.
+MergedSweeps merge_sweeps(const std::vector<std::filesystem::path>& folders,
+                          const std::filesystem::path& output, bool partial = false);
 
 /// Makes a folder. Throws OutputError.
 void make_folder(const std::filesystem::path& folder);

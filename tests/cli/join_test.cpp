@@ -230,6 +230,12 @@ TEST_F(Parts, JobsOfBothSchedulersMakeTheWhole) {
         EXPECT_EQ(file_bytes(folder / (kind + ".exr")), file_bytes(folder / "whole.exr")) << kind;
     }
     EXPECT_FALSE(job("OUT=slurm", "frame_slurm.sh' 2>/dev/null"));  // outside of an array
+    // A part alone needs to be told how many there are.
+    const std::string alone = "OUT=alone SLURM_ARRAY_TASK_COUNT=1 SLURM_ARRAY_TASK_ID=2",
+                      script = "frame_slurm.sh' --channels R --quiet";
+    EXPECT_FALSE(job(alone, script + " 2>/dev/null"));
+    EXPECT_TRUE(job(alone + " PARTS=3", script));
+    EXPECT_EQ(file_bytes(folder / "alone/part-2.exr"), file_bytes(folder / "slurm/part-2.exr"));
 }
 
 }  // namespace

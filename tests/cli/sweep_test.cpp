@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "cli/process.hpp"
@@ -61,7 +62,7 @@ TEST_F(SweepCommand, TheQuickPlanGivesAllFiles) {
 }
 
 TEST_F(SweepCommand, ThePlanIsNoOutput) {
-    for (const char* name : {"results.json", "results.csv", "page.html"}) {
+    for (const char* name : {"results.json", "results.csv", "page.html", "part.json"}) {
         testing_films::write_bytes(folder / name, plan);
         const Outcome outcome = sweep({name, "-o", "."});
         EXPECT_EQ(outcome.code, 2) << name;
@@ -97,6 +98,40 @@ TEST_F(SweepCommand, JobsOfBothSchedulersMakeTheWhole) {
     EXPECT_FALSE(job("", "slurm.sh' 2>/dev/null", "slurm"));  // outside of an array
 }
 
+/// A part that was lost is submitted again by itself: an array of one or some of the parts.
+TEST_F(SweepCommand, ALostPartIsRunAgainAlone) {
+    for (const char* task : {"1", "3"})
+        EXPECT_TRUE(job("SLURM_ARRAY_TASK_COUNT=3 SLURM_ARRAY_TASK_ID=" + std::string(task),
+                        "slurm.sh'", "out"));
+    const Words parts{"--merge", "out/part-1", "out/part-3", "-o", "joined"};
+    const Outcome refused = sweep(parts);
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("(--task 2/3 lacks 4)"), std::string::npos) << refused.err;
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "joined"));
+    Words partial = parts;
+    partial.emplace_back("--partial");
+    const Outcome some = sweep(partial);
+    EXPECT_EQ(some.code, 0) << some.err;
+    EXPECT_NE(some.err.find("warning: joined 8 of the 12 runs"), std::string::npos) << some.err;
+    EXPECT_NE(file_bytes(folder / "joined" / "page.html").find("incomplete: 8 of the 12 runs"),
+              std::string::npos);
+    for (const char* array : {"SLURM_ARRAY_TASK_COUNT=1",
+                              "SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=2 "
+                              "SLURM_ARRAY_TASK_MAX=3"}) {
+        const std::string lost = "SLURM_ARRAY_TASK_ID=2 " + std::string(array);
+        EXPECT_FALSE(job(lost, "slurm.sh' 2>/dev/null", "lost")) << array;
+        EXPECT_FALSE(std::filesystem::exists(folder / "lost")) << array;
+        EXPECT_TRUE(job(lost + " PARTS=3", "slurm.sh'", "out")) << array;
+    }
+    Words all = parts;
+    all.insert(all.begin() + 2, "out/part-2");
+    const Outcome whole = sweep(all);
+    EXPECT_EQ(whole.code, 0) << whole.err;
+    EXPECT_EQ(runs_in(folder / "joined").size(), 12u);
+    EXPECT_EQ(file_bytes(folder / "joined" / "page.html").find("incomplete"), std::string::npos);
+}
+
 TEST_F(SweepCommand, AKilledOneIsResumed) {
     const TemporaryFolder logs;
     const pid_t child = start({"sweep", "plan.json", "-o", "out"}, folder.path(), logs.path());
@@ -128,6 +163,7 @@ TEST_F(SweepCommand, WrongCommandLinesAreOneLine) {
              {{"plan.json", "-o", "out", "--task", "1"}, 2, "found \"1\""},
              {{"none.json", "-o", "out"}, 3, "none.json: found no such file"},
              {{"--merge", "none", "-o", "out"}, 3, "none/runs"},
+             {{"plan.json", "--partial", "-o", "out"}, 2, "--partial with a plan"},
              {{"plan.json", "-o", "file"}, 5, "file"}}) {
         const Outcome outcome = sweep(words);
         EXPECT_EQ(outcome.code, code) << outcome.err;
@@ -141,6 +177,11 @@ TEST_F(SweepCommand, AdviceIsATable) {
         run({"advise", "rows/linear", "--error", "2texels", "--angles", "0,45", "--side", "16"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("\nCheapest: "), std::string::npos) << outcome.out;
+    const Outcome json = run({"advise", "rows/linear", "--error", "2texels", "--angles", "0,45",
+                              "--side", "16", "--json"});
+    const auto advice = nlohmann::json::parse(json.out);
+    EXPECT_NE(outcome.out.find("\nCheapest: " + advice["cheapest"].get<std::string>() + "."),
+              std::string::npos);
     EXPECT_EQ(run({"advise", "rows/linear", "--error", "x"}).code, 2);
     EXPECT_EQ(run({"advise", "rows/linear", "--angles", "0..91"}).code, 2);
     EXPECT_EQ(run({"advise", "none"}).code, 3);

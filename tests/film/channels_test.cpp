@@ -77,6 +77,38 @@ TEST(Channels, RangesAreThoseOfFloatChannels) {
     EXPECT_FALSE(needs_ranges("R"));
 }
 
+/// "gpu.lo.K" is a group as K is one, of those that have ranges.
+TEST(Channels, RangesHaveGroups) {
+    for (const std::string prefix :
+         {"gpu.lo", "gpu.hi", "gpu.paths", "gpu.gap.lo", "gpu.gap.hi", "bound.lo", "bound.hi"}) {
+        Names expected;
+        for (const std::string& name : expand_channels(Names{"hit"}))
+            if (has_range(name)) expected.push_back(prefix + "." + name);
+        EXPECT_GT(expected.size(), 2u);
+        EXPECT_LT(expected.size(), expand_channels(Names{"hit"}).size());  // hit.status has none
+        EXPECT_EQ(expand_channels(Names{prefix + ".hit"}), expected);
+    }
+    EXPECT_EQ(expand_channels(Names{"bound.lo.K"}), (Names{"bound.lo.K.U", "bound.lo.K.V"}));
+    EXPECT_EQ(expand_channels(Names{"bound.hi.shadow.2"}), Names{"bound.hi.shadow.2.visibility"});
+    EXPECT_EQ(expand_channels(Names{"gpu.lo.B"}), Names{"gpu.lo.B"});  // blue, as B is
+    for (const auto& [wrong, hint] : std::vector<std::pair<std::string, std::string>>{
+             {"bound.lo", "as in \"bound.lo.K\""},
+             {"gpu.paths", "as in \"gpu.paths.K\""},
+             {"gpu.lo.hit.stauts", "did you mean"},
+             {"bound.lo.Kk", "did you mean \"bound.lo.K\"?"},
+             {"gpu.lo.id", "of floats, which have ranges"},
+             {"bound.paths.K", "expected a channel or group"}}) {
+        try {
+            expand_channels(Names{wrong});
+            ADD_FAILURE() << wrong;
+        } catch (const UsageError& error) {
+            const std::string text = error.what();
+            EXPECT_NE(text.find(hint), std::string::npos) << text;
+            EXPECT_EQ(text.find("did you mean \"" + wrong + "\""), std::string::npos) << text;
+        }
+    }
+}
+
 TEST(Channels, UncoveredValues) {
     EXPECT_EQ(uncovered_bits("Z"), 0x7f800000u);
     EXPECT_EQ(uncovered_bits("id.object"), 0xffffffffu);

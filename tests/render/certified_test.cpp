@@ -1,5 +1,7 @@
 // The judge's channels in renders: proven on every scene whose heights are a map, the same bits
 // however they are drawn, and counted.
+#include "io/document/json.hpp"
+#include "quadrel/errors.hpp"
 #include "quadrel/quad/value.hpp"
 #include "quadrel/relief/trace/oracle/common_hit.hpp"
 #include "quadrel/scene/load.hpp"
@@ -117,6 +119,33 @@ TEST(Certified, IsCounted) {
     render(load_scene("sampler-lod-bias", {size_override("20x15")}), options);
     EXPECT_EQ(flat.certified.not_proven, 0u);
     EXPECT_EQ(flat.certified.without_ray, flat.covered_lanes);
+    // A share of no rays is none.
+    EXPECT_TRUE(Json::parse(to_json(flat))["certified"]["share"].is_null());
+    EXPECT_EQ(Json::parse(to_json(stats))["certified"]["share"], 1);
+    EXPECT_EQ(Json::parse(to_json(other))["certified"]["share"], 0);
+    options.channels = {"certified.pixel"};
+    RenderStats pixels;
+    options.stats = &pixels;
+    render(load_scene("sampler-lod-bias", {size_override("20x15")}), options);
+    EXPECT_TRUE(Json::parse(to_json(pixels))["certified_pixel"]["share"].is_null());
+}
+
+/// Where there is nothing to judge by, nothing is said to have been met.
+TEST(Certified, NoiseHasNoHitOfTheJudge) {
+    RenderOptions options;
+    options.channels = {"A", "oracle.status", "certified.reason", "err.kind", "hit.status"};
+    const Film noise = render(load_scene("rows/heights-noise", {size_override("20x15")}), options);
+    for (std::size_t i = 0; i < noise.window.area(); ++i) {
+        const bool covered = noise.find("A")->as_float(i) > 0;
+        EXPECT_EQ(noise.find("oracle.status")->bits[i], 0u);
+        EXPECT_EQ(noise.find("certified.reason")->bits[i],
+                  covered ? static_cast<std::uint32_t>(Uncertified::no_height_map) : 0u);
+        if (covered) {
+            EXPECT_NE(noise.find("hit.status")->bits[i], 0u);
+            EXPECT_EQ(noise.find("err.kind")->bits[i],
+                      static_cast<std::uint32_t>(ErrorKind::not_judged));
+        }
+    }
 }
 
 /// The second level is counted as the film has it, and only where it is asked for.

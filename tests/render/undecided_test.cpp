@@ -166,5 +166,76 @@ TEST(Undecided, MarksHitsThatMayBeInTwoCells) {
     EXPECT_FALSE(marks_cells(film, map.width / 2));
 }
 
+/// What float and double decide otherwise is marked, without any --limits: rounding alone has
+/// flipped it. Unless `marks` no mark is looked at.
+testing::AssertionResult marks_what_rounding_flips(const std::string& trace, bool marks = true) {
+    const Scene scene =
+        load_scene("rows/linear", {"size=[128,128]", "material.relief.trace=" + trace});
+    RenderOptions options;
+    options.channels = {"A", "hit.status", "hit.steps", "hit.U", "hit.V", "undecided"};
+    options.window = Window{8, 40, 120, 88};
+    const Film drawn = render(scene, options);
+    options.channels.pop_back();
+    options.number = "double";
+    const Film wide = render(scene, options);
+    int flipped = 0, open = 0, covered = 0;
+    for (std::size_t i = 0; i < drawn.window.area(); ++i) {
+        if (!is_covered(drawn, i)) continue;
+        ++covered;
+        const bool marked = marks && drawn.find("undecided")->bits[i] != 0;
+        open += marked;
+        if (drawn.find("hit.steps")->bits[i] == wide.find("hit.steps")->bits[i] &&
+            drawn.find("hit.status")->bits[i] == wide.find("hit.status")->bits[i])
+            continue;
+        ++flipped;
+        if (!marked) return testing::AssertionFailure() << trace << ": pixel " << i;
+    }
+    if (flipped == 0 || open == covered)
+        return testing::AssertionFailure()
+               << trace << ": " << flipped << " flipped, " << open << " of " << covered;
+    return testing::AssertionSuccess();
+}
+
+TEST(Undecided, MarksWhatRoundingAloneMayFlip) {
+    EXPECT_TRUE(marks_what_rounding_flips("linear"));
+    EXPECT_TRUE(marks_what_rounding_flips("relief-binary"));
+    EXPECT_FALSE(marks_what_rounding_flips("linear", false));
+}
+
+/// A GPU may flip more than rounding does, and rounding alone has ranges, too.
+TEST(Undecided, RoundingIsLessThanWhatAGpuMay) {
+    RenderOptions options;
+    options.channels = {"A", "undecided", "K.U", "hit.s"};
+    options.window = Window{40, 40, 72, 64};
+    const Scene scene = load_scene("rows/linear");
+    options.limits = "rounding";
+    const Film rounding = render(scene, options);
+    options.limits = "gl";
+    const Film gl = render(scene, options);
+    options.limits = "";
+    options.channels = {"A", "undecided"};
+    const Film plain = render(scene, options);
+    int fewer = 0;
+    for (std::size_t i = 0; i < gl.window.area(); ++i) {
+        const auto value = [&](const Film& film, const char* name) {
+            return film.find(name)->as_float(i);
+        };
+        const std::uint32_t less = rounding.find("undecided")->bits[i],
+                            more = gl.find("undecided")->bits[i];
+        EXPECT_EQ(plain.find("undecided")->bits[i], less);
+        EXPECT_EQ(less & ~more, 0u) << i;
+        fewer += less != more;
+        for (const char* name : {"K.U", "hit.s"}) {
+            const std::string lo = std::string("gpu.lo.") + name,
+                              hi = std::string("gpu.hi.") + name;
+            EXPECT_LE(value(rounding, lo.c_str()), value(rounding, name)) << i;
+            EXPECT_GE(value(rounding, hi.c_str()), value(rounding, name)) << i;
+        }
+        EXPECT_GE(value(rounding, "gpu.lo.K.U"), value(gl, "gpu.lo.K.U"));
+        EXPECT_LE(value(rounding, "gpu.hi.K.U"), value(gl, "gpu.hi.K.U"));
+    }
+    EXPECT_GT(fewer, 0);
+}
+
 }  // namespace
 }  // namespace quadrel::render_tests

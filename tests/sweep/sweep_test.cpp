@@ -105,13 +105,77 @@ TEST_F(Sweep, PartsJoinedAreTheWhole) {
     const auto whole = keys_of(run_into(out, plan).records);
     for (int task = 1; task <= 4; ++task)
         run_into(folder / ("part" + std::to_string(task)), plan, task, 4);
-    const std::vector<Json> merged =
+    const MergedSweeps joined =
         merge_sweeps({folder / "part1", folder / "part2", folder / "part3", folder / "part4"},
                      folder / "joined");
+    EXPECT_EQ(joined.lacking, "");
+    const std::vector<Json>& merged = joined.records;
     EXPECT_EQ(keys_of(merged), whole);
     for (std::size_t i = 0; i < merged.size(); ++i)
         EXPECT_EQ(merged[i]["order"].get<std::size_t>(), i);
     EXPECT_THROW(merge_sweeps({folder / "nothing"}, folder / "joined"), InputError);
+}
+
+/// Why folders are not joined; empty if they are.
+std::string refusal(const std::vector<std::filesystem::path>& folders,
+                    const std::filesystem::path& to) {
+    try {
+        merge_sweeps(folders, to);
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+/// Of six runs in four parts the third has the third one alone.
+TEST_F(Sweep, PartsThatAreNotAllThereAreNoWhole) {
+    std::vector<std::filesystem::path> parts;
+    for (int task = 1; task <= 4; ++task) {
+        parts.push_back(folder / ("part" + std::to_string(task)));
+        run_into(parts.back(), plan, task, 4);
+    }
+    const std::vector<std::filesystem::path> some{parts[0], parts[1], parts[3]};
+    const std::filesystem::path joined = folder / "joined";
+    const std::string text = refusal(some, joined);
+    EXPECT_NE(text.find("5 of the 6 runs"), std::string::npos) << text;
+    EXPECT_NE(text.find("(--task 3/4 lacks 1)"), std::string::npos) << text;
+    EXPECT_FALSE(std::filesystem::exists(joined));
+    const MergedSweeps partial = merge_sweeps(some, joined, true);
+    EXPECT_EQ(partial.records.size(), 5u);
+    EXPECT_NE(partial.lacking.find("5 of the 6 runs"), std::string::npos);
+    // The rest may come later, into what was joined; a joined folder says itself what it lacks.
+    EXPECT_NE(refusal({joined}, folder / "again"), "");
+    EXPECT_EQ(merge_sweeps({parts[2]}, joined).records.size(), 6u);
+    EXPECT_EQ(refusal({joined}, folder / "again"), "");
+    // A part that was killed lacks a run; one of another number of parts is named by none.
+    std::filesystem::remove(
+        (parts[1] / "runs") /
+        (read_records(parts[1] / "runs")[0]["key"].get<std::string>() + ".json"));
+    EXPECT_NE(refusal(parts, folder / "other").find("(--task 2/4 lacks 1)"), std::string::npos);
+    run_into(folder / "half", plan, 1, 2);
+    EXPECT_EQ(refusal({parts[0], folder / "half"}, folder / "other").find("--task"),
+              std::string::npos);
+    // More parts than runs: a part without any is no part that failed.
+    std::vector<std::filesystem::path> many;
+    for (int task = 1; task <= 7; ++task) {
+        many.push_back(folder / ("many" + std::to_string(task)));
+        run_into(many.back(), plan, task, 7);
+    }
+    EXPECT_EQ(refusal(many, folder / "seven"), "");
+    many.pop_back();
+    EXPECT_EQ(refusal(many, folder / "six"), "");
+}
+
+/// What an earlier plan has left in a folder is neither lacking nor in the place of what is.
+TEST_F(Sweep, LeftOversOfAnotherPlanDoNotCount) {
+    run_into(folder / "part", plan, 1, 2);
+    Plan changed = plan;
+    changed.views = {{30.0}, {60.0}};
+    run_into(folder / "part", changed, 1, 2);
+    EXPECT_NE(refusal({folder / "part"}, folder / "joined").find("3 of the 6 runs"),
+              std::string::npos);
+    run_into(folder / "rest", changed, 2, 2);
+    EXPECT_EQ(refusal({folder / "part", folder / "rest"}, folder / "joined"), "");
 }
 
 /// The file that a run's command reads its heights from.
@@ -132,7 +196,7 @@ TEST_F(Sweep, CommandsOfAMergedSweepReadItsOwnMaps) {
         EXPECT_EQ(heights_in(record).parent_path(), joined / "maps");
         EXPECT_TRUE(std::filesystem::exists(heights_in(record)));
     }
-    for (const Json& record : merge_sweeps({joined}, again))
+    for (const Json& record : merge_sweeps({joined}, again).records)
         EXPECT_EQ(heights_in(record).parent_path(), again / "maps");
 }
 

@@ -80,7 +80,8 @@ void add_compressions(const TypedLine& line, Candidates& to) {
 }
 
 void add_limits(const TypedLine& line, Candidates& to) {
-    for (const char* const name : {"vulkan", "d3d", "gl", "webgpu"}) to.add(line.before + name);
+    for (const char* const name : {"vulkan", "d3d", "gl", "webgpu", "rounding"})
+        to.add(line.before + name);
 }
 
 /// As ID, or as ROOM/ID where that is begun.

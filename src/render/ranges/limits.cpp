@@ -80,6 +80,24 @@ ErrorBudget d3d() {
     return budget;
 }
 
+/// Float32 as the reference computes it, each operation rounded to nearest and functions within
+/// what num/math.hpp states; sums may be taken in any order, products fused with sums.
+ErrorBudget rounding() {
+    ErrorBudget budget;
+    budget.unit = 0x1p-23;
+    budget.division = budget.square_root = 0.5;
+    budget.inverse_root = 1.01;  // 1 / sqrt(x)
+    budget.normalize = 2;        // v * (1 / sqrt(dot))
+    budget.exp2 = budget.exp = 1;
+    budget.log2 = budget.log = 0.51;
+    budget.log2_absolute = 0x1p-24;
+    budget.sine = 0x1p-23;
+    budget.arctangent = 1;
+    budget.evaluation = 0x1p-23;
+    budget.lod = 0x1p-18;  // of log2(rho)
+    return budget;
+}
+
 double* setting(ErrorBudget& budget, const std::string& name) {
     if (name == "plane") return &budget.plane;
     if (name == "snapping") return &budget.snapping;
@@ -126,9 +144,11 @@ ErrorBudget budget_of_limits(const std::string& text) {
         budget = gl();
     else if (part == "d3d")
         budget = d3d();
+    else if (part == limits_of_rounding)
+        budget = rounding();
     else
-        throw UsageError(
-            fmt::format("--limits: found \"{}\", expected vulkan, d3d, gl or webgpu", part));
+        throw UsageError(fmt::format(
+            "--limits: found \"{}\", expected vulkan, d3d, gl or webgpu, or rounding", part));
     if (text.ends_with(',')) apply_setting(budget, "");
     while (std::getline(parts, part, ',')) {
         if (is_exact_rho(part))

@@ -7,8 +7,12 @@
 
 namespace quadrel {
 
-/// `text`: vulkan, d3d, gl or webgpu, and after it settings of what no specification states, as in
-/// "gl,plane=1e-6". Throws UsageError.
+/// What differs from exact arithmetic by the rounding of float32 alone: no GPU's, but what decides
+/// otherwise here could flip in the reference itself.
+inline constexpr const char* limits_of_rounding = "rounding";
+
+/// `text`: vulkan, d3d, gl, webgpu or rounding, and after it settings of what no specification
+/// states, as in "gl,plane=1e-6". Throws UsageError.
 ErrorBudget budget_of_limits(const std::string& text);
 
 /// The interface that it names, without settings.

@@ -80,10 +80,14 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
     const std::string& asked = asking.front().name;
     if (scene.samples > 1)
         throw UsageError(fmt::format("channel \"{}\": ranges are of one sample a pixel", asked));
-    if (set == RangeSet::gpu && limits.empty())
+    const bool of_rounding = limits.empty() && std::ranges::all_of(asking, [](const auto& channel) {
+                                 return channel.kind == ChannelSource::Kind::undecided;
+                             });
+    if (set == RangeSet::gpu && limits.empty() && !of_rounding)
         throw UsageError(
             fmt::format("channel \"{}\": expected --limits vulkan, d3d, gl or webgpu", asked));
-    if (set == RangeSet::gpu) plan.budget = budget_of_limits(limits);
+    if (set == RangeSet::gpu)
+        plan.budget = budget_of_limits(of_rounding ? limits_of_rounding : limits);
     plan.table = &range_kernels();
     plan.maps = next_number();
     plan.certifies = std::ranges::any_of(asking, certifies_pixels);

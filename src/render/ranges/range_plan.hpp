@@ -39,7 +39,8 @@ struct RangePlan {
 bool is_range(const ChannelSource& channel);
 
 /// What the channels of a set (exact arithmetic, or an implementation's) need; no materials where
-/// none asks. `limits`: as RenderOptions has it. A stage of which all that is read is `injected`
+/// none asks. `limits`: as RenderOptions has it; empty is `rounding` where
+/// nothing but `undecided` asks. A stage of which all that is read is `injected`
 /// (or null) need not run on ranges: its values are those that are drawn. Throws UsageError that
 /// names the first other one that does not, or what else is in the way.
 RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& channels, RangeSet set,

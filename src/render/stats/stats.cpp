@@ -69,8 +69,12 @@ Json to_json(const KindStats& kinds) {
     return json;
 }
 
+/// A share of nothing is none.
+Json share_of(bool rays, double share) { return rays ? Json(share) : Json(); }
+
 Json to_json(const CertifiedStats& certified) {
-    return {{"share", certified.share()},
+    const bool rays = certified.by_bounds + certified.exactly + certified.not_proven > 0;
+    return {{"share", share_of(rays, certified.share())},
             {"by_bounds", certified.by_bounds},
             {"exactly", certified.exactly},
             {"not_proven", certified.not_proven},
@@ -78,7 +82,8 @@ Json to_json(const CertifiedStats& certified) {
 }
 
 Json to_json(const CertifiedPixelStats& pixels) {
-    return {{"share", pixels.share()},
+    const bool rays = pixels.proven + pixels.open + pixels.apart + pixels.ray_not_proven > 0;
+    return {{"share", share_of(rays, pixels.share())},
             {"proven", pixels.proven},
             {"open", pixels.open},
             {"apart", pixels.apart},

@@ -8,8 +8,9 @@ namespace {
 /// What the page shows of the results: thousands of command lines would be most of it.
 Json shown(Json results) {
     for (Json& run : results["runs"])
-        for (const char* key : {"command", "plan", "processor", "host", "processors", "load",
-                                "published_on", "maps", "repeats", "order", "look_ups_by_kind"})
+        for (const char* key :
+             {"command", "plan", "processor", "host", "processors", "load", "published_on", "maps",
+              "repeats", "order", "plan_id", "look_ups_by_kind"})
             run.erase(key);
     return results;
 }

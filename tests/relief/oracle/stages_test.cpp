@@ -162,6 +162,8 @@ TEST(OracleStages, SayWhatIsMissing) {
     rays.run("oracle");
     EXPECT_EQ(rays.integer(Value::certified_reason, 1),
               static_cast<int>(Uncertified::no_height_map));
+    EXPECT_EQ(rays.integer(Value::oracle_status, 1), static_cast<int>(Status::none));
+    EXPECT_EQ(rays.integer(Value::oracle_status, 2), static_cast<int>(Status::no_frame));
 }
 
 }  // namespace

@@ -65,13 +65,16 @@ class QuadHits {
             return unsearched(lane, ray, Uncertified::no_height_map);
         return first_hit(field_, ray);
     }
-    /// On the polygon, with the frame's status; a lane without fragment as one without a frame.
+    /// On the polygon. With the frame's status where there is no ray (a lane without fragment is as
+    /// one without a frame); where there are no heights to judge by, with none.
     Hit unsearched(int lane, const Ray& ray, Uncertified reason) const {
         Hit none;
         none.s = ray.s_polygon;
         none.u = ray.u;
         none.v = ray.v;
-        none.status = static_cast<Status>(ray_.frame_status.lane[lane]);
+        none.status = reason == Uncertified::no_ray
+                          ? static_cast<Status>(ray_.frame_status.lane[lane])
+                          : Status::none;
         none.reason = reason;
         return none;
     }
