@@ -224,6 +224,20 @@ TEST_F(JudgePageInABrowser, SaysWhatIsNotJudged) {
     EXPECT_TRUE(says(none, "by the absolute difference; none is judged."));
 }
 
+/// Codes have no ranges, and all of them may be wrong while every other channel is legal: the line
+/// on top says so, and how many pixels are hardly judged at all.
+TEST_F(JudgePageInABrowser, SaysThatCodesDiffer) {
+    const std::string page = judge_page(small_scene(), {{}, limits});
+    const Judged judged(with_planted(page, "found ? STATUS_HIT : STATUS_FLOOR",
+                                     "found ? STATUS_CAP : STATUS_FLOOR"),
+                        "");
+    EXPECT_EQ(judged.failing(), 0) << judged.error() << judged.verdict().dump(1);
+    EXPECT_NE(judged.dom().find("Codes, which have no ranges, differ: hit.status in "),
+              std::string::npos);
+    EXPECT_EQ(Judged(page, "").dom().find("Codes, which have no ranges, differ: "),
+              std::string::npos);
+}
+
 /// Megabytes of a page of bricks-45, whose pictures and maps are full of detail.
 double page_size(int side) {
     const Scene scene = load_scene("bricks-45", {fmt::format("size=[{},{}]", side, side)});
