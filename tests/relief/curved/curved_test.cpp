@@ -193,6 +193,33 @@ TEST(PrismFree, RaysStayWhereNormalsMeet) {
     EXPECT_GT(turned, 0);
 }
 
+/// A step over where normals meet may throw a ray far out of the relief: it has left, and the frame
+/// is one of where it was before.
+TEST(PrismFree, RaysThatAreThrownOutHaveLeft) {
+    int left = 0;
+    for (int seed = 0; seed < rounds(64); ++seed) {
+        SphereRays rays(0.5f, grazing, Random(seed));
+        Batch<float>& b = rays.batch;
+        Random random(seed + 100);
+        each(b, [&](int lane) {
+            const dvec2 line(3, 2), across(2, -3);
+            b.set(Value::dUVdx, lane, line * std::exp2(random.uniform(-12, 1)));
+            b.set(Value::dUVdy, lane,
+                  line * std::exp2(random.uniform(-12, 1)) +
+                      across * std::exp2(random.uniform(-24, -6)));
+        });
+        b.run("prism-free", {{"steps", 4}});
+        each(b, [&](int lane) {
+            left += rays.status(lane) == Status::clip;
+            for (const Value v :
+                 {Value::J, Value::T, Value::B, Value::frame_normal, Value::hit_depth})
+                for (int c = 0; c < info(v).components; ++c)
+                    EXPECT_LT(std::abs(b.real(v, lane, c)), 1e12f) << info(v).name;
+        });
+    }
+    EXPECT_GT(left, 0);
+}
+
 /// Lanes without a frame and broken maps say so; without depth nothing moves.
 TEST(CurvedRows, WhatCannotBeSearchedSaysSo) {
     for (const char* id : curved_rows) {

@@ -183,7 +183,9 @@ struct PrismFree : HeightSearch {
         vec3<F> turn_before = path.turn;
         Mask<F> active = ray.active, left(false);
         for (const auto k : steps<F>(0, 2 * params.steps)) {
-            left = left | (active & path.rises() & (path.here.s <= F(0)));
+            // Up, or thrown up by a step over where normals meet, behind which it goes anywhere.
+            const Mask<F> upwards = path.rises() | (path.here.s < before.s);
+            left = left | (active & upwards & (path.here.s <= F(0)));
             active = active & !left;
             const F s = path.here.s, h = height(active, s, path.here.uv, F(1) - s);
             const Mask<F> under = bracket.narrow(active, F(1), s, h);
@@ -208,7 +210,7 @@ struct PrismFree : HeightSearch {
         const Int<F> otherwise =
             select(left, status_packet<F>(Status::clip), status_packet<F>(Status::cap));
         const Int<F> status = select(bracket.found, status_packet<F>(Status::hit), otherwise);
-        const F part = bracket.below;
+        const F part = select(left, F(0), bracket.below);  // inside, where there is a frame
         const PathPoint<F> end = piece(part);
         store_path(io, with_passing_rays(io, ray), bracket, end,
                    select(bracket.met_nan, status_packet<F>(Status::nan), status));

@@ -35,8 +35,8 @@ struct ThesisSphere : HeightSearch {
         using F = typename Io::Number;
         const SearchRay<F> ray = search_ray(io);
         const auto heights = march_heights(io);
-        // Frames of listings may say that the ray comes from below: it does not climb.
-        const F r = max(io.template load<Value::r>(), F(0)), tolerance(params.tolerance);
+        // Frames of listings may say that the ray comes from below, or NaN: it does not climb.
+        const F r = max(F(0), io.template load<Value::r>()), tolerance(params.tolerance);
         SearchResult<F> result;
         result.s = F(0);
         Mask<F> active = ray.active, met_nan(false);
