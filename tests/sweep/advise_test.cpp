@@ -81,7 +81,7 @@ TEST_F(Advise, TheScenesOwnSurfaceIsRanked) {
     const std::set<std::string> blocks{"pyramid", "qdm"};
     EXPECT_EQ(traces_of(patches.others), blocks);
     for (const Candidate& c : patches.searches)
-        if (c.failed.empty()) EXPECT_EQ(c.surface, patches.surface) << c.algorithm.name();
+        EXPECT_TRUE(!c.failed.empty() || c.surface == patches.surface) << c.algorithm.name();
     EXPECT_TRUE(patches.others.front().is_good);
     EXPECT_EQ(patches.others.front().texels, 0);
     const std::string text = advice_text(question(0.5), patches, 50);
