@@ -73,9 +73,8 @@ constexpr SceneKey keys[] = {
      "what texels of all levels are rounded to"},
     {"texture", "mip", "`none` `box` `area`", "`box`",
      "how levels are made, each of the one before in linear light as it is before rounding, the "
-     "first "
-     "of the image as decoded: `half` of a file in sRGB too is rounded once a level, and not what "
-     "the levels behind it are means of"},
+     "first of the image as decoded: `half` of a file in sRGB too is rounded once a level, and not "
+     "what the levels behind it are means of"},
     {"texture", "flip_v", "boolean", "false", "row 0 is the file's last row"},
     {"texture", "allow_nan", "boolean", "false",
      "NaN and infinite texels are kept instead of refused; `--stats` counts them"},
@@ -114,8 +113,7 @@ constexpr SceneKey keys[] = {
      "depth layers, for the searches that look behind things: depths of a front and of the back "
      "behind it in two or four channels, in pairs, sorted, 0 at the top and 1 at the bottom; where "
      "both are equal there is nothing. Of one channel: a front that is solid down to the bottom; "
-     "of "
-     "three the second solid is",
+     "of three the second solid is",
      Below::object, "texture"},
     {"material", "layers_2", "name or `texture`", "none",
      "depths of two more solids, behind those of `layers`, for `true-impostor`", Below::object,
