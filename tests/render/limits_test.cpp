@@ -524,7 +524,7 @@ TEST(Limits, AreRefusedWhereThereAreNone) {
     EXPECT_NE(refuses(scene).find("--limits"), std::string::npos);
     options.channels = {"gpu.lo.A"};
     EXPECT_NE(refuses(scene).find("channels: found"), std::string::npos);
-    options.channels = {"bound.lo.uv"};
+    options.channels = {"bound.lo"};
     EXPECT_NE(refuses(scene).find("channels: found"), std::string::npos);
     options.channels = {"R"};
     options.limits = "gl";

@@ -200,7 +200,6 @@ testing::AssertionResult marks_what_rounding_flips(const std::string& trace, boo
 
 TEST(Undecided, MarksWhatRoundingAloneMayFlip) {
     EXPECT_TRUE(marks_what_rounding_flips("linear"));
-    EXPECT_TRUE(marks_what_rounding_flips("relief-binary"));
     EXPECT_FALSE(marks_what_rounding_flips("linear", false));
 }
 
