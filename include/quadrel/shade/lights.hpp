@@ -80,9 +80,7 @@ LightTerms<F> sum_lights(const Io& io, const vec3<F>& base, const vec3<F>& N,
         const F cosine = dot(N, L);
         const auto highlight = specular(L, cosine);
         using Highlight = std::remove_const_t<decltype(highlight)>;
-        const auto add = [i](vec3<F>& to, const vec3<F>& term) {
-            to = light_sum(i == 0, to, term);
-        };
+        const auto add = [i](vec3<F>& to, const vec3<F>& by) { to = light_sum(i == 0, to, by); };
         F arriving = max(cosine, F(0)) * visible;
         if constexpr (std::is_same_v<Highlight, ReflectionLobes<F>>)
             arriving = select(cosine > F(0), arriving * highlight.matte, F(0));
