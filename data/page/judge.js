@@ -100,6 +100,8 @@ function verdictTable({ rows, counts, pixels, unranged }) {
     body.unshift(html("tr", { className: "all" }, html("th", { scope: "row" }, "pixels by their worst"), html("td", {}, ""), ...counts.slice(0, last).map((n, k) => number(n, k === 3)), html("td", {}, "")));
   return html("div", { className: "scroll tall" }, html("table", {}, html("thead", {}, head), html("tbody", {}, ...body)));
 }
+const endings = { one: "st", two: "nd", few: "rd", other: "th" }, ordinals = new Intl.PluralRules("en", { type: "ordinal" });
+const ordinal = (n) => n === 2 ? "second" : n === 3 ? "third" : n + endings[ordinals.select(n)];
 function notesOf(drawing, verdict) {
   const { limits, refusal, every, lacking } = judgedScene, notes = drawing ? [...new Set(drawing.notes)] : [];
   if (verdict?.edges) notes.push(`${counted(verdict.edges, "pixel")} at edges ${verdict.edges === 1 ? "is" : "are"} covered on one side alone, which snapping permits; nothing else is judged there.`);
@@ -107,7 +109,7 @@ function notesOf(drawing, verdict) {
   if (limits && verdict?.counts[3] && wishes.by === "webgpu" && !limits.includes("snapping="))
     notes.push(`WebGPU does not tell how finely a GPU snaps corners, and ranges take 8 bits below a pixel for granted. Vulkan asks for 4: where pixels fail all over, in uv first, export with --limits ${limits},snapping=0.0625.`);
   if (limits) notes.push(`Ranges are what --limits ${limits} permits, rounded outwards by at most an eighth of their distance from the reference.`);
-  if (every > 1) notes.push(`Every ${every === 2 ? "second" : every === 3 ? "third" : every + "th"} row of quads is judged, the others are compared and no more.`);
+  if (every > 1) notes.push(`Every ${ordinal(every)} row of quads is judged, the others are compared and no more.`);
   if (lacking.length) notes.push(`Not judged: ${lacking.join(", ")}, for which neither GLSL ES 3.0 nor WGSL has a word.`);
   if (refusal) notes.push(`Some channels have no range: ${refusal}.`);
   return notes;

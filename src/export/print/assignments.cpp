@@ -57,6 +57,28 @@ bool are_independent(const Event& event, const Expressions& expressions) {
     return true;
 }
 
+namespace {
+
+bool is_negation_of(const Node* a, const Node* b) {
+    return a != nullptr && a->kind == Kind::unary && a->text == "!" && a->arguments[0] == b;
+}
+
+}  // namespace
+
+void pair_groups(std::vector<AssignmentGroup>& groups) {
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const auto first = groups.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto other = std::find_if(first + 1, groups.end(), [&](const AssignmentGroup& of) {
+            return is_negation_of(of.condition, first->condition) ||
+                   is_negation_of(first->condition, of.condition);
+        });
+        if (first->condition == nullptr || other == groups.end()) continue;
+        std::rotate(first + 1, other, other + 1);
+        if (is_negation_of(first->condition, first[1].condition)) std::iter_swap(first, first + 1);
+        ++i;
+    }
+}
+
 void join_groups(std::vector<AssignmentGroup>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         for (std::size_t j = i + 1; j < groups.size();) {

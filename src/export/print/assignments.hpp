@@ -24,6 +24,9 @@ bool are_independent(const Event& event, const Expressions& expressions);
 /// Those of one condition become one.
 void join_groups(std::vector<AssignmentGroup>& groups);
 
+/// Those of opposite conditions come to stand side by side, the negated one second.
+void pair_groups(std::vector<AssignmentGroup>& groups);
+
 /// Puts the way out into the group of its condition, which then comes last; false where there is
 /// none.
 bool leaves_by_group(std::vector<AssignmentGroup>& groups, const Event& leave, const Locals& locals,

@@ -40,16 +40,28 @@ std::string name_of_result(const Node& node) {
     return node.weak_name.empty() ? node.name : node.weak_name;
 }
 
-/// What an argument is called in all calls that name it; empty where these differ.
+/// `at` of at_x and at_y; empty where the names have nothing in common.
+std::string common_stem(const std::string& a, const std::string& b) {
+    const std::size_t end = a.rfind('_');
+    return end != std::string::npos && end > 0 && b.rfind('_') == end &&
+                   a.compare(0, end, b, 0, end) == 0
+               ? a.substr(0, end)
+               : "";
+}
+
+/// What an argument is called in all calls that name it, or what these names have in common; else
+/// what it is in the first call.
 template <class Cones>
 std::string name_of_argument(const Cones& group, std::size_t i) {
-    std::string name;
+    std::string name, first;
     for (const auto& of : group) {
         const std::string own = own_name(*of.arguments[i]);
-        if (!name.empty() && !own.empty() && own != name) return "";
-        if (!own.empty()) name = own;
+        if (own.empty()) continue;
+        if (first.empty()) first = name = own;
+        if (own != name) name = common_stem(name, own);
+        if (name.empty()) return first;
     }
-    return name;
+    return name.empty() ? described(*group[0].arguments[i]) : name;
 }
 
 template <class Cones>
@@ -236,6 +248,7 @@ void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
     helper->name = unique_name(prefix + "_" + name_of_results(group), "helper", names_);
     BodyCopy copy(helper->graph);
     std::set<std::string> inputs;
+    for (const Uniform& of : graph_.uniforms) inputs.insert(of.name);
     for (std::size_t i = 0; i < first.arguments.size(); ++i) {
         const std::string letter(1, static_cast<char>('a' + i));
         copy.add_input(*first.arguments[i],

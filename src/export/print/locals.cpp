@@ -81,7 +81,8 @@ void Locals::collect_roots(Region& region) {
                     if (of != nullptr) roots_.push_back({of, event.order, &region, false});
                 for (const auto& of : event.loop->variables)
                     if (is_needed(of.get()) || (of->guards && event.loop->condition == nullptr))
-                        roots_.push_back({of->initial, event.order, &region, false});
+                        roots_.push_back({of->initial, event.order, &region,
+                                          !of->guards && of->initial->comments.empty()});
                 collect_roots(event.loop->body);
                 break;
         }

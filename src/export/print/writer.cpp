@@ -267,7 +267,10 @@ void Writer::write_groups(const std::vector<AssignmentGroup>& groups, bool indep
 void Writer::write_assignments(const Event& event, const Event* leave, int depth) {
     std::vector<AssignmentGroup> groups = groups_of(event, expressions_);
     const bool independent = are_independent(event, expressions_);
-    if (independent) join_groups(groups);
+    if (independent) {
+        join_groups(groups);
+        pair_groups(groups);
+    }
     const bool is_out =
         leave != nullptr && independent && leaves_by_group(groups, *leave, locals_, expressions_);
     write_groups(groups, independent, depth);

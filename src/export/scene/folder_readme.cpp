@@ -141,6 +141,11 @@ std::string folder_readme(const ExportContent& content) {
         "Pixels that nothing covers hold the manifest's `clear` values. Whole numbers (`uint`) "
         "are\n"
         "written as floats.\n\n{}\n"
+        "What a program that reads the manifest meets: `count` is 0 for a uniform that is no "
+        "array; among a\n"
+        "target's `channels` `null` is a component that holds none; a number that JSON has not is "
+        "a string,\n"
+        "`\"inf\"`, `\"-inf\"` or `\"nan\"`, as in `clear`.\n\n"
         "## Stages\n\n{}\n"
         "`expected.exr` was drawn with `hardware: {}`. What a GPU may do differently within its\n"
         "specification, `quadrel render --limits` tells.\n",

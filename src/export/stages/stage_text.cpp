@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "export/print/fold/carried_vectors.hpp"
 #include "export/print/fold/fold.hpp"
 #include "export/print/wrapped_line.hpp"
 #include "export/print/writer.hpp"
@@ -78,6 +79,7 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     parameters.record(graph);
     const std::string written_in = parameters.written_in(graph);
     if (parameters_as == ParametersAs::uniforms) make_uniforms(graph, result.name, apart);
+    join_carried_vectors(graph, outputs);
     Folder(graph).run();
     const Helpers helpers(graph, outputs, as_word(stage.text->id) + suffix);
     std::vector<std::string> taken = parameters.names();

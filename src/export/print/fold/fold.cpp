@@ -48,7 +48,10 @@ std::string key_of(const Node& node) {
 }  // namespace
 
 void Folder::run() {
-    for (const auto& node : graph_.nodes) folded_[node.get()] = folded(*node);
+    for (const auto& node : graph_.nodes) {
+        known_masks_.learn_up_to(node->order, folded_);
+        folded_[node.get()] = folded(*node);
+    }
     for (const auto& loop : graph_.loops) {
         for (Node** of : {&loop->condition, &loop->first, &loop->last})
             if (*of != nullptr) *of = folded_.at(*of);
@@ -71,7 +74,7 @@ void Folder::rename(Region& region) {
 Node* Folder::folded(const Node& node) {
     if (node.kind == Kind::read) return folded_read(node);
     Node copy = node;
-    for (Node*& argument : copy.arguments) argument = folded_.at(argument);
+    for (Node*& argument : copy.arguments) argument = argument_of(node, argument);
     Node* const result = simplified(std::move(copy));
     if (!is_leaf(*result)) {
         if (result->name.empty() && result->region == node.region && !node.name.empty()) {
@@ -81,6 +84,14 @@ Node* Folder::folded(const Node& node) {
         if (result->weak_name.empty()) result->weak_name = node.weak_name;
     }
     return result;
+}
+
+Node* Folder::argument_of(const Node& user, const Node* argument) {
+    Node* const result = folded_.at(argument);
+    if (result->type == Type::real) return part_of_vector(user, result);
+    if (result->type != Type::boolean) return result;
+    const std::optional<bool> known = known_masks_.find(result, user.region);
+    return known ? literal(Type::boolean, *known ? 1 : 0) : result;
 }
 
 Node* Folder::folded_read(const Node& read) {
@@ -127,18 +138,30 @@ Node* Folder::simplified(Node node) {
     if (Node* const result = whole_again(node)) return result;
     subtract_negative(node);
     const auto& arguments = node.arguments;
-    if (node.kind == Kind::select) {
-        if (arguments[0]->kind == Kind::literal)
-            return arguments[0]->value != 0 ? arguments[1] : arguments[2];
-        if (arguments[1] == arguments[2]) return arguments[1];
-    }
+    if (Node* const result = simple_choice(node)) return result;
     if (node.kind == Kind::component && arguments[0]->kind == Kind::construct && node.index >= 0) {
         const auto& parts = arguments[0]->arguments;
         return parts[parts.size() == 1 ? 0 : static_cast<std::size_t>(node.index)];
     }
     if (node.kind == Kind::construct && arguments.size() > 1)
-        if (Node* const vector = rolled(arguments, node, 0)) return named_vector(node, vector);
+        if (Node* const vector = rolled(arguments, node, 0)) {
+            add_parts(arguments, vector);
+            return named_vector(node, vector);
+        }
     return unique(std::move(node));
+}
+
+Node* Folder::simple_choice(const Node& node) {
+    if (node.kind != Kind::select) return nullptr;
+    Node* const condition = node.arguments[0];
+    if (condition->kind == Kind::literal) return node.arguments[condition->value != 0 ? 1 : 2];
+    if (node.arguments[1] == node.arguments[2]) return node.arguments[1];
+    // What the same condition has chosen before.
+    Node copy = node;
+    for (const std::size_t i : {1, 2})
+        if (node.arguments[i]->kind == Kind::select && node.arguments[i]->arguments[0] == condition)
+            copy.arguments[i] = node.arguments[i]->arguments[i];
+    return copy.arguments == node.arguments ? nullptr : simplified(std::move(copy));
 }
 
 /// A vector that stands for one that the text named.

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "export/print/fold/known_masks.hpp"
 #include "quadrel/num/shader/graph.hpp"
 
 namespace quadrel::recorded {
@@ -21,16 +22,24 @@ bool is_literal(const Node& node, double value);
 
 class Folder {
   public:
-    explicit Folder(Graph& graph) : graph_(graph) {}
+    explicit Folder(Graph& graph) : graph_(graph), known_masks_(graph) {}
 
     /// Replaces the graph's nodes by folded ones, in the order in which they were made, and makes
     /// its events and loops refer to these.
     void run();
 
   private:
+    struct Part {
+        Node* vector;
+        int index;
+    };
+
     Node* folded(const Node& node);
+    /// A node that stands for an argument of `user`.
+    Node* argument_of(const Node& user, const Node* argument);
     Node* folded_read(const Node& read);
     Node* simplified(Node node);
+    Node* simple_choice(const Node& node);
     Node* named_vector(const Node& node, Node* vector);
     Node* literal(Type type, double value);
     /// The node that is equal to `node` and known where that stands; else a new one.
@@ -50,12 +59,17 @@ class Folder {
     Node* rolled(const std::vector<Node*>& components, const Node& at, int depth);
     Node* rolled_leaves(const std::vector<Node*>& components, const Node& at, int depth);
     Node* rolled_operation(const std::vector<Node*>& components, const Node& at, int depth);
+    Node* rolled_choice(const std::vector<Node*>& components, const Node& at, int depth);
+    void add_parts(const std::vector<Node*>& numbers, Node* vector);
+    Node* part_of_vector(const Node& user, Node* number);
     Node* construct(Type type, const std::vector<Node*>& components, const Node& at);
 
     Graph& graph_;
+    KnownMasks known_masks_;
     std::vector<std::unique_ptr<Node>> kept_;
     std::map<std::string, std::vector<Node*>> equal_;
     std::unordered_map<const Node*, Node*> folded_;
+    std::unordered_map<const Node*, Part> parts_;  ///< numbers that a vector has, too
 };
 
 }  // namespace quadrel::recorded

@@ -87,6 +87,19 @@ Node* Folder::simple_logic(Node& node) {
     return nullptr;
 }
 
+namespace {
+
+/// Whether `number` is the whole number as a float: float(n), or 2 * float(n) of 2 * n, which
+/// rounds alike.
+bool is_float_of(const Node& number, const Node& whole) {
+    if (is_operation(number, Kind::call, "float")) return number.arguments[0] == &whole;
+    return is_operation(number, Kind::binary, "*") && is_operation(whole, Kind::binary, "*") &&
+           is_literal(*number.arguments[0], 2) && is_literal(*whole.arguments[0], 2) &&
+           is_float_of(*number.arguments[1], *whole.arguments[1]);
+}
+
+}  // namespace
+
 /// A loop's counter is not above its last value, which texts ask where other number types go on.
 Node* Folder::counted(const Node& node) {
     if (node.kind != Kind::binary || node.text != "<=") return nullptr;
@@ -95,7 +108,7 @@ Node* Folder::counted(const Node& node) {
     const Node& of = *counter.arguments[0];
     if (of.loop == nullptr) return nullptr;
     const Node* const last = folded_.at(of.loop->last);
-    const bool is_last = is_operation(most, Kind::call, "float") && most.arguments[0] == last;
+    const bool is_last = is_float_of(most, *last);
     const bool is_below = last->kind == Kind::literal && most.kind == Kind::literal &&
                           last->value <= most.value && last->value < 16777216;
     return is_last || is_below ? literal(Type::boolean, 1) : nullptr;

@@ -23,7 +23,6 @@ bool is_componentwise(const std::string& function) {
 /// Where a number for all components stays one beside vectors.
 bool takes_a_number(const Node& operation, std::size_t argument) {
     if (operation.kind == Kind::binary) return true;
-    if (operation.kind == Kind::select) return argument == 0;
     if (operation.text == "mix") return argument == 2;
     const bool is_either =
         operation.text == "min" || operation.text == "max" || operation.text == "mod";
@@ -40,6 +39,29 @@ Node* Folder::construct(Type type, const std::vector<Node*>& components, const N
     node.region = at.region;
     node.order = at.order;
     return unique(std::move(node));
+}
+
+/// The numbers are parts of the vector from now on.
+void Folder::add_parts(const std::vector<Node*>& numbers, Node* vector) {
+    if (vector == nullptr || is_leaf(*vector) || vector->kind == Kind::construct) return;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!is_leaf(*numbers[i]) && numbers[i]->kind != Kind::component)
+            parts_.emplace(numbers[i], Part{vector, static_cast<int>(i)});
+}
+
+/// A number as the component of the vector that is computed anyway, where there is one.
+Node* Folder::part_of_vector(const Node& user, Node* number) {
+    const auto found = parts_.find(number);
+    if (user.kind == Kind::construct || found == parts_.end() ||
+        !is_within(found->second.vector->region, user.region))
+        return number;
+    Node node;
+    node.kind = Kind::component;
+    node.index = found->second.index;
+    node.arguments = {found->second.vector};
+    node.region = user.region;
+    node.order = user.order;
+    return simplified(std::move(node));
 }
 
 Node* Folder::rolled(const std::vector<Node*>& components, const Node& at, int depth) {
@@ -89,9 +111,8 @@ Node* Folder::rolled_operation(const std::vector<Node*>& components, const Node&
     const bool is_call = first.kind == Kind::call;
     if (is_call && !is_componentwise(first.text))
         return depth > 0 ? construct(type, components, at) : nullptr;
-    if (!is_call && first.kind != Kind::unary && first.kind != Kind::binary &&
-        first.kind != Kind::select)
-        return nullptr;
+    if (first.kind == Kind::select) return rolled_choice(components, at, depth);
+    if (!is_call && first.kind != Kind::unary && first.kind != Kind::binary) return nullptr;
     Node node = first;
     bool has_vector = false;
     for (std::size_t j = 0; j < node.arguments.size(); ++j) {
@@ -102,13 +123,36 @@ Node* Folder::rolled_operation(const std::vector<Node*>& components, const Node&
             is_one = is_one && of->arguments[j] == first.arguments[j];
         }
         if (is_one && takes_a_number(first, j)) continue;
-        if (first.kind == Kind::select && j == 0) return nullptr;
         node.arguments[j] = rolled(of_argument, at, depth + 1);
         if (node.arguments[j] == nullptr) return nullptr;
         has_vector = true;
     }
     if (!has_vector) return nullptr;
     node.type = type;
+    node.region = at.region;
+    node.order = at.order;
+    return simplified(std::move(node));
+}
+
+/// One choice for all components, where those of one side at least are a vector's.
+Node* Folder::rolled_choice(const std::vector<Node*>& components, const Node& at, int depth) {
+    Node node = *components[0];
+    bool has_vector = false;
+    std::vector<Node*> sides[2];
+    for (const Node* of : components) {
+        if (of->arguments[0] != node.arguments[0]) return nullptr;
+        for (const std::size_t i : {0, 1}) sides[i].push_back(of->arguments[i + 1]);
+    }
+    for (const std::size_t i : {0, 1}) {
+        node.arguments[i + 1] = rolled(sides[i], at, depth + 1);
+        has_vector = has_vector || node.arguments[i + 1] != nullptr;
+        add_parts(sides[i], node.arguments[i + 1]);
+    }
+    if (!has_vector) return nullptr;
+    node.type = vector_of(static_cast<int>(components.size()));
+    for (const std::size_t i : {0, 1})
+        if (node.arguments[i + 1] == nullptr)
+            node.arguments[i + 1] = construct(node.type, sides[i], at);
     node.region = at.region;
     node.order = at.order;
     return simplified(std::move(node));
