@@ -193,6 +193,18 @@ TEST(PrismFree, RaysStayWhereNormalsMeet) {
     EXPECT_GT(turned, 0);
 }
 
+TEST(CurvedRows, OppositeNormalsTurnToNumbers) {
+    Random random(5);
+    for (int i = 0; i < 100; ++i) {
+        const vec3<float> from(random_direction(random)), v(random_direction(random));
+        const vec3<float> turned = Turn<float>(from, vec3<float>(0) - from)(v);
+        EXPECT_NEAR(length(turned), 1, 1e-5) << i;
+        EXPECT_NEAR(dot(turned, from), -dot(v, from), 1e-5) << i;
+        const vec3<float> to(random_direction(random));
+        EXPECT_LT(length(Turn<float>(from, to)(from) - to), 1e-4f) << i;
+    }
+}
+
 /// A step over where normals meet may throw a ray far out of the relief: it has left, and the frame
 /// is one of where it was before.
 TEST(PrismFree, RaysThatAreThrownOutHaveLeft) {

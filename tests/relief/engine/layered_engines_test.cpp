@@ -47,6 +47,31 @@ TEST(LayeredEngines, SayHowTheyEnded) {
     }
 }
 
+/// Between infinite and other heights secants are no numbers: a hit has one.
+TEST(LayeredEngines, HitsAreSomewhereBesideInfiniteHeights) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    int hits = 0, nans = 0;
+    for (const Listing& listing : layered_engines())
+        for (int seed = 0; seed < 8; ++seed) {
+            Inputs inputs(seed);
+            const Map map = height_map(32, 32, [&](int, int) {
+                return inputs.random.chance(0.2) ? infinity
+                                                 : static_cast<float>(inputs.random.uniform(-1, 1));
+            });
+            inputs.batch.bind(TextureSlot::height, map.sampled);
+            inputs.batch.run(listing.id, listing.parameters);
+            for (int lane = 0; lane < inputs.batch.lanes; ++lane) {
+                const int status = inputs.batch.integer(Value::hit_status, lane);
+                nans += status == static_cast<int>(Status::nan);
+                if (status != static_cast<int>(Status::hit)) continue;
+                ++hits;
+                EXPECT_TRUE(std::isfinite(inputs.batch.real(Value::hit_s, lane))) << listing.id;
+            }
+        }
+    EXPECT_GT(hits, 0);
+    EXPECT_GT(nans, 0);
+}
+
 TEST(LayeredEngines, LoopsWithoutAnEndAreCutOff) {
     const float bottomless = -1e30f;
     for (const Listing& listing : {godot(true, 5, 8, 32), learnopengl(0.1f, 8, 32)}) {

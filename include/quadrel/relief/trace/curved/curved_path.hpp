@@ -56,12 +56,16 @@ void halve(const Height& height, const Path& path, int times, PathBracket<F>& br
 inline constexpr auto curved_outputs =
     values_and(trace_outputs, Value::frame_normal, Value::T, Value::B, Value::J);
 
-/// The rotation of a unit vector to another one, which leaves what is perpendicular to both.
+/// The rotation of a unit vector to another one, which leaves what is perpendicular to both; of
+/// opposite ones, to which any half turn leads, the reflection.
 template <Number F>
 class Turn {
   public:
     Turn(const vec3<F>& from, const vec3<F>& to)
-        : from_(from), to_(to), sum_(from + to), scale_(F(1) / (F(1) + dot(from, to))) {}
+        : from_(from), to_(to), sum_(from + to) {
+        const F length = F(1) + dot(from, to);
+        scale_ = select(length > F(0), F(1) / length, F(0));
+    }
 
     vec3<F> operator()(const vec3<F>& v) const {
         return v - sum_ * (dot(sum_, v) * scale_) + to_ * (F(2) * dot(from_, v));

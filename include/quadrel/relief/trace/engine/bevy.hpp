@@ -68,8 +68,7 @@ struct Bevy : HeightSearch {
         if (params.relief) march.half_steps(heights, params.relief_steps);
         const F h = heights.last();
         if (!params.relief) march.secant(heights);
-        SearchResult<F> result = heights.result(F(0), march.uv(), found);
-        result.s = march.current_layer_depth();
+        SearchResult<F> result = heights.result(march.current_layer_depth(), march.uv(), found);
         result.h = h;
         store_search(io, ray, result, march.uv());
     }
