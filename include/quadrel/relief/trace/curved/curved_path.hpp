@@ -61,8 +61,7 @@ inline constexpr auto curved_outputs =
 template <Number F>
 class Turn {
   public:
-    Turn(const vec3<F>& from, const vec3<F>& to)
-        : from_(from), to_(to), sum_(from + to) {
+    Turn(const vec3<F>& from, const vec3<F>& to) : from_(from), to_(to), sum_(from + to) {
         const F length = F(1) + dot(from, to);
         scale_ = select(length > F(0), F(1) / length, F(0));
     }
