@@ -294,4 +294,4 @@ def test_ctrl_c_stops_a_sweep_within_a_run(tmp_path):
          "views": [80], "algorithms": [{"trace": "linear", "parameters": {"steps": 8192}}], "size": [1024, 1024],
          "repeats": 100, "isa": ["scalar"]}"""))
     assert stopped_after(2, lambda: quadrel.sweep(plan, tmp_path / "out")) < 5
-    assert not list((tmp_path / "out").rglob("*.json"))
+    assert [file.name for file in (tmp_path / "out").rglob("*.json")] in ([], ["part.json"])
