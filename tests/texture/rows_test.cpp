@@ -45,9 +45,7 @@ Level source_level(const Case& of, std::vector<double>& unit) {
                 if (entry.source >= 0) {
                     value = image.values[index];
                     if (codes != 0) value = std::floor(value * codes + 0.5);
-                    if (decoded)  // Values that are no codes are decoded in float.
-                        value = codes != 0 ? srgb_decode(value / codes)
-                                           : srgb_decode(image.values[index]);
+                    if (decoded) value = srgb_decode(codes != 0 ? value / codes : value);
                     if (entry.complement) value = one - value;
                 }
                 level.values.push_back(value);

@@ -205,8 +205,7 @@ TEST(CurvedRows, OppositeNormalsTurnToNumbers) {
     }
 }
 
-/// A step over where normals meet may throw a ray far out of the relief: it has left, and the frame
-/// is one of where it was before.
+/// A step over where normals meet may throw a ray far out of the relief: it has left.
 TEST(PrismFree, RaysThatAreThrownOutHaveLeft) {
     int left = 0;
     for (int seed = 0; seed < rounds(64); ++seed) {
@@ -223,6 +222,7 @@ TEST(PrismFree, RaysThatAreThrownOutHaveLeft) {
         b.run("prism-free", {{"steps", 4}});
         each(b, [&](int lane) {
             left += rays.status(lane) == Status::clip;
+            if (rays.status(lane) == Status::clip) return;
             for (const Value v :
                  {Value::J, Value::T, Value::B, Value::frame_normal, Value::hit_depth})
                 for (int c = 0; c < info(v).components; ++c)

@@ -210,7 +210,7 @@ struct PrismFree : HeightSearch {
         const Int<F> otherwise =
             select(left, status_packet<F>(Status::clip), status_packet<F>(Status::cap));
         const Int<F> status = select(bracket.found, status_packet<F>(Status::hit), otherwise);
-        const F part = select(left, F(0), bracket.below);  // inside, where there is a frame
+        const F part = bracket.below;
         const PathPoint<F> end = piece(part);
         store_path(io, with_passing_rays(io, ray), bracket, end,
                    select(bracket.met_nan, status_packet<F>(Status::nan), status));
