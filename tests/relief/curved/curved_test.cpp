@@ -1,6 +1,7 @@
 // Searches of relief over curved surfaces: of a flat one they are plain relief mapping; of any
 // heights they meet the first.
 #include "effort.hpp"
+#include "quadrel/relief/trace/curved/curved_path.hpp"
 #include "relief/curved/curved_rows.hpp"
 #include "relief/exact/oracle.hpp"
 
