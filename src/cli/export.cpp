@@ -27,7 +27,6 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
-#include "render/lists/rows.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -35,22 +34,16 @@ namespace {
 struct ExportArguments {
     SnippetArguments snippets;
     std::string scene, language, output, channels, size, page, limits = "gl";
-    std::vector<std::string> stages, assignments, wrap, words;
+    std::vector<std::string> stages, assignments, wrap;
     ExportOptions plain;
     int light = 0, every = 1;
     bool list = false;
 };
 
-ExitCode list_stages(const std::vector<std::string>& words) {
-    bool is_any = false;
-    for (const ExportRow& row : export_rows()) {
-        const std::string text = fmt::format("{:<34} {}\n", row.room + "/" + row.id,
-                                             row.refusal.empty() ? "yes" : "no: " + row.refusal);
-        if (!has_all_words({text, text, {}}, words)) continue;
-        print(text);
-        is_any = true;
-    }
-    if (!is_any) tell("quadrel: nothing in this list has all of these words");
+ExitCode list_stages() {
+    for (const ExportRow& row : export_rows())
+        print(fmt::format("{:<34} {}\n", row.room + "/" + row.id,
+                          row.refusal.empty() ? "yes" : "no: " + row.refusal));
     return ExitCode::ok;
 }
 
@@ -234,7 +227,7 @@ ExitCode write_scene(const ExportArguments& arguments) {
 }
 
 ExitCode run_export(const ExportArguments& arguments) {
-    if (arguments.list) return list_stages(arguments.words);
+    if (arguments.list) return list_stages();
     if (arguments.snippets.given())
         return run_snippets(arguments.snippets, arguments.language, arguments.output);
     if (!arguments.scene.empty())
@@ -312,11 +305,7 @@ void add_export(CLI::App& app, Action& action) {
         ->needs("--page")
         ->check(whole_number(1, 1024))
         ->capture_default_str();
-    verb->add_option("--list", a->words,
-                     "all stages, and why some are not written; with words only what has all of "
-                     "them")
-        ->type_name("WORD")
-        ->expected(0, -1);
+    verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
     const std::vector<const char*> of_stages = {"--uniforms", "--side",   "--wrap",
                                                 "--seat",     "--lights", "--light"};
@@ -333,10 +322,7 @@ void add_export(CLI::App& app, Action& action) {
     for (const char* const option : of_stages)
         exclude(option, {"scene", "--list", "--snippets", "--pattern"});
     add_quiet_option(*verb);
-    verb->callback([a, verb, &action] {
-        a->list = verb->count("--list") > 0;
-        action = [a] { return run_export(*a); };
-    });
+    verb->callback([a, &action] { action = [a] { return run_export(*a); }; });
 }
 
 }  // namespace quadrel::cli
