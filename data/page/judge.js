@@ -63,7 +63,7 @@ function verdictOf(reference, drawn) {
   for (const found of worst) counts[found] += 1;
   const unranged = [...drawn.channels.keys()].filter((name) => reference.channels.has(name) && !rangesOf(reference, name)).map((name) => {
     const { unequal } = comparisonOf(reference.channels.get(name), drawn.channels.get(name));
-    return { name, unequal, equal: pixels - unequal, isCode: reference.channels.get(name).type === "uint32" };
+    return { name, unequal, equal: pixels - unequal };
   });
   return { rows, counts, pixels, unranged, edges: apart.length, uncovered: far.length,
            first: far.length ? "A" : rows.find((row) => row.counts[3] > 0)?.name };
@@ -82,7 +82,7 @@ function verdictLine({ rows, counts, pixels, unranged, first }, snapsCoarser) {
     (most ? ` Codes, which have no ranges, differ: ${most.name} in ${counted(most.unequal, "pixel")}.` : "");
 }
 /* Codes, as how a search ended, that differ: the one in most pixels first. */
-const codesApart = (unranged) => unranged.filter(({ isCode, unequal }) => isCode && unequal).sort((a, b) => b.unequal - a.unequal);
+const codesApart = (unranged) => unranged.filter(({ name, unequal }) => unequal && isCode(name)).sort((a, b) => b.unequal - a.unequal);
 function channelButton(name) {
   return html("button", { type: "button", onclick: () => { byId("channel").value = name; takeControls(); byId("stage").scrollIntoView({ block: "nearest" }); } }, name);
 }

@@ -53,11 +53,11 @@ function componentsOf(source, choice) {
 /* How a choice is coloured unless the user says otherwise. */
 function usualColours(choice, channel) {
   if (choice.names.length > 1) return choice.names[0] === "R" ? "colour" : "vector";
-  if (channel && channel.type === "uint32") return isCode(choice.names[0], channel) ? "codes" : "viridis";
+  if (channel && channel.type === "uint32") return isCode(choice.names[0]) ? "codes" : "viridis";
   return "gray";
 }
 /* Few values that mean something each, and no counts. */
-function isCode(name, channel) {
+function isCode(name) {
   return /(^|\.)(status|flags|kind|mask|object|material|primitive|undecided)$/.test(name) || /^id\./.test(name);
 }
 
