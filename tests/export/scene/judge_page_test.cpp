@@ -140,6 +140,14 @@ void add_ragged_ranges(Film& film) {
     add_ragged_gaps(film);
 }
 
+/// Of which ranges are made up.
+JudgePage page_of_normals() {
+    JudgePage options;
+    options.scene.language = "glsl-es";
+    options.scene.channels = {"N", "A"};
+    return options;
+}
+
 /// Ranges about N.Z in which it is, if it is in no gap: there is one at a pixel.
 void add_gap(Film& film, std::size_t pixel) {
     const Plane values = *film.find("N.Z");
@@ -158,10 +166,8 @@ void add_gap(Film& film, std::size_t pixel) {
 }
 
 TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
+    const JudgePage options = page_of_normals();
     const Scene scene = small_scene();
-    JudgePage options;
-    options.scene.language = "glsl-es";
-    options.scene.channels = {"N", "A"};
     const ExportContent content = export_content(scene, options.scene);
     Film film = content.expected;
     film.add("gpu.paths.N.Z", ChannelType::uint32, 1);
@@ -178,10 +184,8 @@ TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
 /// Of pixels without ranges nothing is said but that: neither by the line on top, the table and the
 /// pictures' legend, nor where one looks at a pixel.
 TEST_F(JudgePageInABrowser, SaysWhatIsNotJudged) {
+    const JudgePage options = page_of_normals();
     const Scene scene = small_scene();
-    JudgePage options;
-    options.scene.language = "glsl-es";
-    options.scene.channels = {"N", "A"};
     const ExportContent content = export_content(scene, options.scene);
     Film film = content.expected;
     const std::size_t pixels = film.window.area();
