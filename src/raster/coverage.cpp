@@ -131,7 +131,7 @@ void append_quads(const PassMasks& masks, int samples, int x0, int y0, std::uint
                     const int bit = (y + (k >> 1)) * block_size + x + (k & 1);
                     quad.samples[k] |= std::uint16_t(((masks[s] >> bit) & 1) << s);
                 }
-            if (quad.samples != std::array<std::uint16_t, 4>{}) quads.push_back(quad);
+            if (quad.is_any()) quads.push_back(quad);
         }
 }
 

@@ -77,7 +77,7 @@ void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const 
                                      tile.passes(px, py, 0, depth_of(triangle, edges), index));
                 quad.samples[static_cast<std::size_t>(lane)] = passes;
             }
-            if (quad.samples != std::array<std::uint16_t, 4>{}) quads.push_back(quad);
+            if (quad.is_any()) quads.push_back(quad);
         }
 }
 

@@ -20,6 +20,9 @@ struct QuadCoverage {
     std::uint32_t triangle = 0;
     std::array<std::uint16_t, 4> samples{};
     bool operator==(const QuadCoverage&) const = default;
+
+    /// Whether a sample is to be shaded: not so while one is being put together or taken apart.
+    bool is_any() const { return samples != std::array<std::uint16_t, 4>{}; }
 };
 
 /// Window coordinates of a lane's pixel.

@@ -21,10 +21,6 @@ bool draws_in_order(const Material& material) {
     return material.discard_below >= 0 || clips(material) || writes_depth(material);
 }
 
-bool is_any_covered(const QuadCoverage& quad) {
-    return quad.samples != std::array<std::uint16_t, 4>{};
-}
-
 /// Whether a fragment's depth goes into the film.
 bool shows_depth(const std::vector<ChannelSource>& channels) {
     return std::any_of(channels.begin(), channels.end(), [](const ChannelSource& channel) {
@@ -210,7 +206,7 @@ void TileRenderer::draw_batch(const DrawnTriangle& triangle, std::span<QuadCover
             if (writes_depth(material))
                 depth[static_cast<std::size_t>(lane)] = batch_.real(slot_of(Value::frag_depth), i);
         }
-        if (undecided_ && is_any_covered(discarded)) discarded_.push_back(discarded);
+        if (undecided_ && discarded.is_any()) discarded_.push_back(discarded);
         if (writes_depth(material))
             write_quad_depth(quads[q], depth, buffer_);
         else
@@ -298,7 +294,7 @@ void TileRenderer::mark_discarded() {
             if (const int x = lane_x(quad, lane), y = lane_y(quad, lane);
                 !buffer_.rect().contains(x, y) || buffer_.triangle(x, y, 0) != no_triangle)
                 quad.samples[static_cast<std::size_t>(lane)] = 0;
-    std::erase_if(discarded_, [](const QuadCoverage& quad) { return !is_any_covered(quad); });
+    std::erase_if(discarded_, [](const QuadCoverage& quad) { return !quad.is_any(); });
     for (const QuadCoverage& quad : discarded_) {
         const std::uint32_t material = material_of(quad);
         run(plan_.materials[material], material, &quad, 1);
