@@ -50,13 +50,13 @@ class PrimitiveReader {
         if (found == primitive_.attributes.end()) return {};
         std::vector<glm::dvec3> out;
         const GltfNumbers base = read_numbers(file_, found->second, components, stored);
-        check_count(name, base.size());
+        if (name != "POSITION") check_count(name, base.size(), out_.positions.size());
         for (std::size_t v = 0; v < base.size(); ++v) out.push_back(vector<components>(base[v]));
         for (std::size_t t = 0; t < weights_.size(); ++t) {
             const auto target = primitive_.targets[t].find(name);
             if (weights_[t] == 0 || target == primitive_.targets[t].end()) continue;
             const GltfNumbers moved = read_numbers(file_, target->second, components, stored);
-            check_count("targets[" + std::to_string(t) + "]." + name, moved.size());
+            check_count("targets[" + std::to_string(t) + "]." + name, moved.size(), out.size());
             for (std::size_t v = 0; v < out.size(); ++v)
                 out[v] += vector<components>(moved[v]) * weights_[t];
             out_.morphed = true;
@@ -69,11 +69,10 @@ class PrimitiveReader {
         return {values[0], values[1], components == 3 ? values[2] : 0.0f};
     }
 
-    void check_count(const std::string& name, std::size_t count) const {
-        const std::size_t expected = out_.positions.size();
-        if (expected > 0 && count != expected)
+    void check_count(const std::string& name, std::size_t count, std::size_t positions) const {
+        if (count != positions)
             file_.fail(key_ + "." + name, std::to_string(count) + " elements",
-                       "as many as positions: " + std::to_string(expected));
+                       "as many as positions: " + std::to_string(positions));
     }
 
     // Displacements have three components, without the handedness.
@@ -81,7 +80,7 @@ class PrimitiveReader {
         const auto found = primitive_.attributes.find("TANGENT");
         if (found == primitive_.attributes.end()) return;
         const GltfNumbers base = read_numbers(file_, found->second, 4, GltfStored::directions);
-        check_count("TANGENT", base.size());
+        check_count("TANGENT", base.size(), out_.positions.size());
         for (std::size_t v = 0; v < base.size(); ++v) {
             const float w = base[v][3];
             if (!(std::abs(std::abs(w) - 1) < 1e-2f))
@@ -94,7 +93,8 @@ class PrimitiveReader {
             if (weights_[t] == 0 || target == primitive_.targets[t].end()) continue;
             const GltfNumbers moved =
                 read_numbers(file_, target->second, 3, GltfStored::directions);
-            check_count("targets[" + std::to_string(t) + "].TANGENT", moved.size());
+            check_count("targets[" + std::to_string(t) + "].TANGENT", moved.size(),
+                        out_.tangents.size());
             for (std::size_t v = 0; v < moved.size(); ++v)
                 out_.tangents[v] += vector<3>(moved[v]) * weights_[t];
             out_.morphed = true;

@@ -268,6 +268,28 @@ TEST_F(GltfRules, MorphTargetsFit) {
                         {"accessors", "99", "one of the"}));
 }
 
+/// Of positions as of what comes after them.
+TEST_F(GltfRules, MorphTargetsHaveAsManyElements) {
+    for (const char* name : {"POSITION", "NORMAL", "TEXCOORD_0", "TANGENT"})
+        for (const std::size_t count : {3u, 4u, 5u}) {
+            const std::size_t components = name == std::string("TEXCOORD_0") ? 2 : 3;
+            GltfBuilder gltf = square_gltf();
+            const int moved = gltf.floats(std::vector<float>(count * components),
+                                          components == 2 ? "VEC2" : "VEC3", components);
+            json& mesh = gltf.json["meshes"][0];
+            mesh["primitives"][0]["targets"] = json::array({{{name, moved}}});
+            mesh["weights"] = json::array({1});
+            if (count == 4)
+                EXPECT_TRUE(loads(gltf)) << name;
+            else
+                EXPECT_TRUE(
+                    complains([&] { load_mesh(folder.write("m.glb", gltf.binary())); },
+                              {std::string("meshes[0].primitives[0].targets[0].") + name,
+                               std::to_string(count) + " elements", "as many as positions: 4"}))
+                    << name;
+        }
+}
+
 TEST_F(GltfRules, SkinsFit) {
     const auto with = [&](const auto& change) {
         GltfBuilder gltf = square_gltf();
