@@ -4,7 +4,7 @@
     summary.py everything/results.csv [--views 45 80] [--searches pyramid "linear steps=64" ...]
 
 For each view: the median over maps of a search's time, in milliseconds a million fragments on one
-thread (search alone), of its look-ups a fragment, and of the error that 99 % of the fragments keep,
+thread (search alone), of its look-ups per fragment, and of the error that 99 % of the fragments keep,
 in texels; and the mean over maps of the fragments that are further off than the plan's
 `wrong_texels`, in percent. Sorted by that of the last view.
 """

@@ -56,8 +56,8 @@ const std::vector<std::string> table_rows{
     "vdm bake.columns=64 bake.directions=33 bake.curvatures=1",
 };
 
-/// Per cent late and early, mean distance in texels, look-ups a ray, memory of baked maps where the
-/// row says how they are baked.
+/// Per cent late and early, mean distance in texels, look-ups per ray, memory of baked maps where
+/// the row says how they are baked.
 struct Figures {
     double late = 0, early = 0, distance = 0, fetches = 0, mebibytes = 0;
 };

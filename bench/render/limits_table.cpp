@@ -10,7 +10,7 @@
 // narrow and one, and of how many none could be narrow, whatever gap it has. A scene in which
 // permitted values lie outside of their ranges has the first of them in place of figures. With
 // --search, what is in brackets alone, which takes no ranges. With QUADREL_LIMITS_PIXELS in the
-// environment, a line a pixel and channel on the other stream.
+// environment, a line per pixel and channel on the other stream.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -223,7 +223,7 @@ void print_header() {
         line += fmt::format(" {} |", column.name);
         rule += "---|";
     }
-    std::cout << line << " N, R G B | ms a pixel | renders |\n"
+    std::cout << line << " N, R G B | ms per pixel | renders |\n"
               << rule << "---|---|---|" << std::endl;
 }
 

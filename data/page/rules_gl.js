@@ -106,7 +106,7 @@ class Asking {
     gl.viewport(0, 0, width, height);
   }
 
-  /* Four floats a pixel, row 0 (the lowest) first; of a question `apart` a picture of each triangle alone. */
+  /* Four floats per pixel, row 0 (the lowest) first; of a question `apart` a picture of each triangle alone. */
   answers({ size: [width, height], fragment, apart, maps, asked, triangles }) {
     const { gl } = this, objects = [], program = this.program(fragment), corners = this.lists[triangles[0]].length, each = apart ? 3 : corners;
     objects.push(() => gl.deleteProgram(program));

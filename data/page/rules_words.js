@@ -1,5 +1,5 @@
 /* Answers of the probes in few words, and whether the specification permits them: what src/rules/probes says of the
-   same numbers, which a test holds it to. `values` has four floats a pixel. */
+   same numbers, which a test holds it to. `values` has four floats per pixel. */
 
 const answerAt = (values, i, c = 0) => values[4 * i + c];
 const pixelsOf = (values) => values.length / 4;
@@ -37,7 +37,7 @@ function isExtrapolated(values) {
 function laneWords(values) {
   const [first, ...rest] = [0, 1, 2, 3].map((lane) => answerAt(values, (lane >> 1) * 16 + (lane & 1)));
   if (rest.some((other) => other !== first)) return "each its own";
-  return Math.abs(first - 1) < Math.fround(0.1) ? "lane 0's" : "one a quad";
+  return Math.abs(first - 1) < Math.fround(0.1) ? "lane 0's" : "one per quad";
 }
 function fanWords(values) {
   const fans = 4, side = 32, frame = 4 * side * side, size = values.length / fans;

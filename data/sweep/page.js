@@ -6,7 +6,7 @@ const pictures = JSON.parse(document.getElementById("pictures-data").textContent
 const percent = (share) => typeof share === "number" ? 100 * share : null;
 const nsPerPixel = (run) => run.fragments ? 1e6 * run.trace_ms / run.fragments : null;
 const times = {
-  "search, ns a pixel": nsPerPixel,
+  "search, ns per pixel": nsPerPixel,
   "stages, ms a frame": (run) => run.kernel_ms,
   "drawing, ms a frame": (run) => run.draw_ms,
   "look-ups of the search, a pixel": (run) => run.search_look_ups,

@@ -72,8 +72,8 @@ struct RenderOptions {
     RenderSummary* summary = nullptr;  ///< receives the little of it that costs nothing
     /// Each pixel is the mean of the judge's shading over its area. The scene is changed for that:
     /// the first hit of the height field in place of what the trace finds, textures filtered
-    /// bilinearly at level 0, exact hardware, one sample a pixel a pass. Channels are then R, G, B,
-    /// A and integral.*, which is the default.
+    /// bilinearly at level 0, exact hardware, one sample per pixel and pass. Channels are then R,
+    /// G, B, A and integral.*, which is the default.
     std::optional<IntegralOptions> integral;
     int tile = 64;                         ///< side of a tile in pixels, even, 2 to 1024
     std::function<void(double)> progress;  ///< called with 0 to 1, from any thread, one at a time

@@ -18,7 +18,7 @@ namespace quadrel {
 struct StageStats {
     std::string id;
     std::uint64_t batches = 0, lanes = 0;  ///< lanes: helper and padding lanes included
-    std::uint64_t fetches = 0;             ///< texture look-ups, one a lane that asks
+    std::uint64_t fetches = 0;             ///< texture look-ups, one per lane that asks
     double wall_ms = 0, cpu_ms = 0;
 };
 

@@ -60,7 +60,7 @@ void add_advise(CLI::App& app, Action& action) {
     verb->add_option("--angles", a->angles, "between view and normal, degrees")
         ->type_name("A..B[:STEP]|A,B,...")
         ->capture_default_str();
-    verb->add_option("--budget", a->budget, "look-ups a fragment that are allowed, on average")
+    verb->add_option("--budget", a->budget, "look-ups per fragment that are allowed, on average")
         ->type_name("FETCHES")
         ->check(CLI::PositiveNumber);
     verb->add_option("-D,--define", a->overrides, "override a value of the scene; repeatable")

@@ -301,7 +301,7 @@ void add_export(CLI::App& app, Action& action) {
         ->capture_default_str();
     verb->add_option("--every", a->every,
                      "of a page: judge every so-manyth row of quads alone, since ranges of a march "
-                     "with shadows take some 50 ms a pixel")
+                     "with shadows take some 50 ms per pixel")
         ->needs("--page")
         ->check(whole_number(1, 1024))
         ->capture_default_str();

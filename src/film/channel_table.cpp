@@ -38,10 +38,10 @@ void add_geometry(Table& table) {
 
 void add_derivatives(Table& table) {
     add_vector(table, "uv", "UV", "texture coordinates", "interpolated texture coordinates");
-    add_vector(table, "dUVdx", "UV", "texture coordinates a pixel", "dFdx of uv");
-    add_vector(table, "dUVdy", "UV", "texture coordinates a pixel", "dFdy of uv, window y");
-    add_vector(table, "dPdx", "XYZ", "eye-space length a pixel", "dFdx of P");
-    add_vector(table, "dPdy", "XYZ", "eye-space length a pixel", "dFdy of P, window y");
+    add_vector(table, "dUVdx", "UV", "texture coordinates per pixel", "dFdx of uv");
+    add_vector(table, "dUVdy", "UV", "texture coordinates per pixel", "dFdy of uv, window y");
+    add_vector(table, "dPdx", "XYZ", "eye-space length per pixel", "dFdx of P");
+    add_vector(table, "dPdy", "XYZ", "eye-space length per pixel", "dFdy of P, window y");
 }
 
 /// Beside the finite differences that stages take, and what these are off by.
@@ -54,15 +54,15 @@ void add_exact(Table& table) {
         const std::string prefix(kind.prefix), what(kind.what);
         for (const std::string axis : {"x", "y"}) {
             const std::string in = " in window " + axis;
-            add_vector(table, prefix + ".dUVd" + axis, "UV", "texture coordinates a pixel",
+            add_vector(table, prefix + ".dUVd" + axis, "UV", "texture coordinates per pixel",
                        what + " of uv" + in);
-            add_vector(table, prefix + ".dPd" + axis, "XYZ", "eye-space length a pixel",
+            add_vector(table, prefix + ".dPd" + axis, "XYZ", "eye-space length per pixel",
                        what + " of P" + in);
-            add_vector(table, prefix + ".dhitUVd" + axis, "UV", "texture coordinates a pixel",
+            add_vector(table, prefix + ".dhitUVd" + axis, "UV", "texture coordinates per pixel",
                        what + " of hit.U and hit.V" + in);
             add_vector(table, prefix + ".dNd" + axis, "XYZ", "1 / pixel",
                        what + " of the shading normal" + in);
-            add_vector(table, prefix + ".dcolord" + axis, "RGB", "linear radiance a pixel",
+            add_vector(table, prefix + ".dcolord" + axis, "RGB", "linear radiance per pixel",
                        what + " of R, G and B" + in);
             add_vector(table, prefix + ".dmirroredd" + axis, "XYZ", "1 / pixel",
                        what +
@@ -70,7 +70,7 @@ void add_exact(Table& table) {
                            "space: the viewer's, mirrored by the shading normal" +
                            in);
             table.push_back(
-                {prefix + ".dhd" + axis, real, "height a pixel",
+                {prefix + ".dhd" + axis, real, "height per pixel",
                  what + " of the map's height at the hit, filtered as marches do" + in});
         }
     }

@@ -48,7 +48,7 @@ class QuadPlaces {
 };
 
 /// As the functions of these names in coverage.hpp, for the quads that are drawn. The tile has one
-/// sample a pixel, and its rectangle is that of the places.
+/// sample per pixel, and its rectangle is that of the places.
 void rasterize(const ScreenTriangle& triangle, std::uint32_t index, const QuadPlaces& places,
                TileBuffer& tile);
 void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const QuadPlaces& places,

@@ -10,8 +10,8 @@ namespace quadrel {
 /// How many of the samples in a rectangle a triangle covers.
 enum class Cover { none, some, all };
 
-/// `rect` lies within the frame and is not empty. Some may be none; with several samples a pixel it
-/// may be all, too.
+/// `rect` lies within the frame and is not empty. Some may be none; with several samples per pixel
+/// it may be all, too.
 Cover cover_of(const ScreenTriangle& triangle, const PixelRect& rect, int samples);
 
 /// Whether all fragments in `rect`, of a triangle that covers all of it, pass the depth test

@@ -21,7 +21,7 @@ struct Question {
     double texels = 0.5;                 ///< from the true hit, at most, at `percent` of the pixels
     double percent = 99;
     std::vector<double> angles;    ///< degrees between view and normal, ascending
-    std::optional<double> budget;  ///< look-ups a fragment, in lockstep, at most
+    std::optional<double> budget;  ///< look-ups per fragment, in lockstep, at most
     int side = 96;                 ///< pixels of the frames that are judged
     std::string number = "float";
     std::function<void(std::size_t done, std::size_t all, const std::string& name)> progress;

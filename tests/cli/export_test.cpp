@@ -240,7 +240,7 @@ TEST(ExportCommand, RefusesPagesInOneLine) {
     EXPECT_EQ(refuse({"no-such-scene", "--page", "judge.html"}).code, 3);
     const Outcome samples = of_a_scene({"--page", "judge.html", "-D", "samples=4"});
     EXPECT_EQ(samples.code, 2);
-    EXPECT_TRUE(says(samples.err, "found 4 samples a pixel, expected one")) << samples.err;
+    EXPECT_TRUE(says(samples.err, "found 4 samples per pixel, expected one")) << samples.err;
     const Outcome vertex = refuse({"rows/steep-published", "--page", "judge.html"});
     EXPECT_EQ(vertex.code, 2);
     EXPECT_TRUE(says(vertex.err, "computes in its vertex shader")) << vertex.err;

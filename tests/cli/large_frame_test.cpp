@@ -48,7 +48,7 @@ TEST_F(LargeFrame, OfAHundredMillionPixelsTakesLessThan300MB) {
 }
 
 /// Four times the rows are as good as no more memory; a preview keeps the channels that it spreads,
-/// 4 bytes a pixel here, so that this would notice a film that is kept.
+/// 4 bytes per pixel here, so that this would notice a film that is kept.
 TEST_F(LargeFrame, RowsTakeNoMemory) {
     if (test::sanitized) GTEST_SKIP() << "the sanitizers' memory is more than that";
     const std::vector<std::string> keeps = {"--channels", "A,Z", "--preview", "a.png"};

@@ -37,7 +37,7 @@ testing::AssertionResult calls_no_libm(const SourceFile& file) {
     return testing::AssertionFailure() << file.path << ":" << line << ": " << match.str();
 }
 
-/// Of nm's list of undefined symbols, one a line: "                 U sin@GLIBC_2.2.5".
+/// Of nm's list of undefined symbols, one per line: "                 U sin@GLIBC_2.2.5".
 testing::AssertionResult needs_no_libm(const std::string& undefined_symbols) {
     static const std::regex forbidden("U (__)?" + functions + "(_finite)?(@.*)?");
     std::istringstream lines(undefined_symbols);

@@ -78,7 +78,7 @@ Table floor_table(Run& run) {
         "all "
         "others as four channels between two levels), and writing the film.",
         run.options.size, repeats);
-    table.columns = {"work",           "angle",       "height look-ups a pixel",
+    table.columns = {"work",           "angle",       "height look-ups per pixel",
                      "others",         "ns a height", "ns an other",
                      "film",           "floor",       "drawing",
                      "drawing / floor"};

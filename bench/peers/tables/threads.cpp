@@ -46,7 +46,7 @@ Table thread_table(Run& run) {
     if (run.options.rows.empty()) {
         Picture picture = mcguire(run);
         table.rows.push_back(
-            speed_up(run, "steep 30 with shadow, 1024x768, 4 samples a pixel", picture));
+            speed_up(run, "steep 30 with shadow, 1024x768, 4 samples per pixel", picture));
     }
     return table;
 }

@@ -31,7 +31,7 @@ enum class PackRounding : std::int32_t {
 /// Whether maps of a kind hold what a packing takes: {height, ratio} a texel, or {height, root}.
 bool is_packable(BakeKind kind, Packing packing);
 
-/// Writes a map of {height, ratio} or {height, root} texels: 8 bits a channel if the file's name
+/// Writes a map of {height, ratio} or {height, root} texels: 8 bits per channel if the file's name
 /// ends in .png, float32 if in .exr. Heights and ratios are cut to [0, 1]. Throws OutputError,
 /// UsageError for a map that does not hold {height, ratio} a texel of `height`, and for other
 /// names.

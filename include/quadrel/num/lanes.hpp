@@ -42,7 +42,7 @@ using FloatMask = hn::Mask<FloatTag>;
 inline constexpr int lanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 }  // namespace simd
 
-/// A boolean a lane.
+/// A boolean per lane.
 class LanesMask {
   public:
     LanesMask() = default;
@@ -59,7 +59,7 @@ class LanesMask {
     simd::FloatMask m;
 };
 
-/// A 32-bit integer a lane; sums and products wrap around.
+/// A 32-bit integer per lane; sums and products wrap around.
 class LanesInt {
   public:
     LanesInt() = default;
@@ -112,7 +112,7 @@ class LanesInt {
     }
 };
 
-/// A float a lane.
+/// A float per lane.
 class Lanes {
   public:
     Lanes() = default;
@@ -263,7 +263,7 @@ struct PacketOps<Lanes> {
     }
 };
 
-/// A double a lane, in two registers: the lower and the upper half of the lanes.
+/// A double per lane, in two registers: the lower and the upper half of the lanes.
 class LanesWide {
     using Tag = hn::ScalableTag<double>;
     using HalfTag = hn::Half<simd::FloatTag>;

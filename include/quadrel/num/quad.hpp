@@ -219,7 +219,7 @@ void store(T* to, Quad<T> a) {
 inline void store(std::int32_t* to, QuadInt a) {
     for (int i = 0; i < 4; ++i) to[i] = a.lane[i];
 }
-/// One uint32 a lane: 0 or all ones.
+/// One uint32 per lane: 0 or all ones.
 inline void store(std::uint32_t* to, QuadMask a) {
     for (int i = 0; i < 4; ++i) to[i] = a.lane[i] ? 0xffffffffu : 0u;
 }

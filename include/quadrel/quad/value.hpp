@@ -80,7 +80,7 @@ enum class Value : std::int32_t {
 
 enum class ValueKind : std::int32_t { real, integer };
 
-/// Lights that one render may have; values a light get as many arrays.
+/// Lights that one render may have; values per light get as many arrays.
 inline constexpr int max_lights = 8;
 
 struct ValueInfo {

@@ -57,7 +57,7 @@ void collect_passing(const ScreenTriangle& triangle, std::uint32_t index, const 
 /// of what collect_passing gave), testing again.
 void write_quad(const ScreenTriangle& triangle, const QuadCoverage& quad, TileBuffer& tile);
 
-/// The same with the shader's depths, one a lane, clamped to [0, 1] (NaN gives 0). Returns the
+/// The same with the shader's depths, one per lane, clamped to [0, 1] (NaN gives 0). Returns the
 /// samples that passed, per lane.
 std::array<std::uint16_t, 4> write_quad_depth(const QuadCoverage& quad,
                                               const std::array<float, 4>& depth, TileBuffer& tile);

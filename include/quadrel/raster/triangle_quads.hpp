@@ -15,7 +15,7 @@ struct TriangleQuads {
 };
 
 /// The pieces of the triangle of three clip-space positions that are drawn; one of them if nothing
-/// is clipped, none if it is culled or outside. One sample a pixel; no depth test beyond near and
+/// is clipped, none if it is culled or outside. One sample per pixel; no depth test beyond near and
 /// far planes. Every covered pixel belongs to one piece.
 std::vector<TriangleQuads> triangle_quads(const std::array<glm::vec4, 3>& clip,
                                           const RasterState& state);

@@ -116,7 +116,7 @@ struct Scene {
     std::filesystem::path file;
     std::vector<std::string> overrides;  ///< "key=value", as load_scene was given them
     int width = 512, height = 512;
-    int samples = 1;        ///< 1, 2, 4, 8 or 16 a pixel
+    int samples = 1;        ///< 1, 2, 4, 8 or 16 per pixel
     bool centroid = false;  ///< shade at the centroid instead of the centre under MSAA
     Conventions conventions = Conventions::gl;
     Hardware hardware = Hardware::exact;

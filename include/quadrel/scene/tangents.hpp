@@ -25,7 +25,7 @@ struct UvTangents {
 /// by the triangles' areas, so that opposed directions do not shorten each other. (F. Policarpo, M.
 /// Oliveira and J. Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces", 2005; the
 /// weights are this renderer's choice.) Zero where all incident triangles have a degenerate UV map.
-/// One entry a triangle and corner. The mesh needs texture coordinates, else all are zero.
+/// One entry per triangle and corner. The mesh needs texture coordinates, else all are zero.
 std::vector<std::array<UvTangents, 3>> uv_tangents(const Mesh& mesh);
 
 /// MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008), from its
@@ -33,7 +33,7 @@ std::vector<std::array<UvTangents, 3>> uv_tangents(const Mesh& mesh);
 /// plane of its normal and normalised, weighted by the triangles' angles at the corner; w is the
 /// sign of their orientation in UV, bitangent = w cross(N, T). A triangle of a degenerate UV map
 /// takes the tangent of its neighbours, or, having none, some vector perpendicular to the normal,
-/// with w = 1. Meshes without normals take the triangles' own. One entry a triangle and corner.
+/// with w = 1. Meshes without normals take the triangles' own. One entry per triangle and corner.
 ///
 /// Corners are grouped by equal values alone; the reference implementation also keeps triangles
 /// apart that touch in the corner without sharing an edge.

@@ -11,7 +11,7 @@ struct TexelMarks;  // marks.hpp
 
 /// Events of texture fetches, of active lanes only. Plain data. Sums are of the counts alone.
 struct FetchCounters {
-    std::uint64_t fetches = 0;           ///< filtered or unfiltered look-ups, one a lane
+    std::uint64_t fetches = 0;           ///< filtered or unfiltered look-ups, one per lane
     std::uint64_t nan_coordinates = 0;   ///< coordinates (u and v apart) that were NaN, read as 0
     std::uint64_t huge_coordinates = 0;  ///< infinite or beyond 2^23, saturated
     const TexelMarks* marks = nullptr;   ///< where the texels of look-ups are marked; null: nowhere

@@ -37,7 +37,7 @@ class FastHeight {
     /// `texture` must outlive this object. `level` is in [0, levels - 1]; filters are ignored.
     explicit FastHeight(const SampledTexture& texture, int level = 0)
         : texture_(texture), level_(level_geometry<F>(texture.view, level)) {}
-    /// The finer of the levels, one a lane.
+    /// The finer of the levels, one per lane.
     FastHeight(const SampledTexture& texture, const MipLevels<F>& levels)
         : texture_(texture), level_(levels.fine) {}
 

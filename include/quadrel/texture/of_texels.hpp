@@ -8,7 +8,7 @@
 
 namespace quadrel {
 
-/// A texture of one level. `texels`: row by row, row 0 (v = 0) first, 1, 2 or 4 floats a texel in
+/// A texture of one level. `texels`: row by row, row 0 (v = 0) first, 1, 2 or 4 floats per texel in
 /// the order r g b a, width * height of them; they must outlive the texture and are sampled as they
 /// are (linear, unrounded). Sides in [1, 65536]. Throws std::invalid_argument for another size.
 inline SampledTexture texture_of_texels(std::span<const float> texels, int width, int height,

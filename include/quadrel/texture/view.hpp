@@ -10,7 +10,7 @@ namespace quadrel {
 inline constexpr int max_mip_levels = 17;  // 65536 texels a side
 
 /// A mip chain of decoded float32 texels. Level l starts at texels + offset[l], row-major, row 0
-/// first (v grows with the row), `channels` interleaved floats a texel (1, 2 or 4).
+/// first (v grows with the row), `channels` interleaved floats per texel (1, 2 or 4).
 /// Cube maps: six faces (+X -X +Y -Y +Z -Z) one after the other within each level.
 struct TextureView {
     const float* texels;

@@ -53,7 +53,7 @@ constexpr Example all[] = {
     {"advise", "scene.json --error 0.5texel --angles 0..75",
      "what is exact enough, cheapest first"},
     {"advise", "scene.json --error 1texel --angles 0..60 --budget 24",
-     "with at most 24 look-ups a fragment"},
+     "with at most 24 look-ups per fragment"},
     {"export", "thesis-quad --size 8x8 -o thesis-quad-gl",
      "shaders, buffers, textures, and what they should draw"},
     {"export", "scene.json --language hlsl -D conventions=d3d -o scene-hlsl", "for Direct3D"},

@@ -178,7 +178,7 @@ const ExportedChannel& channel_of(const std::vector<ExportedChannel>& channels,
 }
 
 // OpenGL ES 3.0, table 6.31: 4 draw buffers at least; OpenGL 3.3 and Direct3D 11: 8. WebGPU: 32
-// bytes a sample (maxColorAttachmentBytesPerSample), of which four floats are 16.
+// bytes per sample (maxColorAttachmentBytesPerSample), of which four floats are 16.
 int targets_at_once(const std::string& language) {
     if (language == "wgsl") return 2;
     return language == "glsl-es" ? 4 : 8;

@@ -237,7 +237,7 @@ std::vector<std::string> judged_channels(const Scene& scene) {
 std::string judge_page(const Scene& scene, const JudgePage& options) {
     if (scene.samples > 1)
         throw UsageError(fmt::format(
-            "--page: found {} samples a pixel, expected one (-D samples=1)", scene.samples));
+            "--page: found {} samples per pixel, expected one (-D samples=1)", scene.samples));
     if (!options.limits.empty()) budget_of_limits(options.limits);  // throws for what is none
     SceneExport plain = options.scene;
     plain.language = page_language;

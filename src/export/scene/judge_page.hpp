@@ -23,7 +23,7 @@ struct JudgePage {
 std::vector<std::string> judged_channels(const Scene& scene);
 
 /// The page. Channels whose stages do not run on ranges have none, and the page says why. Throws as
-/// export_scene does, and UsageError for several samples a pixel and for limits that are none.
+/// export_scene does, and UsageError for several samples per pixel and for limits that are none.
 std::string judge_page(const Scene& scene, const JudgePage& options);
 
 /// The last step: of what is gathered, in `page_language`; `reference` has the expected channels

@@ -29,7 +29,7 @@ struct Draw {
 struct VertexBuffers {
     std::vector<VertexAttribute> attributes;  ///< that the vertices have
     std::vector<float> vertices;              ///< interleaved; equal ones of an object are one
-    std::vector<std::uint32_t> indices;       ///< three a triangle, in the order of drawing
+    std::vector<std::uint32_t> indices;       ///< three per triangle, in the order of drawing
     std::vector<Draw> draws;
 
     int floats_a_vertex() const;

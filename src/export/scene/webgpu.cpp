@@ -36,7 +36,7 @@ void check_webgpu_scene(const Scene& scene) {
             name_of(scene.conventions)));
     if (scene.samples != 1 && scene.samples != 4)
         throw UsageError(fmt::format(
-            "--language wgsl: found {} samples a pixel, expected 1 or 4, as WebGPU has them",
+            "--language wgsl: found {} samples per pixel, expected 1 or 4, as WebGPU has them",
             scene.samples));
 }
 

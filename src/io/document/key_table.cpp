@@ -8,7 +8,7 @@ namespace {
 constexpr SceneKey keys[] = {
     {"scene", "quadrel", "1", "required, first", "version of the format"},
     {"scene", "size", "2 integers in 1..65536", "`[512, 512]`", "width and height in pixels"},
-    {"scene", "samples", "1, 2, 4, 8 or 16", "1", "samples a pixel"},
+    {"scene", "samples", "1, 2, 4, 8 or 16", "1", "samples per pixel"},
     {"scene", "shade_at", "`center` `centroid`", "`center`",
      "where a partly covered pixel is shaded when it has several samples"},
     {"scene", "conventions", "`gl` `vulkan` `d3d`", "`gl`", "axes, depth range, facing"},

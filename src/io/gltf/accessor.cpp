@@ -58,7 +58,7 @@ void check_attribute_alignment(const GltfFile& file, const tinygltf::Accessor& a
         file.fail(key + ".byteOffset", std::to_string(accessor.byteOffset), multiple_of(step));
     const tinygltf::BufferView& view = checked_view(file, accessor.bufferView, key);
     if (view.byteStride == 0 && element_size % step != 0)
-        file.fail(key, std::to_string(element_size) + " bytes an element without a stride",
+        file.fail(key, std::to_string(element_size) + " bytes per element without a stride",
                   multiple_of(step));
 }
 

@@ -40,7 +40,7 @@ class PrimitiveReader {
     void check_targets() const {
         if (weights_.size() == primitive_.targets.size() || weights_.empty()) return;
         file_.fail(key_ + ".targets", std::to_string(primitive_.targets.size()),
-                   "one a weight: " + std::to_string(weights_.size()));
+                   "one per weight: " + std::to_string(weights_.size()));
     }
 
     // The attribute and the weighted sum of its displacements; z is 0 where there are two.
@@ -113,7 +113,7 @@ class PrimitiveReader {
         const bool triangles = primitive_.mode == TINYGLTF_MODE_TRIANGLES;
         if (count < 3 || (triangles && count % 3 != 0))
             file_.fail(key_, std::to_string(count) + (indices.empty() ? " vertices" : " indices"),
-                       triangles ? "three a triangle" : "at least 3");
+                       triangles ? "three per triangle" : "at least 3");
         out_.triangles = triangles_of(primitive_.mode, count);
         for (auto& triangle : out_.triangles)
             for (auto& corner : triangle)

@@ -8,7 +8,7 @@
 namespace quadrel {
 namespace {
 
-/// Side of a block in pixels, even: bounds the memory of its sums, which is 512 bytes a pixel.
+/// Side of a block in pixels, even: bounds the memory of its sums, which is 512 bytes per pixel.
 constexpr int block_side = 32;
 
 std::uint32_t bits_of(double x) {

@@ -39,8 +39,9 @@ void check_integral(const IntegralOptions& integral, const RenderOptions& option
     constexpr int least = IntegralOptions::least_samples, most = IntegralOptions::most_samples;
     constexpr int step = IntegralOptions::replicates;
     if (integral.samples < least || integral.samples > most || integral.samples % step != 0)
-        throw UsageError(fmt::format("{} samples a pixel: expected a multiple of {} from {} to {}",
-                                     integral.samples, step, least, most));
+        throw UsageError(
+            fmt::format("{} samples per pixel: expected a multiple of {} from {} to {}",
+                        integral.samples, step, least, most));
     if (!(integral.error >= 0) || !std::isfinite(integral.error))
         throw UsageError("the error of an integral: expected a finite number that is not negative");
     if (options.touched)

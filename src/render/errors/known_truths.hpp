@@ -13,7 +13,7 @@ namespace quadrel {
 class Batch;
 
 /// Of renders whose scenes, sizes and number types are equal but for what the judge does not read:
-/// material.trace and what that reads. One sample a pixel. For any number of threads.
+/// material.trace and what that reads. One sample per pixel. For any number of threads.
 class KnownTruths {
   public:
     /// Pixels of the frame.

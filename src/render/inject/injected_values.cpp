@@ -120,7 +120,7 @@ InjectedValues::InjectedValues(std::vector<Injection> injections, const Scene& s
     : injections_(std::move(injections)), viewport_{scene.width, scene.height, scene.conventions} {
     if (scene.samples > 1)
         throw UsageError(fmt::format(
-            "--inject: the scene has {} samples a pixel, expected 1: images have one fragment",
+            "--inject: the scene has {} samples per pixel, expected 1: images have one fragment",
             scene.samples));
     for (const Injection& injection : injections_) {
         options_.push_back(injection.values + "=" + injection.source);

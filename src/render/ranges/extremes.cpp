@@ -51,7 +51,7 @@ FoundSpread spread_of(std::vector<float>& values) {
 Extremes::Extremes(const Scene& scene, const std::vector<std::string>& channels,
                    const std::string& limits, const SearchEffort& effort)
     : effort_(effort), prepared_(prepare(scene, channels)), channel_count_(0) {
-    if (scene.samples > 1) throw UsageError("ranges are of one sample a pixel");
+    if (scene.samples > 1) throw UsageError("ranges are of one sample per pixel");
     for (const ChannelSource& channel : prepared_.channels) {
         if (channel.value == Value::bary) break;
         if (channel.kind != ChannelSource::Kind::value || channel.type != ChannelType::float32)

@@ -131,8 +131,6 @@ bool is_exact_rho(const std::string& text) { return text == "rho=exact"; }
 
 }  // namespace
 
-std::string interface_of_limits(const std::string& text) { return text.substr(0, text.find(',')); }
-
 ErrorBudget budget_of_limits(const std::string& text) {
     std::istringstream parts(text);
     std::string part;

@@ -15,7 +15,4 @@ inline constexpr const char* limits_of_rounding = "rounding";
 /// states, as in "gl,plane=1e-6". Throws UsageError.
 ErrorBudget budget_of_limits(const std::string& text);
 
-/// The interface that it names, without settings.
-std::string interface_of_limits(const std::string& text);
-
 }  // namespace quadrel

@@ -79,7 +79,7 @@ RangePlan plan_ranges(const Scene& scene, const std::vector<ChannelSource>& chan
     if (asking.empty()) return plan;
     const std::string& asked = asking.front().name;
     if (scene.samples > 1)
-        throw UsageError(fmt::format("channel \"{}\": ranges are of one sample a pixel", asked));
+        throw UsageError(fmt::format("channel \"{}\": ranges are of one sample per pixel", asked));
     const bool of_rounding = limits.empty() && std::ranges::all_of(asking, [](const auto& channel) {
                                  return channel.kind == ChannelSource::Kind::undecided;
                              });

@@ -54,7 +54,7 @@ struct Question {
     bool apart = false;  ///< a picture of each triangle alone, one after the other
 };
 
-/// Four floats a pixel, row 0 (the lowest) first; 0 where nothing is drawn.
+/// Four floats per pixel, row 0 (the lowest) first; 0 where nothing is drawn.
 using Values = std::vector<float>;
 
 /// What Quadrel answers as this hardware.

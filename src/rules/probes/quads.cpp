@@ -61,7 +61,7 @@ std::string mode_words(const Values& values, std::size_t first) {
 
 Probe derivatives() {
     Probe probe{"derivatives",
-                "dFdx and dFdy of a product: each row's own difference, or one a quad",
+                "dFdx and dFdy of a product: each row's own difference, or one per quad",
                 "either (GLSL 4.60, 8.14.1)",
                 {side, side}};
     probe.question.glsl =
@@ -131,7 +131,7 @@ std::string lane_words(const Values& values) {
         return answer(values, static_cast<std::size_t>((i >> 1) * side + (i & 1)));
     };
     if (lane(0) == lane(1) && lane(0) == lane(2) && lane(0) == lane(3))
-        return std::fabs(lane(0) - 1) < 0.1f ? "lane 0's" : "one a quad";
+        return std::fabs(lane(0) - 1) < 0.1f ? "lane 0's" : "one per quad";
     return "each its own";
 }
 

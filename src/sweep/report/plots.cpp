@@ -96,7 +96,7 @@ std::string front_chart(const Group& group, const std::string& view, const std::
     Chart chart{view == "camera" ? "Run time against error, the scenes' own cameras"
                                  : "Run time against error at " + view + " degrees",
                 machine,
-                {"search, ns a pixel (mean over maps)", true, 0},
+                {"search, ns per pixel (mean over maps)", true, 0},
                 {"texels from the true hit, 99 % of the pixels", true, least_error},
                 {}};
     ChartSeries line{"front", "", {}, false, true, false};
@@ -149,7 +149,7 @@ std::string angle_chart(const Group& group, const std::vector<double>& angles, b
     Chart chart{error ? "Error against the view's angle" : "Run time against the view's angle",
                 machine,
                 {"degrees between view and normal", false, 0},
-                {error ? "texels from the true hit, 99 % of the pixels" : "search, ns a pixel",
+                {error ? "texels from the true hit, 99 % of the pixels" : "search, ns per pixel",
                  true, error ? least_error : 0},
                 {}};
     for (auto& [name, line] : lines) {

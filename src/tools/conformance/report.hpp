@@ -28,10 +28,10 @@ struct Bounds {
 /// and nothing was judged. None: it conforms.
 std::vector<std::string> complaints(const Report& report, const Bounds& bounds);
 
-/// A line a row, counts over its maps and angles; what is unexplained below.
+/// A line per row, counts over its maps and angles; what is unexplained below.
 std::string to_text(const Report& report);
 /// Tables in Markdown: a line for the channels of each place in the data flow, over all rows, and
-/// a line a row, those that are equal bit for bit together.
+/// a line per row, those that are equal bit for bit together.
 std::string to_markdown(const Report& report);
 nlohmann::ordered_json to_json(const Report& report);
 /// What to_json has written to a file. Throws InputError.

@@ -173,7 +173,7 @@ TEST_F(GltfRules, ElementsAreAligned) {
     const int bytes = tight.add(std::vector<std::int8_t>(12, 127), 5120, "VEC3", 4);
     tight.json["accessors"][bytes]["normalized"] = true;
     tight.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = bytes;
-    EXPECT_FALSE(loads(tight)) << "three bytes a vertex";
+    EXPECT_FALSE(loads(tight)) << "three bytes per vertex";
 }
 
 /// 3.6.2.5: wrong bounds harm nothing here, and are said.
@@ -261,7 +261,7 @@ TEST_F(GltfRules, MorphTargetsFit) {
     const json one = {{"POSITION", 1}};
     EXPECT_TRUE(accepted(with(json::array({one}), json::array({1}))));
     EXPECT_TRUE(refused(with(json::array({one}), {1, 1}),
-                        {"meshes[0].primitives[0].targets", "1", "one a weight: 2"}));
+                        {"meshes[0].primitives[0].targets", "1", "one per weight: 2"}));
     EXPECT_TRUE(refused(with(json::array({{{"POSITION", 2}}}), json::array({1})),
                         {"accessors[2]", "another type", "3"}));
     EXPECT_TRUE(refused(with(json::array({{{"POSITION", 99}}}), json::array({1})),

@@ -287,7 +287,7 @@ TEST(Linear, LanesWithoutFrameStayOnThePolygon) {
     }
 }
 
-/// Fetches are counted in active lanes alone, one a step.
+/// Fetches are counted in active lanes alone, one per step.
 testing::AssertionResult fetches_are_steps(const Search& implementation) {
     Random random(14);
     const Map map = noise_map(random, 16, 16);

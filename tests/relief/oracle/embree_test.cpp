@@ -110,7 +110,7 @@ Tally compare_with_embree(int rays, double late, bool beside = false) {
         const bool lower = hit.place_y <= hit.place_x;
         const double cell_x = hit.cell_x + beside;
         // Positions are rounded to float: of coordinates up to `side`, and so are heights in
-        // proportion to the slope, at most 1 a cell, and s by the condition.
+        // proportion to the slope, at most 1 per cell, and s by the condition.
         const double error = 0x1p-22 * side;
         if (met && std::fabs(s - other) <= error * (1 + hit.condition) &&
             met->cell_x == long(cell_x) && met->cell_y == long(hit.cell_y) && met->lower == lower) {

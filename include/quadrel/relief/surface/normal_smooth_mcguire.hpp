@@ -2,7 +2,7 @@
 //
 // Source: M. McGuire and M. McGuire, "Steep Parallax Mapping" (2005), the page's shader, "Smooth
 // normals locally along gradient to avoid making slices visible": the normal at the hit plus the
-// one a step downhill from it, normalised. The page leaves the step open ("a function of the
+// one per step downhill from it, normalised. The page leaves the step open ("a function of the
 // resolution and of the bump scale"): here `distance` texels of the normal map for a normal that
 // lies in the surface, less as it stands up. Texels are x, y, z; green "down" is the page's own
 // direction of v. Conventions: tangent_normal.hpp. Without a map: the frame's normal.

@@ -8,7 +8,7 @@
 
 namespace quadrel {
 
-/// Three a triangle of the mesh, in its order; rows of neighbours are counted from `first` on.
+/// Three per triangle of the mesh, in its order; rows of neighbours are counted from `first` on.
 /// Those without volume are no one's neighbours.
 std::vector<ShellCell> shell_cells(const Shell& shell, const Mesh& mesh, std::int32_t first);
 

@@ -142,7 +142,7 @@ std::uint32_t whole(float value) {
     return value >= 0x1p32f ? 0xffffffffu : static_cast<std::uint32_t>(std::floor(value + 0.5f));
 }
 
-/// Four floats a pixel of one target, of each sample.
+/// Four floats per pixel of one target, of each sample.
 using SampleValues = std::vector<std::vector<float>>;
 
 /// Where each pixel of the film lies in what is read back.

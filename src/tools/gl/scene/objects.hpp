@@ -58,7 +58,7 @@ class FloatTargets {
     GLuint color(std::size_t target) const { return textures_[target]; }
     GLuint depth() const { return textures_.back(); }
 
-    /// Four floats a pixel of one target of one sample a pixel, window row 0 first.
+    /// Four floats per pixel of one target of one sample per pixel, window row 0 first.
     std::vector<float> read(std::size_t target) const;
 
   private:
@@ -78,7 +78,7 @@ class SampleReader {
     SampleReader(const SampleReader&) = delete;
     SampleReader& operator=(const SampleReader&) = delete;
 
-    /// Four floats a pixel of that sample, window row 0 first.
+    /// Four floats per pixel of that sample, window row 0 first.
     std::vector<float> read(GLuint texture, int sample) const;
 
   private:

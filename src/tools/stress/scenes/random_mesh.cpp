@@ -12,7 +12,7 @@ struct UvMap {
     double a = 0.5, b = 0, c = 0.5, d = 0, e = 0.5, f = 0.5;
 };
 
-/// An OBJ file under construction: corners in order, three a triangle.
+/// An OBJ file under construction: corners in order, three per triangle.
 class Obj {
   public:
     explicit Obj(const UvMap& uv) : uv_(uv) {}

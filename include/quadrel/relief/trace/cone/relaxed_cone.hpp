@@ -4,8 +4,8 @@
 // 2007, chapter 18. Corrects relaxed-cone@published: the number of cone steps is a parameter and a
 // ray that has not come down after them says CAP (the published 15 return a point before the
 // surface at grazing angles), and the last step is halved, not the whole way down.
-// Relaxed cones of the published preprocess are too wide on large maps: its 128 samples a ray step
-// over what is thin (relaxed-cone-exact).
+// Relaxed cones of the published preprocess are too wide on large maps: its 128 samples per ray
+// step over what is thin (relaxed-cone-exact).
 #pragma once
 
 #include "quadrel/relief/trace/cone/cone_walk.hpp"

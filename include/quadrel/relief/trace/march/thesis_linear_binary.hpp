@@ -1,9 +1,9 @@
-// thesis-linear-binary: one sample a texel, then bisection.
+// thesis-linear-binary: one sample per texel, then bisection.
 //
 // Corrects thesis-linear-binary@published: heights are interpolated in both searches, so that the
 // interval that the linear search hands over does hold a crossing. The samples divide the depth
 // evenly, n = ceil of the texels that the ray crosses along the axis where it crosses most, at
-// least `min_steps` and at most `max_steps`. One sample a texel is still not enough for the first
+// least `min_steps` and at most `max_steps`. One sample per texel is still not enough for the first
 // crossing: a ray can enter and leave a bilinear patch between two samples. No crossing: FLOOR.
 #pragma once
 
