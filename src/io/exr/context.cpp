@@ -95,6 +95,8 @@ void ExrContext::require_inside(const exr_chunk_info_t& chunk, int x, int y) con
 void ExrContext::visit_scan_lines(int y0, int y1, const Visit& visit) const {
     std::int32_t lines = 1;
     check_exr(exr_get_scanlines_per_chunk(context_, part_, &lines));
+    // OpenEXR counts none where a header of scan lines describes tiles.
+    if (lines < 1) throw std::runtime_error("scan lines with a description of tiles");
     for (int y = y0 - (y0 - window_.min.y) % lines; y < y1; y += lines) {
         exr_chunk_info_t chunk{};
         check_exr(exr_read_scanline_chunk_info(context_, part_, y, &chunk));
@@ -108,6 +110,7 @@ void ExrContext::visit_scan_lines(int y0, int y1, const Visit& visit) const {
 void ExrContext::visit_tiles(int y0, int y1, const Visit& visit) const {
     std::int32_t width = 1, height = 1;
     check_exr(exr_get_tile_sizes(context_, part_, 0, 0, &width, &height));
+    if (width < 1 || height < 1) throw std::runtime_error("tiles without a size");
     const int columns = (window_.max.x - window_.min.x) / width + 1;
     for (int row = (y0 - window_.min.y) / height; window_.min.y + row * height < y1; ++row)
         for (int column = 0; column < columns; ++column) {

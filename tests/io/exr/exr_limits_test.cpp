@@ -72,6 +72,16 @@ TEST(ExrLimits, AttributesLongerThanTheFile) {
     EXPECT_FALSE(refuses(as_nothing, huge, ""));
 }
 
+/// By which nothing can be divided, since OpenEXR then counts no scan lines per chunk.
+TEST(ExrLimits, ScanLinesThatDescribeTiles) {
+    const TemporaryFolder folder;
+    std::string bytes = whole_file(folder);
+    const std::string tiles("tiles\0tiledesc\0\x9\0\0\0\x10\0\0\0\x10\0\0\0\0", 28);
+    bytes.insert(bytes.find(type_name), tiles);
+    for (const Reader& read : {as_film, as_image})
+        EXPECT_TRUE(refuses(read, bytes, "scan lines with a description of tiles"));
+}
+
 TEST(ExrLimits, HeadersThatDoNotEnd) {
     const TemporaryFolder folder;
     const std::string whole = whole_file(folder);
