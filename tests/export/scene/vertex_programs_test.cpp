@@ -8,6 +8,8 @@
 #include <map>
 
 #include "export/scene/content.hpp"
+#include "export/scene/judge_page.hpp"
+#include "export/scene/judged.hpp"
 #include "export/scene/small_scenes.hpp"
 #include "quadrel/num/math.hpp"
 #include "render/draw/geometry.hpp"
@@ -141,6 +143,35 @@ TEST(SceneVertexPrograms, HaveNoMoreAttributesThanGpus) {
     // One that is declared elsewhere is noticed.
     many.buffers.attributes.back().location += 1;
     EXPECT_EQ(lacking(many), 1);
+}
+
+/// A page whose frame and light are made at the vertices.
+std::string page_of_vertex_programs() {
+    const Scene scene = load_scene(
+        "bricks-45", {test::sanitized ? "size=[8,8]" : "size=[16,12]", "camera.fov_y=2",
+                      "hardware=chromium", "material.relief.frame=frame-vertex@published",
+                      "material.relief.trace=parallax-bias", "material.relief.shadow=shadow-none",
+                      "material.shade=shade-welsh@published", "material.gloss=null",
+                      "textures.bricks-color.file=" QUADREL_DATA_DIR "/textures/calibration.exr"});
+    return judge_page(scene, {{}, "gl,snapping=0.0625"});
+}
+
+TEST_F(JudgePageInABrowser, FindsWhatVertexProgramsMakeLegal) {
+    const std::string page = page_of_vertex_programs();
+    const Judged shaded(page, "");
+    ASSERT_EQ(shaded.error(), "");
+    EXPECT_EQ(shaded.failing(), 0) << shaded.verdict().dump(1);
+    // The same by the vertex shader's own arithmetic.
+    const std::string by_matrices =
+        with_planted(page, "#define SHADED_VERTICES 1", "#define SHADED_VERTICES 0");
+    const Judged transformed(by_matrices, "");
+    ASSERT_EQ(transformed.error(), "");
+    EXPECT_EQ(transformed.failing(), 0) << transformed.verdict().dump(1);
+    const Judged wrong(with_planted(by_matrices, "difference = target_ - position",
+                                    "difference = target_ + position"),
+                       "");
+    EXPECT_GT(wrong.failing(), 0) << wrong.error();
+    EXPECT_EQ(wrong.first_to_leave().substr(0, 2), "K.") << wrong.first_to_leave();
 }
 
 }  // namespace
