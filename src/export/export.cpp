@@ -106,4 +106,33 @@ Program export_program(ProgramRequest request) {
     return parts.program;
 }
 
+NamedFloats vertex_program_values(ProgramRequest request, const VertexList& vertices,
+                                  const NamedFloats& uniforms) {
+    std::string refusal;
+    request.put = [](void* to, const char*, const char* text) {
+        *static_cast<std::string*>(to) = text;
+    };
+    request.to = &refusal;
+    NamedFloats found;
+    const VertexRun run{&request,
+                        vertices.count,
+                        vertices.position.data(),
+                        vertices.normal.data(),
+                        vertices.tangent.data(),
+                        vertices.binormal.data(),
+                        vertices.uv.data(),
+                        [](const void* of, const char* name) -> const float* {
+                            const auto& all = *static_cast<const NamedFloats*>(of);
+                            const auto uniform = all.find(name);
+                            return uniform != all.end() ? uniform->second.data() : nullptr;
+                        },
+                        &uniforms,
+                        [](void* to, const char* name, const float* values, std::int32_t number) {
+                            (*static_cast<NamedFloats*>(to))[name].assign(values, values + number);
+                        },
+                        &found};
+    if (!export_table().run_vertices(&run)) refuse(refusal);
+    return found;
+}
+
 }  // namespace quadrel

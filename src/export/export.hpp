@@ -1,6 +1,7 @@
 // Stages as shaders: the module quadrel-shaders, loaded when something is first exported.
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,7 +37,9 @@ std::string export_stages(std::span<const StageUse> stages, const ExportOptions&
 struct ProgramName {
     std::string type;  ///< as GLSL has it; of an attribute the number of components
     std::string name;
-    int number = 0;  ///< of a uniform the length of an array, of a sampler the texture slot
+    /// Of a uniform the length of an array, of a sampler the texture slot, of an attribute the
+    /// location.
+    int number = 0;
 };
 
 /// A material's stages as shaders.
@@ -48,5 +51,19 @@ struct Program {
 /// `request` but for whom it tells. Throws UsageError with the stage and the reason where there is
 /// none.
 Program export_program(ProgramRequest request);
+
+/// Floats by names: of uniforms, or a varying's, one vertex after the other.
+using NamedFloats = std::map<std::string, std::vector<float>>;
+
+/// Vertices of an object, in object space (Vertex): floats, one vertex after the other.
+struct VertexList {
+    int count = 0;
+    std::vector<float> position, normal, tangent, binormal, uv;
+};
+
+/// What the vertex programs of the request's stages give, with Quadrel's own bits. `uniforms`:
+/// those of frame and object. Throws UsageError with the reason where they cannot be run.
+NamedFloats vertex_program_values(ProgramRequest request, const VertexList& vertices,
+                                  const NamedFloats& uniforms);
 
 }  // namespace quadrel

@@ -78,12 +78,31 @@ struct ProgramRequest {
     std::int32_t writes_depth;     ///< 1: with the depth of their hit
     std::int32_t has_flat_meshes;  ///< 1: some have no normals of their own (flat_faces)
     std::int32_t centroid;         ///< 1: varyings are taken at the centroid
+    /// What the vertices have, by location: what vertex programs give is computed where it is not
+    /// among them. None: vertices have all that is asked for.
+    const char* const* attributes;
+    std::int32_t attribute_count;
     /// Receives a part of the program, or "refusal" and why there is none:
     ///     vertex fragment      the texts
-    ///     attribute            "3 position": components and name of a vertex attribute
+    ///     attribute            "3 position 0": components, name, location of a vertex attribute
     ///     uniform              "vec3 eye 0": type, name, length of an array or 0
     ///     sampler              "sampler2D height_map 0": type, name, slot
     void (*put)(void* to, const char* part, const char* text);
+    void* to;
+};
+
+/// Vertices of an object whose vertex programs are run: arrays of floats, one vertex after the
+/// other.
+struct VertexRun {
+    const ProgramRequest* program;  ///< `put` receives "refusal" and why, where it cannot be run
+    std::int32_t count;
+    /// In object space, as Vertex has them; UV as the texture matrix has left it.
+    const float *position, *normal, *tangent, *binormal, *uv;
+    /// The values of a uniform of that name; null for others.
+    const float* (*uniform)(const void* of, const char* name);
+    const void* uniforms;
+    /// Receives what a varying of that name is at the vertices, and how many floats that are.
+    void (*put)(void* to, const char* name, const float* values, std::int32_t floats);
     void* to;
 };
 
@@ -94,10 +113,12 @@ struct ExportTable {
     /// Whether there is a text.
     bool (*write)(const ExportRequest* request);
     bool (*write_program)(const ProgramRequest* request);
+    /// Whether all of the program's varyings have been put.
+    bool (*run_vertices)(const VertexRun* run);
 };
 
 inline constexpr std::uint32_t export_magic = 0x58455251;  // "QREX"
-inline constexpr std::uint32_t export_abi_version = 3;
+inline constexpr std::uint32_t export_abi_version = 4;
 inline constexpr const char* export_symbol = "quadrel_export_table";
 
 }  // namespace quadrel

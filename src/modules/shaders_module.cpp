@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "export/program/program.hpp"
+#include "export/program/vertex_values.hpp"
 #include "export/stages/plain_scene.hpp"
 #include "export/stages/stage_text.hpp"
 #include "export/table.hpp"
@@ -45,6 +46,10 @@ std::string written(const ExportRequest& request) {
     std::vector<std::string> comments;
     for (std::size_t i = 0; i < functions.size(); ++i) {
         const StageUse& use = request.stages[i];
+        if (functions[i].vertex) {
+            text += (text.empty() ? "" : "\n") + functions[i].vertex->text;
+            add_uniforms(uniforms, functions[i].vertex->uniforms);
+        }
         text += (text.empty() ? "" : "\n") + functions[i].text;
         add_uniforms(uniforms, functions[i].uniforms);
         for (const std::string& comment :
@@ -75,14 +80,25 @@ bool write_program(const ProgramRequest* request) {
         const ProgramText text = compose_program(*request);
         put("vertex", text.vertex);
         put("fragment", text.fragment);
-        for (const Named& of : text.attributes)
-            put("attribute", std::to_string(components_of(of.type)) + " " + of.name);
+        for (const Attribute& of : text.attributes)
+            put("attribute", std::to_string(components_of(of.type)) + " " + of.name + " " +
+                                 std::to_string(of.location));
         for (const Uniform& of : text.numbers)
             put("uniform", of.type + " " + of.name + " " + std::to_string(of.count));
         for (const Uniform& of : text.samplers)
             put("sampler", of.type + " " + of.name + " " + std::to_string(slot_of_map(of.name)));
     } catch (const RecordingError& error) {
         put("refusal", error.what());
+        return false;
+    }
+    return true;
+}
+
+bool run_vertices(const VertexRun* run) {
+    try {
+        put_vertex_values(*run);
+    } catch (const RecordingError& error) {
+        run->program->put(run->program->to, "refusal", error.what());
         return false;
     }
     return true;
@@ -120,8 +136,8 @@ void list_stages(void (*put)(void* to, const ExportedStage* stage), void* to) {
 
 extern "C" __attribute__((visibility("default"))) const quadrel::ExportTable*
 quadrel_export_table() {
-    static constexpr quadrel::ExportTable table{quadrel::export_magic, quadrel::export_abi_version,
-                                                &quadrel::list_stages, &quadrel::write,
-                                                &quadrel::write_program};
+    static constexpr quadrel::ExportTable table{
+        quadrel::export_magic, quadrel::export_abi_version, &quadrel::list_stages,
+        &quadrel::write,       &quadrel::write_program,     &quadrel::run_vertices};
     return &table;
 }

@@ -186,10 +186,10 @@ TEST(ExportCommand, RefusesScenesInOneLine) {
     };
     const Outcome unknown = export_to({"no-such-scene"});
     EXPECT_EQ(unknown.code, 3) << unknown.err;
-    const Outcome vertex = export_to({"rows/steep-published"});
-    EXPECT_EQ(vertex.code, 2);
-    EXPECT_TRUE(says(vertex.err, "steep@published: computes in its vertex shader")) << vertex.err;
-    EXPECT_EQ(std::count(vertex.err.begin(), vertex.err.end(), '\n'), 1) << vertex.err;
+    const Outcome judge = export_to({"rows/oracle-bilinear"});
+    EXPECT_EQ(judge.code, 2);
+    EXPECT_TRUE(says(judge.err, "oracle-bilinear: proves what it finds")) << judge.err;
+    EXPECT_EQ(std::count(judge.err.begin(), judge.err.end(), '\n'), 1) << judge.err;
     const Outcome webgpu = export_to({"thesis-quad", "--language", "wgsl"});
     EXPECT_EQ(webgpu.code, 2);
     EXPECT_TRUE(says(webgpu.err, "-D conventions=d3d")) << webgpu.err;
@@ -241,9 +241,9 @@ TEST(ExportCommand, RefusesPagesInOneLine) {
     const Outcome samples = of_a_scene({"--page", "judge.html", "-D", "samples=4"});
     EXPECT_EQ(samples.code, 2);
     EXPECT_TRUE(says(samples.err, "found 4 samples per pixel, expected one")) << samples.err;
-    const Outcome vertex = refuse({"rows/steep-published", "--page", "judge.html"});
-    EXPECT_EQ(vertex.code, 2);
-    EXPECT_TRUE(says(vertex.err, "computes in its vertex shader")) << vertex.err;
+    const Outcome judge = refuse({"rows/oracle-bilinear", "--page", "judge.html"});
+    EXPECT_EQ(judge.code, 2);
+    EXPECT_TRUE(says(judge.err, "proves what it finds")) << judge.err;
 }
 
 TEST(ExportCommand, SaysWhyAStageIsNotWritten) {

@@ -10,6 +10,7 @@
 #include "export/exported.hpp"
 #include "export/stages/plain_scene.hpp"
 #include "export/stages/stage_text.hpp"
+#include "export/stages/vertex_transforms.hpp"
 
 namespace quadrel::export_tests {
 namespace {
@@ -37,18 +38,55 @@ Place place_of(const std::string& name) {
     return {};
 }
 
-std::string loaded(const Named& input) {
+/// Where the floats of a stage's varyings begin; the last is their number.
+std::vector<int> varying_places(const VertexFunction& vertex) {
+    std::vector<int> places{0};
+    for (const Named& of : vertex.varyings)
+        places.push_back(places.back() + components_of(of.type));
+    if (places.back() > most_varying_floats)
+        throw std::runtime_error(vertex.name + " has more varyings than the tests");
+    return places;
+}
+
+std::string vector_at(Type type, const std::string& from) {
+    return "vector_at<" + std::to_string(components_of(type)) + ">(" + from + ")";
+}
+
+std::string loaded(const Named& input, const FunctionText& function) {
+    for (std::size_t i = 0; function.vertex && i < function.vertex->varyings.size(); ++i)
+        if (function.vertex->varyings[i].name == input.name)
+            return vector_at(input.type, "arrays.varyings + " +
+                                             std::to_string(varying_places(*function.vertex)[i]));
     const Place place = place_of(input.name);
     if (place.is_integer) return "load_int(arrays, " + std::to_string(place.slot) + ")";
     return "load<" + std::to_string(place.components) + ">(arrays, " + std::to_string(place.slot) +
            ")";
 }
 
+void write_vertex_function(std::ostream& out, const VertexFunction& vertex,
+                           const Dialect& dialect) {
+    out << vertex.text << "void run_" << vertex.name << "(const VertexArrays& arrays) {\n";
+    std::string arguments, puts;
+    for (const Named& input : vertex.inputs)
+        arguments +=
+            (arguments.empty() ? "" : ", ") + vector_at(input.type, "arrays." + input.name);
+    const std::vector<int> places = varying_places(vertex);
+    for (std::size_t i = 0; i < vertex.outputs.size(); ++i) {
+        const Named& output = vertex.outputs[i];
+        out << "    " << dialect.type(output.type) << " " << output.name << ";\n";
+        arguments += ", " + output.name;
+        puts +=
+            "    put(arrays.varyings + " + std::to_string(places[i]) + ", " + output.name + ");\n";
+    }
+    out << "    " << vertex.name << "(" << arguments << ");\n" << puts << "}\n\n";
+}
+
 void write_function(std::ostream& out, const FunctionText& function, const Dialect& dialect) {
+    if (function.vertex) write_vertex_function(out, *function.vertex, dialect);
     out << function.text << "void run_" << function.name << "(const FragmentArrays& arrays) {\n";
     std::string arguments;
     for (const Named& input : function.inputs)
-        arguments += (arguments.empty() ? "" : ", ") + loaded(input);
+        arguments += (arguments.empty() ? "" : ", ") + loaded(input, function);
     std::string stores;
     for (const Named& output : function.outputs) {
         out << "    " << dialect.type(output.type) << " " << output.name << ";\n";
@@ -68,8 +106,12 @@ bool uses_neighbours(const std::string& text) {
 
 /// The row of a table.
 std::string row_of(const FunctionText& function, const char* id, const std::string& space = "") {
+    const std::string vertex = function.vertex
+                                   ? std::to_string(varying_places(*function.vertex).back()) +
+                                         ", glsl::" + space + "run_" + function.vertex->name
+                                   : "0, nullptr";
     return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
-           ", glsl::" + space + "run_" + function.name + "}";
+           ", glsl::" + space + "run_" + function.name + ", " + vertex + "}";
 }
 
 /// An error of a printer: what it writes in the place of what is right.
@@ -87,7 +129,15 @@ constexpr Planted all_planted[] = {
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
     {"shade-lambert", "light_specular = vec3(0.0f)", "light_specular = vec3(-0.0f)",
-     "a zero of the other sign"}};
+     "a zero of the other sign"},
+    // At the vertices.
+    {"frame-vertex@published", "target_ - position", "position - target_", "the other way"},
+    {"frame-vertex@published", "model_view[1]", "model_view[4]", "a transposed matrix"},
+    {"curved-quadric@published", "inverse_model_view[3]", "inverse_model_view[12]",
+     "another translation"},
+    {"normal-map-flightgear@published", "inverse_model_view[4]", "inverse_model_view[1]",
+     "a normal as a vector"},
+    {"learnopengl", "dot(B, FragPos)", "dot(T, FragPos)", "another axis"}};
 
 /// `text` with the first `right` as `wrong`; empty where it has none.
 std::string with_error(const std::string& text, const Planted& planted) {
@@ -103,6 +153,13 @@ class Emitter {
     Emitter(std::ostream& out, const Dialect& dialect)
         : out_(out), dialect_(dialect), scene_(plain_scene({exported_side, exported_lights})) {}
 
+    /// What functions of vertices call.
+    void emit_transforms() {
+        std::string all;
+        for (const std::string& name : transform_names()) all += name + "(";
+        out_ << transform_functions(all, dialect_);
+    }
+
     void emit(const RecordedStage& stage) {
         try {
             const FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
@@ -117,8 +174,10 @@ class Emitter {
     void plant(const Planted& planted) {
         const RecordedStage& stage = *find_recorded_stage(planted.id);
         FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
-        function.text = with_error(function.text, planted);
-        if (function.text.empty())
+        std::string& text = function.vertex ? function.vertex->text : function.text;
+        if (function.vertex) text = transform_functions(text, dialect_) + text;
+        text = with_error(text, planted);
+        if (text.empty())
             throw RecordingError(std::string(planted.id) + " has no " + planted.right);
         const std::string space = "planted" + std::to_string(planted_++);
         out_ << "namespace " << space << " {\n";
@@ -207,6 +266,7 @@ class Emitter {
 void write_all(std::ostream& out) {
     const auto dialect = find_dialect("c++");
     Emitter emitter(out, *dialect);
+    emitter.emit_transforms();
     for (const RecordedStage& stage : all_recorded_stages()) emitter.emit(stage);
     for (const Planted& planted : all_planted) emitter.plant(planted);
     for (const RecordedStage& stage : all_recorded_stages())
@@ -224,6 +284,10 @@ void write_shader(std::ostream& out, const char* language, const char* main,
         try {
             const FunctionText function =
                 write_stage(stage, scene, nullptr, {}, *dialect, "", parameters);
+            if (function.vertex) {
+                all.text += function.vertex->text + "\n";
+                add_uniforms(all.uniforms, function.vertex->uniforms);
+            }
             all.text += function.text + "\n";
             add_uniforms(all.uniforms, function.uniforms);
         } catch (const RecordingError&) {  // the other program's table has it
@@ -242,8 +306,13 @@ void write_each(std::ostream& out, const char* language) {
             const FunctionText function =
                 write_stage(stage, scene, nullptr, {}, *dialect, "",
                             number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
-            out << "=== " << stage.text->id << "\n"
-                << whole_file(function.text, function.uniforms, *dialect);
+            std::vector<Uniform> uniforms = function.uniforms;
+            std::string text = function.text;
+            if (function.vertex) {
+                add_uniforms(uniforms, function.vertex->uniforms);
+                text = function.vertex->text + "\n" + text;
+            }
+            out << "=== " << stage.text->id << "\n" << whole_file(text, uniforms, *dialect);
         } catch (const RecordingError&) {  // the other program's table has it
         }
     }

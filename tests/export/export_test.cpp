@@ -7,6 +7,7 @@
 #include "export/exported.hpp"
 #include "export/fragments.hpp"
 #include "export/glsl.hpp"
+#include "export/vertex_runs.hpp"
 #include "quadrel/relief/registry.hpp"
 
 namespace quadrel::export_tests {
@@ -21,7 +22,8 @@ class Comparison {
         : random_(seed),
           material_(recorded::plain_material()),
           maps_(random_, true),
-          frame_(random_frame(random_)) {
+          frame_(random_frame(random_)),
+          triangles_(random_) {
         fill_inputs(inputs_, random_);
         set_uniforms();
     }
@@ -66,6 +68,7 @@ class Comparison {
         call.active = active;
         call.lanes = compared_lanes;
         call.parameters = params.data();
+        triangles_.bind(call);
         call.material = &material_;
         call.frame = &frame_;
         for (int slot = 0; slot < texture_slot_count; ++slot) call.textures[slot] = &bound_[slot];
@@ -74,10 +77,12 @@ class Comparison {
 
     void run_quad(const ExportedFunction& function, int first_lane) {
         glsl::quad_run.forget();
+        const auto varyings = triangles_.interpolated(function, first_lane);
         for (int round = 0; round < (function.uses_neighbours ? 3 : 1); ++round) {
             for (int lane = 0; lane < 4; ++lane) {
                 glsl::quad_run.begin(lane);
-                function.run({inputs_.pointers(), found_.pointers(), first_lane + lane});
+                function.run({inputs_.pointers(), found_.pointers(), first_lane + lane,
+                              varyings[std::size_t(lane)].data()});
             }
             glsl::quad_run.end_of_round();
         }
@@ -105,6 +110,7 @@ class Comparison {
 
     void set_uniforms() const {
         const auto vector = [](const float(&v)[3]) { return glsl::vec3(v[0], v[1], v[2]); };
+        triangles_.set_uniforms();
         glsl::eye = vector(frame_.eye);
         std::copy_n(frame_.eye_to_world, 9, glsl::eye_to_world);
         std::copy_n(frame_.projection, 16, glsl::projection);
@@ -131,6 +137,7 @@ class Comparison {
     MaterialUniforms material_;
     RandomMaps maps_;
     FrameUniforms frame_;
+    RandomTriangles triangles_;
     SlotArrays inputs_, expected_, found_;
     SampledTexture bound_[texture_slot_count], nearest_;
 };
@@ -154,6 +161,18 @@ TEST(Export, ConstantsAreTheParameters) {
     EXPECT_GT(edited_count, 50);
     // Without them most are other functions.
     EXPECT_GT(2 * unlike, edited_count);
+}
+
+/// Stages that compute at the vertices are compared as well.
+TEST(Export, VertexProgramsHaveFunctionsOfTheirOwn) {
+    int vertex_programs = 0;
+    for (int i = 0; i < exported_count; ++i) {
+        const StageInfo& stage = *find_stage(exported_functions[i].id);
+        EXPECT_EQ(exported_functions[i].run_vertex != nullptr, stage.reads_vertices)
+            << exported_functions[i].id;
+        vertex_programs += stage.reads_vertices;
+    }
+    EXPECT_GE(vertex_programs, 15);
 }
 
 TEST(Export, ErrorsOfAPrinterAreFound) {

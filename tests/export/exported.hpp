@@ -5,17 +5,29 @@
 
 namespace quadrel::export_tests {
 
-/// A fragment's inputs and outputs: an array of floats, or of integers, for each slot.
+/// A fragment's inputs and outputs: an array of floats, or of integers, for each slot. What its
+/// stage computes at the vertices, interpolated, as the function has it.
 struct FragmentArrays {
     const void* const* inputs;
     void* const* outputs;
     int lane;
+    const float* varyings;
 };
+
+/// A vertex' attributes, and what the stage's vertex program makes of them.
+struct VertexArrays {
+    const float *position, *normal, *tangent, *binormal, *mapped_uv;
+    float* varyings;
+};
+/// Most floats that a stage computes at the vertices.
+inline constexpr int most_varying_floats = 16;
 
 struct ExportedFunction {
     const char* id;
     bool uses_neighbours;
     void (*run)(const FragmentArrays& arrays);
+    int varying_floats;                              ///< 0: there is no vertex program
+    void (*run_vertex)(const VertexArrays& arrays);  ///< null likewise
 };
 extern const ExportedFunction exported_functions[];
 extern const int exported_count;

@@ -22,6 +22,22 @@ auto load(const FragmentArrays& arrays, int slot) {
         return result;
     }
 }
+/// Of floats one after the other.
+template <int n>
+auto vector_at(const float* from) {
+    if constexpr (n == 1) {
+        return *from;
+    } else {
+        vec<n, float> result;
+        for (int i = 0; i < n; ++i) result[i] = from[i];
+        return result;
+    }
+}
+inline void put(float* to, float value) { *to = value; }
+template <int n>
+void put(float* to, const vec<n, float>& value) {
+    for (int i = 0; i < n; ++i) to[i] = value[i];
+}
 inline void store(const FragmentArrays& arrays, int slot, int value) {
     static_cast<std::int32_t*>(arrays.outputs[slot])[arrays.lane] = value;
 }

@@ -255,8 +255,8 @@ static_assert(std::size(samplers) == static_cast<std::size_t>(texture_slot_count
 
 inline vec3 eye, light0_position, light0_ambient, light0_diffuse, light0_specular, light1_position,
     light1_ambient, light1_diffuse, light1_specular;
-inline float eye_to_world[9], projection[16], depth_scale, depth_offset, light0_intensity,
-    light0_constant, light0_linear, light0_quadratic, light1_intensity, light1_constant,
-    light1_linear, light1_quadratic;
+inline float eye_to_world[9], projection[16], model_view[16], inverse_model_view[16], depth_scale,
+    depth_offset, light0_intensity, light0_constant, light0_linear, light0_quadratic,
+    light1_intensity, light1_constant, light1_linear, light1_quadratic;
 
 }  // namespace quadrel::glsl

@@ -188,6 +188,24 @@ TEST(Conformance, ErrorsMayBeSmallerThanPermitted) {
     }
 }
 
+/// The vector to the eye, which no image has: off by no more than is permitted, or by more.
+TEST(Conformance, RaysOfVertexProgramsMayBeOffByAPart) {
+    const Scene curved = load_scene("rows/curved-quadric-published", {"size=[48,48]"});
+    const auto with_eye = [&](double part) {
+        RenderOptions options;
+        options.channels = channels();
+        PreparedRender prepared = prepare_render(curved, options, select_kernels(options));
+        conformance::move_eye(prepared.geometry, {part, -part, part});
+        return conformance::judge(curved, draw(prepared, options), {});
+    };
+    const auto permitted = with_eye(0x1p-21);
+    EXPECT_GT(count(permitted, "hit", Verdict::perturbed), 0u);
+    EXPECT_EQ(count(permitted, "hit", Verdict::unexplained), 0u) << examples(permitted);
+    EXPECT_GT(count(with_eye(0x1p-10), "hit", Verdict::unexplained), 20u);
+    EXPECT_TRUE(conformance::has_vertex_rays(curved));
+    EXPECT_FALSE(conformance::has_vertex_rays(load_scene("rows/curved-quadric", {})));
+}
+
 /// A search that turns the frame: what channels have of it is the hit's, and no search starts from
 /// it. hit.s is a difference of heights.
 TEST(Conformance, ATurnedFrameBelongsToTheHit) {

@@ -114,6 +114,12 @@ Int<F> hit_flag(std::int32_t bit) {
     return Int<F>(recorded::Recorder::current().symbol(recorded::Type::integer, name));
 }
 
+/// Names of a vertex' attributes in the functions of vertex programs (Vertex).
+namespace vertex_attribute {
+inline constexpr const char *position = "position", *normal = "normal", *tangent = "tangent",
+                            *binormal = "binormal", *uv = "mapped_uv";
+}
+
 template <class Stage>
 class StageIo<Stage, Shader> {
   public:
@@ -213,26 +219,45 @@ LodRecord<Shader> undisplaced_lod(const StageIo<Stage, Shader>& io, const Sample
     return undisplaced_lod(io, map, LodUse::look_up);
 }
 
-/// What a listing's vertex shader computes is not written out.
+/// What a listing's vertex shader computes becomes a function of attributes of vertices, in object
+/// space, and of the object's matrices; what it hands on an input of the stage's function.
 template <class Stage>
 class VertexProgram<StageIo<Stage, Shader>> {
   public:
     using F = Shader;
-    explicit VertexProgram(const StageIo<Stage, Shader>&) { refuse(); }
+    explicit VertexProgram(const StageIo<Stage, Shader>&) {}
 
-    vec3<F> point_to_eye(const vec3<F>& p) const { return p; }
-    vec3<F> vector_to_eye(const vec3<F>& v) const { return v; }
-    vec3<F> point_to_object(const vec3<F>& p) const { return p; }
-    vec3<F> vector_to_object(const vec3<F>& v) const { return v; }
-    vec3<F> normal_to_eye(const vec3<F>& n) const { return n; }
+    vec3<F> point_to_eye(const vec3<F>& p) const { return call("point_to_eye", p); }
+    vec3<F> vector_to_eye(const vec3<F>& v) const { return call("vector_to_eye", v); }
+    vec3<F> point_to_object(const vec3<F>& p) const { return call("point_to_object", p); }
+    vec3<F> vector_to_object(const vec3<F>& v) const { return call("vector_to_object", v); }
+    vec3<F> normal_to_eye(const vec3<F>& n) const { return call("normal_to_eye", n); }
+
     template <class Text>
     auto varying(const Text& text) const {
-        return text(Vertex<F>());
+        using namespace recorded;
+        const auto at_vertex = text(vertex());
+        if constexpr (std::same_as<std::decay_t<decltype(at_vertex)>, Shader>) {
+            return Shader(Recorder::current().interpolated(at_vertex.node()));
+        } else {
+            constexpr int n = std::decay_t<decltype(at_vertex)>::length();
+            return unpack<n>(Recorder::current().interpolated(pack<n>(at_vertex)));
+        }
     }
 
   private:
-    [[noreturn]] static void refuse() {
-        throw recorded::RecordingError("computes in its vertex shader, which is not written out");
+    /// By functions that the shader brings with it, which know the object's matrices.
+    static vec3<F> call(const char* transform, const vec3<F>& v) {
+        return recorded::vector<3>(transform, {recorded::pack<3>(v)});
+    }
+    static Vertex<F> vertex() {
+        using namespace recorded;
+        const auto attribute = [](const char* name) {
+            return unpack<3>(Recorder::current().symbol(Type::vec3, name));
+        };
+        return {attribute(vertex_attribute::position), attribute(vertex_attribute::normal),
+                attribute(vertex_attribute::tangent), attribute(vertex_attribute::binormal),
+                unpack<2>(Recorder::current().symbol(Type::vec2, vertex_attribute::uv))};
     }
 };
 

@@ -18,6 +18,17 @@ std::size_t most_targets_of(const FragmentText& text) {
 /// itself.
 constexpr const char* shaded_macro = "SHADED_VERTICES 1";
 
+/// Results go into varyings, whose names stand behind `owner`.
+std::string call_statement(const VertexCall& call, const std::string& owner) {
+    std::string arguments;
+    const auto add = [&](const std::string& argument) {
+        arguments += (arguments.empty() ? "" : ", ") + argument;
+    };
+    for (const std::string& argument : call.arguments) add(argument);
+    for (const std::string& varying : call.varyings) add(owner + varying);
+    return statement(call.function + "(" + arguments + ");");
+}
+
 std::string joined(const std::vector<std::string>& lines) {
     std::string all;
     for (const std::string& line : lines) all += statement(line);
@@ -47,19 +58,21 @@ std::string EntryPoint::assignments(const FragmentText& text, const Assign& assi
     return all.empty() ? all : all + "#endif\n";
 }
 
-template <class Assign, class Place>
+template <class Assign, class Call, class Place>
 std::string EntryPoint::vertex_values(const VertexText& text, const Assign& assign,
-                                      const Place& place) const {
+                                      const Call& call, const Place& place) const {
     std::string same, transformed, shaded;
     for (std::size_t i = 0; i < text.varyings.size(); ++i) {
         const VertexText::Value& value = text.values[i];
         if (value.transformed == value.shaded) {
-            same += assign(text.varyings[i], value.shaded);
-        } else {
-            transformed += assign(text.varyings[i], value.transformed);
-            shaded += assign(text.varyings[i], value.shaded);
+            if (!value.shaded.empty()) same += assign(text.varyings[i], value.shaded);
+            continue;
         }
+        if (!value.transformed.empty()) transformed += assign(text.varyings[i], value.transformed);
+        if (!value.shaded.empty()) shaded += assign(text.varyings[i], value.shaded);
     }
+    // A call that is needed in any case comes before the attributes that have a part of it.
+    for (const VertexCall& of : text.calls) (of.is_needed ? same : transformed) += call(of);
     return same + "#if SHADED_VERTICES\n" + shaded + place(text.position.shaded) + "#else\n" +
            transformed + place(text.position.transformed) + "#endif\n";
 }
@@ -115,8 +128,8 @@ std::string EntryPoint::fragment(const FragmentText& text) const {
 std::string EntryPoint::vertex(const VertexText& text) const {
     std::string all = begin(text.comment, text.functions, text.uniforms,
                             dialect_.first_lines(text.fragment_functions), shaded_macro);
-    for (const Named& attribute : text.attributes)
-        all += "layout(location = " + std::to_string(location_of(attribute.name)) + ") in " +
+    for (const Attribute& attribute : text.attributes)
+        all += "layout(location = " + std::to_string(attribute.location) + ") in " +
                dialect_.type(attribute.type) + " " + attribute.name + ";\n";
     for (const Varying& varying : text.varyings)
         all += std::string(varying.is_flat ? "flat "
@@ -127,8 +140,9 @@ std::string EntryPoint::vertex(const VertexText& text) const {
     all += vertex_values(
         text,
         [](const Varying& varying, const std::string& value) {
-            return statement(std::string(varying.name) + " = " + value + ";");
+            return statement(varying.name + " = " + value + ";");
         },
+        [](const VertexCall& call) { return call_statement(call, ""); },
         [](const std::string& position) { return statement("gl_Position = " + position + ";"); });
     return all + "}\n";
 }
@@ -171,22 +185,23 @@ class HlslEntryPoint : public EntryPoint {
     std::string vertex(const VertexText& text) const override {
         std::string all = begin(text.comment, text.functions, text.uniforms, "", shaded_macro) +
                           "struct Vertex {\n";
-        for (const Named& attribute : text.attributes)
+        for (const Attribute& attribute : text.attributes)
             all += statement(dialect_.type(attribute.type) + " " + attribute.name + " : ATTRIBUTE" +
-                             std::to_string(location_of(attribute.name)) + ";");
+                             std::to_string(attribute.location) + ";");
         all += "};\n" + varyings_struct(text.varyings, text.centroid) + text.functions +
                "Varyings main(Vertex corner) {\n";
-        for (const Named& attribute : text.attributes)
+        for (const Attribute& attribute : text.attributes)
             all += statement(dialect_.type(attribute.type) + " " + attribute.name + " = corner." +
                              attribute.name + ";");
         all += statement("Varyings varyings;");
         all += vertex_values(
             text,
             [&](const Varying& varying, const std::string& value) {
-                const std::string name = varying.name;
+                const std::string& name = varying.name;
                 return statement(dialect_.type(varying.type) + " " + name + " = " + value + ";") +
                        statement("varyings." + name + " = " + name + ";");
             },
+            [](const VertexCall& call) { return call_statement(call, "varyings."); },
             [](const std::string& position) {
                 return statement("varyings.window = " + position + ";");
             });

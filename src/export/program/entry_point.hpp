@@ -27,20 +27,30 @@ struct FragmentText {
     std::string lod_map;         ///< map whose level of detail is asked for; empty: none
 };
 
+/// A call of a vertex program's function.
+struct VertexCall {
+    std::string function;
+    std::vector<std::string> arguments;  ///< expressions
+    std::vector<Named> results;          ///< as the function calls them
+    std::vector<std::string> varyings;   ///< that they are, in their order
+    bool is_needed = false;              ///< whether no attribute has one of them
+};
+
 struct VertexText {
     std::string comment;
-    std::vector<Named> attributes;
+    std::vector<Attribute> attributes;
     std::vector<Varying> varyings;
     bool centroid = false;
     std::vector<Uniform> uniforms;
     std::string functions;
     std::string fragment_functions;  ///< of the shader that it is linked with: of one version
     /// An expression for each varying out of the mesh's own vertices, and the attribute that holds
-    /// what Quadrel makes of them; the same where nothing is to be made.
+    /// what Quadrel makes of them; the same where nothing is to be made, empty where a call does.
     struct Value {
         std::string transformed, shaded;
     };
     std::vector<Value> values;
+    std::vector<VertexCall> calls;
     Value position;  ///< in clip space
 };
 
@@ -70,10 +80,10 @@ class EntryPoint {
     /// What `assign(target, components)` says of each target, by pass.
     template <class Assign>
     std::string assignments(const FragmentText& text, const Assign& assign) const;
-    /// What `assign(varying, value)` says of each varying, and `place(position)` of the position,
-    /// both ways.
-    template <class Assign, class Place>
-    std::string vertex_values(const VertexText& text, const Assign& assign,
+    /// What `assign(varying, value)` says of each varying, `call(call)` of what calls make, and
+    /// `place(position)` of the position, both ways.
+    template <class Assign, class Call, class Place>
+    std::string vertex_values(const VertexText& text, const Assign& assign, const Call& call,
                               const Place& place) const;
 
     const Dialect& dialect_;

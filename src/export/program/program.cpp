@@ -1,5 +1,6 @@
 #include "export/program/program.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <set>
@@ -9,12 +10,11 @@
 #include "export/program/matrices.hpp"
 #include "export/program/stage_calls.hpp"
 #include "export/program/targets.hpp"
+#include "export/program/vertex_text.hpp"
 #include "export/stages/plain_maps.hpp"
 
 namespace quadrel::recorded {
 namespace {
-
-const Uniform flat_faces{"flat_faces", "float", 0};
 
 bool is_sampler(const Uniform& uniform) { return uniform.type.rfind("sampler", 0) == 0; }
 
@@ -76,8 +76,12 @@ class Statements {
 /// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
                   const Dialect& dialect) {
+    const auto is_varying = [&](const std::string& name) {
+        return std::any_of(text.varyings.begin(), text.varyings.end(),
+                           [&](const Varying& of) { return of.name == name; });
+    };
     for (const auto& [name, type] : open) {
-        if (find_varying(name) != nullptr) continue;
+        if (is_varying(name)) continue;
         if (name == "bary") throw RecordingError("bary: barycentrics are not handed to fragments");
         if (name.rfind("object_", 0) == 0) {
             add_uniforms(text.uniforms, {normal_matrix});
@@ -105,20 +109,22 @@ std::string comment_of(const ProgramRequest& request, const char* what) {
            "\n";
 }
 
-void bind_textures(const ProgramRequest& request, ShaderScene& scene) {
-    for (int i = 0; i < texture_slot_count; ++i)
-        if (const SampledTexture* const texture = request.textures[i])
-            scene.textures.bind(i, map_name(static_cast<TextureSlot>(i)), texture->view,
-                                texture->sampler);
+/// What is open and the rasterizer gives, and then what vertex programs hand on.
+std::vector<Varying> varyings_of(const StageCalls& calls) {
+    std::vector<Varying> varyings;
+    for (const auto& [name, type] : calls.open())
+        if (const Varying* const varying = find_varying(name)) varyings.push_back(*varying);
+    for (const FunctionText& function : calls.functions())
+        if (function.vertex)
+            for (const Named& of : function.vertex->varyings)
+                varyings.push_back(varying_of_program(of));
+    return varyings;
 }
 
-FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect) {
-    ShaderScene scene(*request.frame);
-    scene.material = *request.uniforms;
-    bind_textures(request, scene);
-    const StageCalls calls(request.stages, request.stage_count, scene, wanted_values(request),
-                           dialect);
+FragmentText fragment_text(const ProgramRequest& request, const StageCalls& calls,
+                           const Dialect& dialect) {
     FragmentText text;
+    text.varyings = varyings_of(calls);
     text.comment =
         comment_of(request, "what is visible, shaded. PASS says which values go to the targets.");
     text.centroid = request.centroid != 0;
@@ -131,8 +137,6 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
     }
     text.statements = statements.all();
     for (const auto& [name, type] : statements.declared()) text.values.push_back({name, type});
-    for (const auto& [name, type] : calls.open())
-        if (const Varying* const varying = find_varying(name)) text.varyings.push_back(*varying);
     text.passes = targets_of(request, dialect);
     if (request.writes_depth != 0) text.depth = "frag_depth";
     text.discard = discard_condition(request, dialect);
@@ -140,50 +144,6 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
         text.lod_map = map_with_lod(request);
         add_uniforms(text.uniforms, {{text.lod_map, "sampler2D", 0}});
     }
-    return text;
-}
-
-VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragment,
-                       const Dialect& dialect) {
-    VertexText text;
-    text.comment = comment_of(
-        request,
-        "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
-        "are by rows, where SHADED_VERTICES is 0.");
-    text.centroid = fragment.centroid;
-    text.functions = row_functions(dialect);
-    // The position in eye space is a varying in any case: it is what clip space is made of.
-    text.varyings = fragment.varyings;
-    std::erase_if(text.varyings, [](const Varying& of) { return of.name == std::string("P"); });
-    text.varyings.insert(text.varyings.begin(), *find_varying("P"));
-    text.uniforms = {model_view, projection};
-    std::set<std::string> read;
-    for (const Varying& varying : text.varyings) {
-        const std::string name = varying.name;
-        read.insert({varying.attribute, varying.shaded});
-        std::string value = varying.attribute;
-        if (name == "P") {
-            value = rows_times(model_view, Type::vec3, value, dialect);
-        } else if (name == "uv") {
-            text.uniforms.push_back(texture_matrix);
-            value = rows_times(texture_matrix, Type::vec2,
-                               dialect.type(Type::vec3) + "(" + value + ", 0.0)", dialect);
-        } else if (name == "vertex_normal") {
-            text.uniforms.push_back(normal_matrix);
-            value = normal_times(dialect);
-            if (request.has_flat_meshes != 0) {
-                text.uniforms.push_back(flat_faces);
-                read.insert("face_normal");
-                value = dialect.choice(dialect.use_of(flat_faces, flat_faces.name) + " != 0.0",
-                                       "face_normal", value);
-            }
-        }
-        text.values.push_back({value, varying.shaded});
-    }
-    read.insert("clip_position");
-    for (const Named& attribute : vertex_attributes())
-        if (read.count(attribute.name) != 0) text.attributes.push_back(attribute);
-    text.position = {rows_times(projection, Type::vec4, "P", dialect), "clip_position"};
     return text;
 }
 
@@ -204,8 +164,16 @@ ProgramText compose_program(const ProgramRequest& request) {
         throw RecordingError(std::string("no scenes are written in ") + request.language);
     if (asks_lod(request) && !entry->has_lod())
         throw RecordingError(std::string("lod: a shader cannot ask for it in ") + request.language);
-    FragmentText fragment = fragment_text(request, *dialect);
-    VertexText vertex = vertex_text(request, fragment, *dialect);
+    ShaderScene scene = scene_of(request);
+    const StageCalls calls(request.stages, request.stage_count, scene, wanted_values(request),
+                           *dialect);
+    FragmentText fragment = fragment_text(request, calls, *dialect);
+    VertexText vertex = vertex_text(request, fragment.varyings, calls, *dialect);
+    vertex.comment = comment_of(
+        request,
+        "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
+        "are by rows, where SHADED_VERTICES is 0.");
+    vertex.centroid = fragment.centroid;
     vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one
     std::vector<Uniform> all = vertex.uniforms;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "export/program/varyings.hpp"
 #include "export/table.hpp"
 #include "quadrel/num/shader/graph.hpp"
 
@@ -11,7 +12,7 @@ namespace quadrel::recorded {
 
 struct ProgramText {
     std::string vertex, fragment;
-    std::vector<Named> attributes;           ///< that the vertex shader reads
+    std::vector<Attribute> attributes;       ///< that the vertex shader reads
     std::vector<Uniform> numbers, samplers;  ///< that either shader has
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "export/stages/plain_maps.hpp"
+
 namespace quadrel::recorded {
 namespace {
 
@@ -12,22 +14,40 @@ bool is_given(const StageUse& use) {
     return id == "interpolate" || id == "lod";
 }
 
+bool is_of_light(const StageUse& use) {
+    return std::string_view(known_recorded_stage(use.id).text->room) == "shadow";
+}
+
 FunctionText function_of(const StageUse& use, ShaderScene& scene, const ValueTypes& wanted,
                          const Dialect& dialect) {
     const RecordedStage& stage = known_recorded_stage(use.id);
-    const bool is_of_light = std::string_view(stage.text->room) == "shadow";
-    scene.light = is_of_light ? use.light : 0;
-    const std::string suffix = is_of_light ? "_light" + std::to_string(use.light) : "";
+    scene.light = light_of(use);
     std::set<std::string> outputs;
     for (const auto& [name, type] : wanted) outputs.insert(name);
     try {
-        return write_stage(stage, scene, use.params, outputs, dialect, suffix);
+        return write_stage(stage, scene, use.params, outputs, dialect, suffix_of(use));
     } catch (const RecordingError& error) {
         throw RecordingError(std::string(use.id) + ": " + error.what());
     }
 }
 
 }  // namespace
+
+ShaderScene scene_of(const ProgramRequest& request) {
+    ShaderScene scene(*request.frame);
+    scene.material = *request.uniforms;
+    for (int i = 0; i < texture_slot_count; ++i)
+        if (const SampledTexture* const texture = request.textures[i])
+            scene.textures.bind(i, map_name(static_cast<TextureSlot>(i)), texture->view,
+                                texture->sampler);
+    return scene;
+}
+
+std::string suffix_of(const StageUse& use) {
+    return is_of_light(use) ? "_light" + std::to_string(use.light) : "";
+}
+
+int light_of(const StageUse& use) { return is_of_light(use) ? use.light : 0; }
 
 StageCalls::StageCalls(const StageUse* stages, int count, ShaderScene& scene,
                        const ValueTypes& wanted, const Dialect& dialect)

@@ -13,6 +13,15 @@ namespace quadrel::recorded {
 /// Types of values by their names.
 using ValueTypes = std::map<std::string, Type>;
 
+/// What the request's stages are recorded with.
+ShaderScene scene_of(const ProgramRequest& request);
+
+/// What stands behind the names of a stage's functions, and a stage's varyings in front: those of a
+/// light have its number.
+std::string suffix_of(const StageUse& use);
+/// The light that the stage serves, else 0.
+int light_of(const StageUse& use);
+
 class StageCalls {
   public:
     /// Of `stages`, in the order of the data flow, those that `wanted` needs: values by the

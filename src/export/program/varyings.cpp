@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "quadrel/quad/shader_io.hpp"
+
 namespace quadrel::recorded {
 
 const Varying* find_varying(const std::string& name) {
-    static constexpr Varying all[] = {
+    static const Varying all[] = {
         {"P", Type::vec3, false, "position", "eye_position"},
         {"vertex_normal", Type::vec3, false, "normal", "eye_normal"},
         {"uv", Type::vec2, false, "texture_coordinates", "mapped_coordinates"},
@@ -37,15 +39,20 @@ const std::vector<Named>& vertex_attributes() {
                                            {"clip_position", Type::vec4},
                                            {"eye_normal", Type::vec3},
                                            {"mapped_coordinates", Type::vec2},
-                                           {"curvature", Type::vec2}};
+                                           {"curvature", Type::vec2},
+                                           {"unit_tangent", Type::vec3},
+                                           {"unit_binormal", Type::vec3}};
     return all;
 }
 
-int location_of(const std::string& attribute) {
-    const auto& all = vertex_attributes();
-    return static_cast<int>(std::find_if(all.begin(), all.end(),
-                                         [&](const Named& of) { return of.name == attribute; }) -
-                            all.begin());
+Varying varying_of_program(const Named& of) {
+    return {of.name, of.type, false, "", "shaded_" + of.name};
+}
+
+std::string attribute_of_program(const std::string& input) {
+    if (input == vertex_attribute::tangent) return "unit_tangent";
+    if (input == vertex_attribute::binormal) return "unit_binormal";
+    return input;
 }
 
 }  // namespace quadrel::recorded

@@ -43,7 +43,7 @@ std::string WgslEntryPoint::values(const FragmentText& text) const {
     };
     for (const Varying& varying : text.varyings) {
         declare(varying.name, varying.type);
-        body += statement(std::string(varying.name) + " = varyings." + varying.name + ";");
+        body += statement(varying.name + " = varyings." + varying.name + ";");
     }
     const auto is_varying = [&](const Named& value) {
         return std::any_of(text.varyings.begin(), text.varyings.end(),
@@ -92,9 +92,21 @@ std::string WgslEntryPoint::fragment(const FragmentText& text) const {
 std::string WgslEntryPoint::vertex_branch(const VertexText& text, bool shaded) const {
     std::string all;
     const auto set = [&](const std::string& line) { all += statement("    " + line); };
+    // A call that is needed in any case comes before the attributes that have a part of it.
+    for (const VertexCall& call : text.calls) {
+        if (shaded && !call.is_needed) continue;
+        const std::string values = call.function + "_values";
+        std::string arguments;
+        for (const std::string& argument : call.arguments)
+            arguments += (arguments.empty() ? "" : ", ") + argument;
+        set("let " + values + " = " + call.function + "(" + arguments + ");");
+        for (std::size_t i = 0; i < call.results.size(); ++i)
+            set("varyings." + call.varyings[i] + " = " + values + "." + call.results[i].name + ";");
+    }
     for (std::size_t i = 0; i < text.varyings.size(); ++i) {
         const VertexText::Value& value = text.values[i];
-        const std::string name = text.varyings[i].name;
+        const std::string& name = text.varyings[i].name;
+        if ((shaded ? value.shaded : value.transformed).empty()) continue;
         set("let " + name + " = " + (shaded ? value.shaded : value.transformed) + ";");
         set("varyings." + name + " = " + name + ";");
     }
@@ -105,12 +117,11 @@ std::string WgslEntryPoint::vertex_branch(const VertexText& text, bool shaded) c
 std::string WgslEntryPoint::vertex(const VertexText& text) const {
     std::string all = begin_module(text.comment, text.functions, text.uniforms) +
                       "override SHADED_VERTICES: bool = true;\n\nstruct Vertex {\n";
-    for (const Named& attribute : text.attributes)
-        all += member(location(location_of(attribute.name)), attribute.name,
-                      dialect_.type(attribute.type));
+    for (const Attribute& attribute : text.attributes)
+        all += member(location(attribute.location), attribute.name, dialect_.type(attribute.type));
     all += "}\n\n" + varyings_struct(text.varyings, text.centroid) + text.functions +
            "@vertex\nfn main(corner: Vertex) -> Varyings {\n";
-    for (const Named& attribute : text.attributes)
+    for (const Attribute& attribute : text.attributes)
         all += statement("let " + attribute.name + " = corner." + attribute.name + ";");
     return all + statement("var varyings: Varyings;") + statement("if (SHADED_VERTICES) {") +
            vertex_branch(text, true) + statement("} else {") + vertex_branch(text, false) +

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <map>
 #include <set>
 
+#include "export/scene/material_program.hpp"
 #include "export/scene/webgpu.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
-#include "render/draw/geometry.hpp"
 #include "render/plan/prepared.hpp"
 
 namespace quadrel {
@@ -56,21 +58,25 @@ PreparedRender planned(const Scene& scene, const RenderOptions& options) {
     return prepared;
 }
 
-/// What decides over fragments comes first in a plan of its own; a program has all stages once.
-std::vector<const PlannedStage*> stages_of(const Scene& scene, const RenderPlan& plan,
-                                           std::size_t material, std::vector<PlannedStage>& all) {
-    std::vector<const PlannedStage*> needed;
-    all = material_stages(scene, scene.materials[material]);
-    const auto is_planned = [&](const MaterialPlan& of, const PlannedStage& stage) {
-        return std::any_of(of.stages.begin(), of.stages.end(), [&](const PlannedStage& other) {
-            return other.info == stage.info && other.light == stage.light;
-        });
-    };
-    for (const PlannedStage& stage : all)
-        if (is_planned(plan.materials[material], stage) ||
-            is_planned(plan.discard[material], stage))
-            needed.push_back(&stage);
-    return needed;
+/// Whether a vertex program makes it.
+bool is_of_program(const VertexAttribute& attribute) {
+    return std::none_of(all_vertex_attributes().begin(), all_vertex_attributes().end(),
+                        [&](const VertexAttribute& of) { return of.name == attribute.name; });
+}
+
+/// What some program reads: what all vertices have, then what vertex programs make, at the end.
+std::vector<VertexAttribute> attributes_of(const ExportContent& content) {
+    std::map<std::string, const ProgramName*> read;
+    for (const ContentMaterial& material : content.materials)
+        for (const ProgramName& attribute : material.program.attributes)
+            read.emplace(attribute.name, &attribute);
+    std::vector<VertexAttribute> all;
+    for (const VertexAttribute& attribute : all_vertex_attributes())
+        if (read.erase(attribute.name) != 0) all.push_back(attribute);
+    for (const auto& [name, attribute] : read)
+        all.push_back({name, attribute->number, std::atoi(attribute->type.c_str()), 0,
+                       "what the vertex program makes of the corner"});
+    return all;
 }
 
 class Collector {
@@ -80,48 +86,55 @@ class Collector {
     void add(std::size_t material) {
         const Scene& scene = *content_.scene;
         const Material& of = scene.materials[material];
+        const MaterialProgram& asked =
+            *programs_.emplace_back(std::make_unique<MaterialProgram>(content_, plan_, material));
         ContentMaterial out{material, unique_word(of.name, names_), {}, {}, {}, false, false};
         out.discards = of.discard_below >= 0 || clips(of);
         out.writes_depth = writes_depth(of);
-        out.program = program(material, out);
+        out.program = export_program(asked.request());
+        out.stages = asked.stage_names();
         for (const ProgramName& sampler : out.program.samplers)
             out.samplers.push_back(bound(material, sampler, out.program.fragment, out.name));
         content_.materials.push_back(std::move(out));
     }
 
+    void add_vertices() {
+        std::vector<VertexAttribute> attributes = attributes_of(content_);
+        if (std::any_of(attributes.begin(), attributes.end(), is_of_program))
+            attributes = place(std::move(attributes));
+        const auto run = [&](std::size_t object, const VertexList& vertices) {
+            return values_of(object, vertices);
+        };
+        content_.buffers = vertex_buffers(*content_.scene, attributes, run);
+    }
+
   private:
-    Program program(std::size_t material, ContentMaterial& out) {
-        const Scene& scene = *content_.scene;
-        const Material& of = scene.materials[material];
-        std::vector<PlannedStage> all;
-        std::vector<StageUse> uses;
-        for (const PlannedStage* stage : stages_of(scene, plan_, material, all)) {
-            uses.push_back({stage->info->text.id, stage->params.data(), std::max(stage->light, 0)});
-            std::string name = fmt::format("{}/{}", stage->info->text.room, stage->info->text.id);
-            if (stage->light >= 0) name += fmt::format(" (light {})", stage->light);
-            out.stages.push_back(name);
+    /// Gives attributes the first locations, as many of them as there may be, and all programs with
+    /// what they have.
+    std::vector<VertexAttribute> place(std::vector<VertexAttribute> attributes) {
+        if (attributes.size() > most_vertex_attributes) attributes.resize(most_vertex_attributes);
+        std::vector<const char*> names;
+        for (std::size_t i = 0; i < attributes.size(); ++i) {
+            attributes[i].location = static_cast<int>(i);
+            names.push_back(attributes[i].name.c_str());
         }
-        // Without bounds of heights, by which steps are left out.
-        const MaterialUniforms uniforms = material_uniforms(of);
-        ProgramRequest request{};
-        request.language = content_.language.c_str();
-        request.material = of.name.c_str();
-        request.stages = uses.data();
-        request.stage_count = static_cast<std::int32_t>(uses.size());
-        request.frame = &content_.frame;
-        request.uniforms = &uniforms;
-        for (int slot = 0; slot < texture_slot_count; ++slot)
-            request.textures[slot] = plan_.textures[material].bound(slot);
-        request.passes = content_.passes.data();
-        request.pass_count = static_cast<std::int32_t>(content_.passes.size());
-        request.discard_below = of.discard_below;
-        request.clips = clips(of);
-        request.writes_depth = out.writes_depth;
-        for (const Object& object : scene.objects)
-            request.has_flat_meshes |= object.visible && object.material == material &&
-                                       scene.meshes[object.mesh].normals.empty();
-        request.centroid = scene.centroid && scene.samples > 1;
-        return export_program(request);
+        for (std::size_t i = 0; i < programs_.size(); ++i) {
+            ProgramRequest request = programs_[i]->request();
+            request.attributes = names.data();
+            request.attribute_count = static_cast<std::int32_t>(names.size());
+            content_.materials[i].program = export_program(request);
+        }
+        return attributes;
+    }
+
+    NamedFloats values_of(std::size_t object, const VertexList& vertices) const {
+        const Object& of = content_.scene->objects[object];
+        UniformValues uniforms = frame_values_by_name(content_.frame);
+        uniforms.merge(object_values_by_name(*content_.scene, of));
+        const auto program =
+            std::find_if(programs_.begin(), programs_.end(),
+                         [&](const auto& asked) { return asked->material() == of.material; });
+        return vertex_program_values((*program)->request(), vertices, uniforms);
     }
 
     ContentSampler bound(std::size_t material, const ProgramName& sampler,
@@ -175,16 +188,9 @@ class Collector {
 
     ExportContent& content_;
     const RenderPlan& plan_;
+    std::vector<std::unique_ptr<MaterialProgram>> programs_;  ///< one a material
     std::set<std::string> names_, texture_names_;
 };
-
-std::vector<std::string> attributes_of(const ExportContent& content) {
-    std::vector<std::string> names;
-    for (const ContentMaterial& material : content.materials)
-        for (const ProgramName& attribute : material.program.attributes)
-            names.push_back(attribute.name);
-    return names;
-}
 
 /// All that follows from what is prepared.
 void gather(ExportContent& content) {
@@ -194,7 +200,7 @@ void gather(ExportContent& content) {
     const std::vector<bool> drawn = drawn_materials(*content.scene);
     for (std::size_t m = 0; m < drawn.size(); ++m)
         if (drawn[m]) collector.add(m);
-    content.buffers = vertex_buffers(*content.scene, attributes_of(content));
+    collector.add_vertices();
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <glm/matrix.hpp>
+
 #include "render/draw/vertex_stage.hpp"
 
 namespace quadrel {
@@ -52,7 +54,10 @@ UniformValues material_values_by_name(const Material& material) {
 UniformValues object_values_by_name(const Scene& scene, const Object& object) {
     const glm::mat4 model_view = scene.camera.view * object.transform;
     const bool flat = scene.meshes[object.mesh].normals.empty();
+    // As vertex programs have it (render/draw/primitive_vertices).
+    const glm::mat4 to_object(glm::inverse(glm::dmat4(model_view)));
     return {{"model_view", rows_of(model_view)},
+            {"inverse_model_view", rows_of(to_object)},
             {"normal_matrix", rows_of(normal_matrix(model_view))},
             {"flat_faces", {flat ? 1.0f : 0.0f}}};
 }

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "export/export.hpp"
 #include "quadrel/quad/uniforms.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel {
 
 /// Components one after the other.
-using UniformValues = std::map<std::string, std::vector<float>>;
+using UniformValues = NamedFloats;
 
 /// Camera and lights; the same for all.
 UniformValues frame_values_by_name(const FrameUniforms& frame);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <map>
 
+#include "render/draw/primitive_vertices.hpp"
 #include "render/draw/vertex_stage.hpp"
 #include "scene/billboard.hpp"
 
@@ -13,15 +14,71 @@ namespace {
 /// Indices of vertices by their bytes.
 using Known = std::map<std::string, std::uint32_t>;
 
+/// An attribute's place among all of them; -1 for what vertex programs make.
+int number_of(const VertexAttribute& attribute) {
+    const auto& all = all_vertex_attributes();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].name == attribute.name) return static_cast<int>(i);
+    return -1;
+}
+
+/// An object as its triangles are drawn, flat ones left out.
+struct DrawnObject {
+    const Mesh& mesh;
+    const glm::mat4& model_view;
+    const ShadedVertices& shaded;
+    std::vector<DrawnCorners> triangles;
+};
+
+/// The whole triangle: its vertices are the mesh's own.
+AssembledTriangle whole_triangle() {
+    AssembledTriangle whole;
+    for (std::size_t v = 0; v < 3; ++v) whole.weights[v].perspective[v] = 1;
+    return whole;
+}
+
+/// Corners of an object's triangles as vertex programs have them.
+class ProgramVertices {
+  public:
+    explicit ProgramVertices(const DrawnObject& object)
+        : rows_(object.mesh, object.model_view, object.shaded.uv) {
+        for (const DrawnCorners& drawn : object.triangles) {
+            const PrimitiveVertices row = rows_.of(whole_triangle(), drawn);
+            for (int v = 0; v < 3; ++v) {
+                const auto add = [](std::vector<float>& to, const float* from, int n) {
+                    to.insert(to.end(), from, from + n);
+                };
+                add(list_.position, row.position[v], 3);
+                add(list_.normal, row.normal[v], 3);
+                add(list_.tangent, row.tangent[v], 3);
+                add(list_.binormal, row.binormal[v], 3);
+                add(list_.uv, row.uv[v], 2);
+                ++list_.count;
+            }
+        }
+    }
+    const VertexList& list() const { return list_; }
+
+  private:
+    VertexRows rows_;
+    VertexList list_;
+};
+
 class Builder {
   public:
-    Builder(const Scene& scene, const std::vector<std::string>& names) : scene_(scene) {
+    Builder(const Scene& scene, const std::vector<VertexAttribute>& attributes,
+            const VertexProgramRun& run)
+        : scene_(scene), run_(run) {
         int offset = 0;
-        for (VertexAttribute attribute : all_vertex_attributes()) {
-            if (std::find(names.begin(), names.end(), attribute.name) == names.end()) continue;
+        for (VertexAttribute attribute : attributes) {
+            const int number = number_of(attribute);
             attribute.offset = offset;
-            fits_quadrics_ |= std::string_view(attribute.name) == "curvature";
             offset += attribute.components * static_cast<int>(sizeof(float));
+            fits_quadrics_ |= attribute.name == "curvature";
+            has_programs_ |= number < 0;
+            has_axes_ |=
+                number < 0 || attribute.name == "unit_tangent" || attribute.name == "unit_binormal";
+            numbers_.push_back(number);
             buffers_.attributes.push_back(attribute);
         }
     }
@@ -37,10 +94,21 @@ class Builder {
             shade_vertices(mesh, scene_.camera, model_view, material.texture_matrix);
         const PrimitiveFrames frames(mesh, model_view, shaded.eye, shaded.uv, material.frame.id,
                                      fits_quadrics_);
+        DrawnObject drawn{mesh, model_view, shaded, {}};
         const bool mirrored = is_mirrored(model_view);
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            const DrawnCorners corners = drawn_corners(t, mirrored);
+            const auto index = indices_of(mesh, corners);
+            if (!is_flat(shaded.eye[index[0]], shaded.eye[index[1]], shaded.eye[index[2]]))
+                drawn.triangles.push_back(corners);
+        }
+        VertexList list;
+        if (has_axes_) list = ProgramVertices(drawn).list();
+        NamedFloats made;
+        if (has_programs_) made = run_(object, list);
         Known known;
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-            add_triangle(mesh, shaded, frames, drawn_corners(t, mirrored), known);
+        for (std::size_t t = 0; t < drawn.triangles.size(); ++t)
+            add_triangle(drawn, frames, t, list, made, known);
         draw.index_count = static_cast<std::uint32_t>(buffers_.indices.size()) - draw.first_index;
         buffers_.draws.push_back(draw);
     }
@@ -48,21 +116,21 @@ class Builder {
     VertexBuffers take() { return std::move(buffers_); }
 
   private:
-    void add_triangle(const Mesh& mesh, const ShadedVertices& shaded, const PrimitiveFrames& frames,
-                      const DrawnCorners& drawn, Known& known) {
-        const auto index = indices_of(mesh, drawn);
-        const auto& eye = shaded.eye;
-        if (is_flat(eye[index[0]], eye[index[1]], eye[index[2]])) return;
+    void add_triangle(const DrawnObject& drawn, const PrimitiveFrames& frames, std::size_t triangle,
+                      const VertexList& list, const NamedFloats& made, Known& known) {
+        const Mesh& mesh = drawn.mesh;
+        const DrawnCorners& corners = drawn.triangles[triangle];
+        const auto index = indices_of(mesh, corners);
+        const auto& eye = drawn.shaded.eye;
         const glm::vec3 face = face_normal(eye[index[0]], eye[index[1]], eye[index[2]]);
-        // The whole triangle: its vertices are the mesh's own.
-        AssembledTriangle whole;
-        for (std::size_t v = 0; v < 3; ++v) whole.weights[v].perspective[v] = 1;
-        const PrimitiveFrame frame = frames.of(whole, drawn);
+        const PrimitiveFrame frame = frames.of(whole_triangle(), corners);
         for (int v = 0; v < 3; ++v) {
+            const std::size_t corner = 3 * triangle + static_cast<std::size_t>(v);
             const std::uint32_t i = index[static_cast<std::size_t>(v)];
-            const glm::vec3 normal = mesh.normals.empty() ? glm::vec3(0) : mesh.normals[i];
+            const glm::vec3 normal = normal_of_corner(mesh, corners.triangle,
+                                                      corners.corner[static_cast<std::size_t>(v)]);
             const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
-            const glm::vec3 eye_normal = mesh.normals.empty() ? face : shaded.normal[i];
+            const glm::vec3 eye_normal = mesh.normals.empty() ? face : drawn.shaded.normal[i];
             // In the order of all_vertex_attributes.
             const float* const parts[] = {&mesh.positions[i].x,
                                           &normal.x,
@@ -74,16 +142,33 @@ class Builder {
                                           frame.J,
                                           frame.J + 3,
                                           &eye[i].x,
-                                          &shaded.clip[i].x,
+                                          &drawn.shaded.clip[i].x,
                                           &eye_normal.x,
-                                          &shaded.uv[i].x,
-                                          frame.quadric[v]};
+                                          &drawn.shaded.uv[i].x,
+                                          frame.quadric[v],
+                                          has_axes_ ? &list.tangent[3 * corner] : nullptr,
+                                          has_axes_ ? &list.binormal[3 * corner] : nullptr};
             std::string bytes;
-            for (const VertexAttribute& attribute : buffers_.attributes)
-                bytes.append(reinterpret_cast<const char*>(parts[attribute.location]),
-                             static_cast<std::size_t>(attribute.components) * sizeof(float));
+            for (std::size_t a = 0; a < numbers_.size(); ++a) {
+                const VertexAttribute& attribute = buffers_.attributes[a];
+                const auto floats = static_cast<std::size_t>(attribute.components);
+                const float* const from =
+                    numbers_[a] >= 0 ? parts[numbers_[a]] : made_at(made, attribute, corner);
+                if (from != nullptr)
+                    bytes.append(reinterpret_cast<const char*>(from), floats * sizeof(float));
+                else
+                    bytes.append(floats * sizeof(float), '\0');
+            }
             buffers_.indices.push_back(vertex_of(bytes, known));
         }
+    }
+
+    /// What the object's vertex programs make for a corner; null where they make none of it.
+    static const float* made_at(const NamedFloats& made, const VertexAttribute& attribute,
+                                std::size_t corner) {
+        const auto found = made.find(attribute.name.substr(std::string_view("shaded_").size()));
+        if (found == made.end()) return nullptr;
+        return found->second.data() + corner * static_cast<std::size_t>(attribute.components);
     }
 
     std::uint32_t vertex_of(const std::string& bytes, Known& known) {
@@ -99,8 +184,10 @@ class Builder {
     }
 
     const Scene& scene_;
+    const VertexProgramRun& run_;
     VertexBuffers buffers_;
-    bool fits_quadrics_ = false;
+    std::vector<int> numbers_;  ///< of the attributes
+    bool fits_quadrics_ = false, has_programs_ = false, has_axes_ = false;
 };
 
 }  // namespace
@@ -108,7 +195,7 @@ class Builder {
 const std::vector<VertexAttribute>& all_vertex_attributes() {
     static const std::vector<VertexAttribute> all = {
         {"position", 0, 3, 0, "the mesh's, object space"},
-        {"normal", 1, 3, 0, "the mesh's, object space; 0 in meshes without"},
+        {"normal", 1, 3, 0, "the mesh's, object space; the face's, unit, in meshes without"},
         {"texture_coordinates", 2, 2, 0, "the mesh's"},
         {"face_normal", 3, 3, 0, "of the triangle, unit, eye space"},
         {"tangent", 4, 3, 0, "of the corner, eye space, as the material's frame makes it"},
@@ -120,7 +207,9 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"clip_position", 10, 4, 0, "projection * eye_position"},
         {"eye_normal", 11, 3, 0, "normal_matrix * normal, or face_normal in meshes without"},
         {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"},
-        {"curvature", 13, 2, 0, "quadric of the corner, fitted to the mesh in eye space"}};
+        {"curvature", 13, 2, 0, "quadric of the corner, fitted to the mesh in eye space"},
+        {"unit_tangent", 14, 3, 0, "of the corner, along growing u, unit, object space"},
+        {"unit_binormal", 15, 3, 0, "of the corner, along growing v, unit, object space"}};
     return all;
 }
 
@@ -130,8 +219,9 @@ int VertexBuffers::floats_a_vertex() const {
     return floats;
 }
 
-VertexBuffers vertex_buffers(const Scene& scene, const std::vector<std::string>& attributes) {
-    Builder builder(scene, attributes);
+VertexBuffers vertex_buffers(const Scene& scene, const std::vector<VertexAttribute>& attributes,
+                             const VertexProgramRun& run) {
+    Builder builder(scene, attributes, run);
     for (std::size_t object = 0; object < scene.objects.size(); ++object)
         if (scene.objects[object].visible) builder.add(object);
     return builder.take();

@@ -23,6 +23,7 @@ struct RecordedStage {
     std::int32_t parameter_count;
     std::size_t params_size;
     void (*make_params)(void* params);  ///< with the defaults
+    bool reads_vertices;                ///< whether it computes at the vertices
 };
 
 template <class Stage>
@@ -60,7 +61,8 @@ RecordedStage recorded_stage() {
             Stage::parameters.data(),
             static_cast<std::int32_t>(Stage::parameters.size()),
             sizeof(Params),
-            [](void* params) { new (params) Params(); }};
+            [](void* params) { new (params) Params(); },
+            Stage::reads_vertices};
 }
 
 template <class... Stages>

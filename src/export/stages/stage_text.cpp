@@ -11,6 +11,8 @@
 #include "export/print/writer.hpp"
 #include "export/stages/named_parameters.hpp"
 #include "export/stages/plain_maps.hpp"
+#include "export/stages/vertex_part.hpp"
+#include "export/stages/vertex_transforms.hpp"
 
 namespace quadrel::recorded {
 namespace {
@@ -57,6 +59,60 @@ void make_uniforms(Graph& graph, const std::string& function, const std::set<std
     graph.parameters.clear();
 }
 
+/// What a function is to be.
+struct Wanted {
+    std::string name, prefix;         ///< prefix: of its helpers' names
+    std::vector<std::string> inputs;  ///< in their order
+    std::set<std::string> outputs;    ///< all if empty
+};
+
+struct Printed {
+    std::string helpers, function;
+    std::vector<Named> inputs;
+};
+
+/// Folds the recording and prints it. No name is one of `taken`.
+Printed print_function(Graph& graph, const Wanted& wanted, std::vector<std::string> taken,
+                       const Dialect& dialect) {
+    Folder(graph).run();
+    const Helpers helpers(graph, wanted.outputs, wanted.prefix);
+    Printed printed;
+    for (const auto& helper : helpers.all()) {
+        const Locals locals(helper->graph, {});
+        printed.helpers += Writer(helper->graph, locals, dialect).helper(*helper) + "\n";
+        taken.push_back(helper->name);
+    }
+    const Locals locals(graph, wanted.outputs);
+    Writer writer(graph, locals, dialect);
+    printed.function = writer.function(wanted.name, wanted.inputs, taken);
+    printed.inputs = writer.inputs();
+    return printed;
+}
+
+/// Of what is computed at the vertices of the stage whose function has that name: what is `read`.
+VertexFunction vertex_function(Graph& vertex, const std::string& stage, const std::string& prefix,
+                               const std::set<std::string>& read, std::vector<std::string> taken,
+                               const Dialect& dialect) {
+    for (const std::string& name : transform_names()) taken.push_back(name);
+    VertexFunction result;
+    result.name = "vertex_" + stage;
+    const Printed printed = print_function(
+        vertex,
+        {result.name,
+         prefix + "_vertex",
+         {vertex_attribute::position, vertex_attribute::normal, vertex_attribute::tangent,
+          vertex_attribute::binormal, vertex_attribute::uv},
+         read},
+        taken, dialect);
+    result.text = printed.helpers + printed.function;
+    result.inputs = printed.inputs;
+    result.outputs = vertex.outputs;
+    result.uniforms = vertex.uniforms;
+    for (const Named& of : result.outputs)
+        result.varyings.push_back({prefix + "_" + of.name, of.type});
+    return result;
+}
+
 }  // namespace
 
 std::string as_word(const std::string& text) {
@@ -75,30 +131,38 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
     FunctionText result;
     result.name = function_name(*stage.text) + suffix;
     const NamedParameters parameters(stage, scene, params);
-    Graph graph;
+    Graph graph, vertex;
     parameters.record(graph);
     const std::string written_in = parameters.written_in(graph);
     if (parameters_as == ParametersAs::uniforms) make_uniforms(graph, result.name, apart);
+    take_vertex_part(graph, vertex, parameters.names());
+    std::set<std::string> varyings;
+    for (const Named& of : vertex.outputs) varyings.insert(of.name);
+    const std::string prefix = as_word(stage.text->id) + suffix;
     join_carried_vectors(graph, outputs);
-    Folder(graph).run();
-    const Helpers helpers(graph, outputs, as_word(stage.text->id) + suffix);
-    std::vector<std::string> taken = parameters.names();
-    for (const auto& helper : helpers.all()) {
-        const Locals locals(helper->graph, {});
-        result.text += Writer(helper->graph, locals, dialect).helper(*helper) + "\n";
-        taken.push_back(helper->name);
-    }
-    const Locals locals(graph, outputs);
-    Writer writer(graph, locals, dialect);
-    const std::string function = writer.function(result.name, stage.inputs(), taken);
-    result.inputs = writer.inputs();
-    result.outputs = writer.outputs();
+    const Printed printed = print_function(graph, {result.name, prefix, stage.inputs(), outputs},
+                                           parameters.names(), dialect);
+    result.inputs = printed.inputs;
+    result.outputs = graph.outputs;
     result.uniforms = graph.uniforms;
     result.parameters = graph.parameters;
-    result.text += comment(std::string(stage.text->id) + ": " + stage.text->summary) +
-                   comment(std::string("Source: ") + stage.text->source);
+    result.text = printed.helpers +
+                  comment(std::string(stage.text->id) + ": " + stage.text->summary) +
+                  comment(std::string("Source: ") + stage.text->source);
     if (!written_in.empty()) result.text += comment("Written for " + written_in + ".");
-    result.text += function;
+    result.text += printed.function;
+    std::set<std::string> read;
+    for (Named& input : result.inputs) {
+        if (varyings.count(input.name) == 0) continue;
+        read.insert(input.name);
+        input.name = prefix + "_" + input.name;
+    }
+    if (read.empty()) return result;
+    result.vertex = vertex_function(vertex, result.name, prefix, read, parameters.names(), dialect);
+    result.vertex->text = comment(std::string(stage.text->id) +
+                                  ", at the vertices: what its fragments read "
+                                  "interpolated.") +
+                          result.vertex->text;
     return result;
 }
 
@@ -153,8 +217,8 @@ std::string whole_file(const std::string& functions, const std::vector<Uniform>&
     std::set<std::string> said;
     for (const std::string& text : comments)
         if (said.insert(text).second) file += comment(text);
-    for (const std::string& part :
-         {dialect.prelude(functions), dialect.uniforms(uniforms, functions), functions})
+    const std::string text = transform_functions(functions, dialect) + functions;
+    for (const std::string& part : {dialect.prelude(text), dialect.uniforms(uniforms, text), text})
         if (!part.empty()) file += (file.empty() || part[0] == '\n' ? "" : "\n") + part;
     return file;
 }

@@ -1,6 +1,7 @@
 // A stage's function in a shading language: recorded, folded, written, its parameters by name.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,10 +12,21 @@
 
 namespace quadrel::recorded {
 
+/// What a stage computes at the vertices, as a function of their attributes (vertex_attribute).
+struct VertexFunction {
+    std::string name;
+    std::string text;
+    std::vector<Named> inputs, outputs;
+    std::vector<Uniform> uniforms;
+    /// The outputs as programs call them: inputs of the stage's function.
+    std::vector<Named> varyings;
+};
+
 struct FunctionText {
     std::string name;
     std::string text;  ///< comments and the function
     std::vector<Named> inputs, outputs;
+    std::optional<VertexFunction> vertex;
     std::vector<Uniform> uniforms;
     std::vector<Parameter> parameters;  ///< the constants at its top
 };

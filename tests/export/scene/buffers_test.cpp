@@ -94,18 +94,16 @@ Floats interpolated(const Geometry& geometry, std::size_t triangle, int corner) 
     return all;
 }
 
-std::vector<std::string> all_attribute_names() {
-    std::vector<std::string> names;
-    for (const VertexAttribute& attribute : all_vertex_attributes())
-        names.emplace_back(attribute.name);
-    return names;
+VertexBuffers all_buffers(const Scene& scene) {
+    return vertex_buffers(scene, all_vertex_attributes(),
+                          [](std::size_t, const VertexList&) { return NamedFloats(); });
 }
 
 /// How many corners of whole triangles are not what Quadrel has; -1 if there are none.
 template <class Change>
 int wrong_corners(const Scene& scene, const Change& change) {
     const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false, true});
-    const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
+    const VertexBuffers buffers = all_buffers(scene);
     int wrong = 0, seen = 0;
     for (const Draw& draw : buffers.draws) {
         const Object& object = scene.objects[draw.object];
@@ -155,7 +153,7 @@ TEST(SceneBuffers, MirroredObjectsKeepTheirOutside) {
     scene.objects[0].transform[0] *= -1.0f;
     const Geometry geometry = assemble_geometry(scene, scene_hardware(scene), {true, false, true});
     ASSERT_FALSE(geometry.triangles.empty());
-    const VertexBuffers buffers = vertex_buffers(scene, all_attribute_names());
+    const VertexBuffers buffers = all_buffers(scene);
     const UniformValues object = object_values_by_name(scene, scene.objects[0]);
     const UniformValues material =
         material_values_by_name(scene.materials[scene.objects[0].material]);

@@ -100,6 +100,14 @@ std::string replaced(std::string text, const std::string& right, const std::stri
     return at == std::string::npos ? text : text.replace(at, right.size(), wrong);
 }
 
+/// Vertex shaders that transform vertices themselves.
+std::set<std::string> by_matrices(const std::set<std::string>& vertex) {
+    std::set<std::string> texts;
+    for (const std::string& text : vertex)
+        texts.insert(replaced(text, "#define SHADED_VERTICES 1", "#define SHADED_VERTICES 0"));
+    return texts;
+}
+
 TEST(ScenePrograms, AllCompileThatCanLeave) {
     const SmallScenes scenes;
     for (const Language& language : languages) {
@@ -121,6 +129,7 @@ TEST(ScenePrograms, AllCompileThatCanLeave) {
         const Texts texts(all);
         EXPECT_EQ(complaints(texts.fragment, language, "-S frag"), "") << language.name;
         EXPECT_EQ(complaints(texts.vertex, language, "-S vert"), "") << language.name;
+        EXPECT_EQ(complaints(by_matrices(texts.vertex), language, "-S vert"), "") << language.name;
     }
 }
 

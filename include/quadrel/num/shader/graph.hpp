@@ -127,6 +127,13 @@ struct Parameter {
     std::string comment;
 };
 
+/// What a text computes at the vertices and reads interpolated: `name` is the input that stands for
+/// it in fragments.
+struct AtVertices {
+    Node* value;
+    std::string name;
+};
+
 /// A recorded text. Its nodes point into it.
 struct Graph {
     Graph() = default;
@@ -139,6 +146,7 @@ struct Graph {
     std::vector<Named> inputs, outputs;
     std::vector<Uniform> uniforms;
     std::vector<Parameter> parameters;
+    std::vector<AtVertices> at_vertices;
 };
 
 }  // namespace quadrel::recorded

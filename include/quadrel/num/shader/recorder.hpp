@@ -71,6 +71,14 @@ class Recorder {
         declare(graph_.inputs, Named{name, type}, &Named::name);
         return symbol(type, name);
     }
+    /// What fragments have of `value`, which is computed at the vertices, under a name of its own.
+    Node* interpolated(Node* value) {
+        if (value == nullptr) throw RecordingError("a varying has no value at the vertices");
+        if (!open_.empty()) throw RecordingError("a vertex program runs in a loop or a block");
+        const std::string name = "varying_" + std::to_string(graph_.at_vertices.size());
+        graph_.at_vertices.push_back({value, name});
+        return input(value->type, name);
+    }
     Node* uniform(Type type, const Uniform& uniform, const std::string& text) {
         declare(graph_.uniforms, uniform, &Uniform::name);
         // Whose size alone was asked for before may be an array.

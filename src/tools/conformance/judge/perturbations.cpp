@@ -26,7 +26,7 @@ void scale(Film& film, const std::string& channel, double by) {
 
 /// With this part of each error, to both sides.
 void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
-                       const PermittedErrors& errors, double part) {
+                       const PermittedErrors& errors, bool vertex_rays, double part) {
     for (const int v : {-1, 0, 1})
         for (const int u : {-1, 0, 1})
             if (u != 0 || v != 0)
@@ -42,16 +42,21 @@ void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
             all.push_back({"normal"});
             all.back().tilt[axis] = by * errors.normal;
         }
+        for (std::size_t axis = 0; group == GroupKind::hit && vertex_rays && axis < 3; ++axis) {
+            all.push_back({"eye"});
+            all.back().eye[axis] = by * errors.ray;
+        }
     }
 }
 
 }  // namespace
 
-std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors) {
+std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors,
+                                           bool vertex_rays) {
     std::vector<Perturbation> all;
     if (group < GroupKind::hit) return all;
     for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-6})
-        add_perturbations(all, group, errors, part);
+        add_perturbations(all, group, errors, vertex_rays, part);
     return all;
 }
 

@@ -23,7 +23,8 @@ struct PermittedErrors {
     double height = 0x1p-22;  ///< of hit.s: two ulp of the relief's height, 1
     double weight = 0x1p-9;   ///< of a texel, each axis
     double level = 0x1p-4;
-    double ray = 0x1p-20;     ///< of K, and of r, relative
+    /// Of K, of r and of the vector to the eye that a vertex program hands on, relative.
+    double ray = 0x1p-20;
     double normal = 0x1p-20;  ///< of each component of the frame\'s normal
     double texel = 0x1p-16;   ///< of a filtered height, relative: `filtered` of data/limits
     double depth = 0x1p-20;   ///< of a fragment in its window, relative: 16 ulp
@@ -38,12 +39,16 @@ struct Perturbation {
     double rate = 0;      ///< r grows by this part of it, by which rays bend over curved reliefs
     double texel = 0;     ///< heights grow by this part of them
     std::array<double, 3> tilt{};  ///< is added to the frame\'s normal, which has lights behind it
+    /// The eye moves along the object's axes by these parts of its distance from the object's
+    /// origin, for searches whose ray comes from a vertex program: no image has that.
+    std::array<double, 3> eye{};
 };
 
-/// Those that a group's stages may make; none of groups that look nothing up. First each error in
-/// full, then parts of it: searches are not continuous, and where the whole of an error flips a
-/// test, a part of it may not.
-std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors);
+/// Those that a group's stages may make; none of groups that look nothing up. `vertex_rays`:
+/// whether searches take rays from vertex programs. First each error in full, then parts of it:
+/// searches are not continuous, and where the whole of an error flips a test, a part of it may not.
+std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors,
+                                           bool vertex_rays);
 
 struct TexelSize {
     double u = 0, v = 0;  ///< in UV; 0: there is no height map

@@ -81,10 +81,11 @@ void take_perturbed(Differences& differences) {
     results.include(differences.own);
     results.include_reference();
     const Film image = sides.given(differences.pixels);
-    for (const Perturbation& perturbation : perturbations_of(group.kind, options.errors)) {
+    for (const Perturbation& perturbation :
+         perturbations_of(group.kind, options.errors, has_vertex_rays(sides.scene))) {
         const Film moved = perturbed(image, group.kind, perturbation, options.texel);
-        results.include(sides.made_of(group, moved, differences.pixels, 1 + perturbation.texel),
-                        perturbation);
+        const Moved by{1 + perturbation.texel, perturbation.eye};
+        results.include(sides.made_of(group, moved, differences.pixels, by), perturbation);
         results.take();
         if (differences.empty()) return;
     }

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "render/draw/shell.hpp"
 #include "render/plan/prepared.hpp"
 #include "render/registry/added_stages.hpp"
 
@@ -53,6 +55,28 @@ ScaledHeights::ScaledHeights(RenderPlan& plan, double factor) {
         }
 }
 
+bool has_vertex_rays(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [&](const Object& object) {
+        const Material& material = scene.materials[object.material];
+        if (shell_kind(material) != ShellKind::none) return false;
+        return std::ranges::any_of(material_stages(scene, material), [](const PlannedStage& stage) {
+            return std::string_view(stage.info->text.room) == "trace" && stage.info->reads_vertices;
+        });
+    });
+}
+
+void move_eye(Geometry& geometry, const std::array<double, 3>& parts) {
+    for (PrimitiveVertices& row : geometry.vertices) {
+        double distance = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            distance = std::hypot(distance, static_cast<double>(row.to_object[4 * axis + 3]));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            float& at = row.to_object[4 * axis + 3];
+            at = static_cast<float>(static_cast<double>(at) + parts[axis] * distance);
+        }
+    }
+}
+
 Film Reruns::reference(const std::vector<std::string>& channels) const {
     RenderOptions options;
     options.channels = channels;
@@ -74,11 +98,12 @@ RenderOptions Reruns::options(const std::vector<std::string>& channels,
 
 Film Reruns::made_of(const std::vector<std::string>& channels,
                      const std::vector<std::string>& names, const Film& image,
-                     const std::vector<Window>& parts, double heights) const {
+                     const std::vector<Window>& parts, const Moved& moved) const {
     const RenderOptions with_image = options(channels, names, image);
     PreparedRender prepared = prepare_render(scene_, with_image, select_kernels(with_image));
     std::optional<ScaledHeights> scaled;
-    if (heights != 1) scaled.emplace(prepared.plan, heights);
+    if (moved.heights != 1) scaled.emplace(prepared.plan, moved.heights);
+    if (moved.eye != std::array<double, 3>{}) move_eye(prepared.geometry, moved.eye);
     Film whole{image.frame, image.window, {}};
     for (const Window& window : parts) {
         prepared.window = window;

@@ -1,6 +1,7 @@
 // The reference once more, from an implementation's own values on, in parts of the frame.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "quadrel/film/film.hpp"
 #include "quadrel/render.hpp"
 #include "quadrel/scene/scene.hpp"
+#include "render/draw/geometry.hpp"
 #include "render/plan/render_plan.hpp"
 
 namespace quadrel::conformance {
@@ -23,6 +25,18 @@ class ScaledHeights {
     std::vector<std::vector<float>> texels_;
 };
 
+/// What stages read that is no value of an image.
+struct Moved {
+    double heights = 1;           ///< look-ups of heights give so many times what maps have
+    std::array<double, 3> eye{};  ///< as Perturbation has it
+};
+
+/// Whether a search takes its ray from a vertex program, and not from a shell.
+bool has_vertex_rays(const Scene& scene);
+
+/// Moves the eye as the vertex programs of a prepared render have it.
+void move_eye(Geometry& geometry, const std::array<double, 3>& parts);
+
 class Reruns {
   public:
     /// `threads`: as RenderOptions has them. The scene must outlive it.
@@ -32,9 +46,10 @@ class Reruns {
     Film reference(const std::vector<std::string>& channels) const;
 
     /// What stages make of the values `names` of an image: a film of its window, drawn in parts of
-    /// it, elsewhere 0. Look-ups of heights give `heights` times what maps have.
+    /// it, elsewhere 0.
     Film made_of(const std::vector<std::string>& channels, const std::vector<std::string>& names,
-                 const Film& image, const std::vector<Window>& parts, double heights = 1) const;
+                 const Film& image, const std::vector<Window>& parts,
+                 const Moved& moved = {}) const;
 
     /// The same as ranges that `limits` permits: `take` gets a film of each of the windows, which
     /// lie in that of the image. Throws UsageError where a stage has none.
