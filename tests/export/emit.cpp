@@ -38,6 +38,7 @@ Place place_of(const std::string& name) {
 }
 
 std::string loaded(const Named& input) {
+    if (input.name == "frag_coord") return "frag_coord(arrays)";
     const Place place = place_of(input.name);
     if (place.is_integer) return "load_int(arrays, " + std::to_string(place.slot) + ")";
     return "load<" + std::to_string(place.components) + ">(arrays, " + std::to_string(place.slot) +
@@ -61,15 +62,21 @@ void write_function(std::ostream& out, const FunctionText& function, const Diale
 
 /// Whether it has derivatives, of its own or of a look-up.
 bool uses_neighbours(const std::string& text) {
-    for (const char* word : {"dFdx(", "dFdy(", " texture(", "(texture("})
+    for (const char* word : {"dFdx(", "dFdy(", "dFdxFine(", " texture(", "(texture("})
         if (text.find(word) != std::string::npos) return true;
     return false;
 }
 
+/// Whether neighbours may have gone another way, or have left a loop.
+bool has_branches(const std::string& text) {
+    return text.find("for (") != std::string::npos || text.find("if (") != std::string::npos;
+}
+
 /// The row of a table.
 std::string row_of(const FunctionText& function, const char* id, const std::string& space = "") {
-    return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
-           ", glsl::" + space + "run_" + function.name + "}";
+    const auto word = [](bool of) { return of ? "true, " : "false, "; };
+    return std::string("{\"") + id + "\", " + word(uses_neighbours(function.text)) +
+           word(has_branches(function.text)) + "glsl::" + space + "run_" + function.name + "}";
 }
 
 /// An error of a printer: what it writes in the place of what is right.
@@ -86,6 +93,10 @@ constexpr Planted all_planted[] = {
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
+    {"ddm", "s_1) * 4.0f) - 1.0f", "s_1) * 4.0f)", "the next slice of a table"},
+    {"vdm", "table_y, first", "table_x, first", "another row of a table"},
+    {"normal-mcguire@published", "dFdyFine", "dFdxFine", "another neighbour"},
+    {"normal-mcguire@published", "frag_coord.x", "frag_coord.y", "another column of the quad"},
     {"shade-lambert", "light_specular = vec3(0.0f)", "light_specular = vec3(-0.0f)",
      "a zero of the other sign"}};
 

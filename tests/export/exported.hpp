@@ -14,7 +14,7 @@ struct FragmentArrays {
 
 struct ExportedFunction {
     const char* id;
-    bool uses_neighbours;
+    bool uses_neighbours, has_branches;
     void (*run)(const FragmentArrays& arrays);
 };
 extern const ExportedFunction exported_functions[];

@@ -47,15 +47,17 @@ std::string described_call(const Node& node) {
     static constexpr std::pair<const char*, const char*> words[] = {
         {"texture", "texel"},      {"textureLod", "texel"}, {"textureGrad", "texel"},
         {"textureLayer", "texel"}, {"texelFetch", "texel"}, {"textureGather", "texels"},
-        {"textureSize", "size"},   {"min", "least"},        {"max", "most"},
-        {"clamp", "clamped"},      {"mix", "mixed"},        {"mod", "rest"},
-        {"pow", "power"},          {"exp", "exponential"},  {"exp2", "exponential"}};
+        {"texelLayer", "texel"},   {"textureSize", "size"}, {"min", "least"},
+        {"max", "most"},           {"clamp", "clamped"},    {"mix", "mixed"},
+        {"mod", "rest"},           {"pow", "power"},        {"exp", "exponential"},
+        {"exp2", "exponential"}};
     static constexpr std::pair<const char*, const char*> of_operand[] = {
         {"sqrt", "root"},         {"roundEven", "rounded"},
         {"ceil", "ceil"},         {"trunc", "whole"},
         {"fract", "fraction"},    {"int", "int"},
         {"float", "float"},       {"isnan", "nan"},
         {"dFdx", "dx"},           {"dFdy", "dy"},
+        {"dFdxFine", "dx"},       {"dFdyFine", "dy"},
         {"normalize", "unit"},    {"inversesqrt", "over_root"},
         {"floor", "floor"},       {"abs", "abs"},
         {"length", "length"},     {"sign", "sign"},

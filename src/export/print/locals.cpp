@@ -151,9 +151,7 @@ void Locals::declare() {
 /// A difference of neighbours is no part of a condition, or of what one chooses: there, a shader
 /// may leave it out for some of them.
 bool Locals::declare_difference(Node* node) {
-    if (node->kind != Kind::call ||
-        (node->text != "dFdx" && node->text != "dFdy" && node->text != "texture"))
-        return false;
+    if (!is_difference(*node)) return false;
     Info& info = info_[node];
     // Stored or assigned as it is.
     if (info.uses.size() == 1 && info.uses[0].node == nullptr &&

@@ -73,15 +73,18 @@ class Statements {
     std::vector<std::string> all_;
 };
 
-/// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
+/// Values that no stage gives, but for varyings: axes of objects, the fragment's place, and what
+/// reads as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
-                  const Dialect& dialect) {
+                  const Dialect& dialect, const EntryPoint& entry) {
     for (const auto& [name, type] : open) {
         if (find_varying(name) != nullptr) continue;
         if (name == "bary") throw RecordingError("bary: barycentrics are not handed to fragments");
         if (name.rfind("object_", 0) == 0) {
             add_uniforms(text.uniforms, {normal_matrix});
             statements.declare(name, type, object_axis(name.back() - 'x', dialect));
+        } else if (name == "frag_coord") {
+            statements.declare(name, type, entry.frag_coord());
         } else if (type == Type::integer) {
             statements.declare(name, type, "0");
         } else if (type == Type::real) {
@@ -112,7 +115,8 @@ void bind_textures(const ProgramRequest& request, ShaderScene& scene) {
                                 texture->sampler);
 }
 
-FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect) {
+FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect,
+                           const EntryPoint& entry) {
     ShaderScene scene(*request.frame);
     scene.material = *request.uniforms;
     bind_textures(request, scene);
@@ -124,7 +128,7 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
     text.centroid = request.centroid != 0;
     text.uniforms = calls.uniforms();
     Statements statements(dialect);
-    declare_open(calls.open(), text, statements, dialect);
+    declare_open(calls.open(), text, statements, dialect, entry);
     for (const FunctionText& function : calls.functions()) {
         text.functions += function.text + "\n";
         statements.call(function);
@@ -204,7 +208,7 @@ ProgramText compose_program(const ProgramRequest& request) {
         throw RecordingError(std::string("no scenes are written in ") + request.language);
     if (asks_lod(request) && !entry->has_lod())
         throw RecordingError(std::string("lod: a shader cannot ask for it in ") + request.language);
-    FragmentText fragment = fragment_text(request, *dialect);
+    FragmentText fragment = fragment_text(request, *dialect, *entry);
     VertexText vertex = vertex_text(request, fragment, *dialect);
     vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one
