@@ -84,16 +84,16 @@ struct Planted {
     const char *id, *right, *wrong, *what;
 };
 constexpr Planted all_planted[] = {
-    {"linear", "h >= 1.0f - s", "h > 1.0f - s", "another comparison"},
+    {"linear", "result_h >= 1.0f - s", "result_h > 1.0f - s", "another comparison"},
     {"linear", "uv + K * s", "uv - K * s", "the other direction"},
     {"linear", "i <= steps", "i < steps", "one step less"},
-    {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
+    {"linear", "if (isnan(result_h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
     {"max-mip", ": INFINITY;\n}", ": -INFINITY;\n}", "an infinity of the other sign"},
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
-    {"ddm", "s_1) * 4.0f) - 1.0f", "s_1) * 4.0f)", "the next slice of a table"},
+    {"ddm", "s) * 4.0f) - 1.0f", "s) * 4.0f)", "the next slice of a table"},
     {"vdm", "table_y, first", "table_x, first", "another row of a table"},
     {"normal-mcguire@published", "dFdyFine", "dFdxFine", "another neighbour"},
     {"normal-mcguire@published", "frag_coord.x", "frag_coord.y", "another column of the quad"},

@@ -195,11 +195,15 @@ class EsDialect : public Dialect {
             lines += std::string("precision highp ") + type + ";\n";
         return lines;
     }
-    /// Which differences are taken cannot be said here.
-    std::string call(const Node& node, const std::vector<std::string>& arguments) const override {
-        if (node.text == "dFdxFine" || node.text == "dFdyFine")
-            return node.text.substr(0, 4) + "(" + arguments[0] + ")";
-        return Dialect::call(node, arguments);
+    std::string prelude(const std::string& text) const override {
+        std::string all = Dialect::prelude(text);
+        if (has_word(text, "dFdxFine("))
+            all +=
+                "// OpenGL ES cannot ask for fine differences; of coarse ones neighbours' numbers "
+                "are not "
+                "told.\n"
+                "#define dFdxFine dFdx\n#define dFdyFine dFdy\n";
+        return all;
     }
 };
 
