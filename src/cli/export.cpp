@@ -13,6 +13,7 @@
 #include "cli/common/arguments.hpp"
 #include "cli/common/command_files.hpp"
 #include "cli/common/console.hpp"
+#include "cli/common/filtered_rows.hpp"
 #include "cli/common/hints.hpp"
 #include "cli/common/quiet.hpp"
 #include "cli/common/validators.hpp"
@@ -34,16 +35,24 @@ namespace {
 struct ExportArguments {
     SnippetArguments snippets;
     std::string scene, language, output, channels, size, page, limits = "gl";
-    std::vector<std::string> stages, assignments, wrap;
+    std::vector<std::string> words, stages, assignments, wrap;
     ExportOptions plain;
     int light = 0, every = 1;
     bool list = false;
 };
 
-ExitCode list_stages() {
-    for (const ExportRow& row : export_rows())
-        print(fmt::format("{:<34} {}\n", row.room + "/" + row.id,
-                          row.refusal.empty() ? "yes" : "no: " + row.refusal));
+/// The first word stands where a scene's name does.
+ExitCode list_stages(const ExportArguments& arguments) {
+    std::vector<std::string> words = arguments.words;
+    if (!arguments.scene.empty()) words.push_back(arguments.scene);
+    ListRows rows;
+    for (const ExportRow& row : export_rows()) {
+        const std::string text = fmt::format("{:<34} {}\n", row.room + "/" + row.id,
+                                             row.refusal.empty() ? "yes" : "no: " + row.refusal);
+        const StageText& of = find_stage(row.id)->text;
+        rows.push_back({fmt::format("{} {} {}", text, of.summary, of.source), text, {}});
+    }
+    for (const ListRow& row : filtered_rows(std::move(rows), words)) print(row.text);
     return ExitCode::ok;
 }
 
@@ -227,7 +236,11 @@ ExitCode write_scene(const ExportArguments& arguments) {
 }
 
 ExitCode run_export(const ExportArguments& arguments) {
-    if (arguments.list) return list_stages();
+    if (arguments.list) return list_stages(arguments);
+    if (!arguments.words.empty())
+        throw UsageError(
+            fmt::format("export: found \"{}\" after \"{}\", expected one SCENE, or --list",
+                        arguments.words.front(), arguments.scene));
     if (arguments.snippets.given())
         return run_snippets(arguments.snippets, arguments.language, arguments.output);
     if (!arguments.scene.empty())
@@ -270,6 +283,10 @@ void add_export(CLI::App& app, Action& action) {
         "engine");
     const auto a = std::make_shared<ExportArguments>();
     verb->add_option("scene", a->scene, "scene file, or the name of an installed scene");
+    verb->add_flag(
+        "--list", a->list,
+        "all stages, or of them what has all words that follow, and why some are not written");
+    verb->add_option("words", a->words, "of --list: only stages that have all of these words");
     add_stage_options(*verb, *a);
     add_snippet_options(*verb, a->snippets);
     verb->add_option("--language", a->language,
@@ -305,15 +322,13 @@ void add_export(CLI::App& app, Action& action) {
         ->needs("--page")
         ->check(whole_number(1, 1024))
         ->capture_default_str();
-    verb->add_flag("--list", a->list, "all stages, and why some are not written");
     // One thing at a time: nothing that is asked for is passed over.
     const std::vector<const char*> of_stages = {"--uniforms", "--side",   "--wrap",
                                                 "--seat",     "--lights", "--light"};
     const auto exclude = [&](const char* form, std::initializer_list<const char*> others) {
         for (const char* const other : others) verb->get_option(form)->excludes(other);
     };
-    exclude("--list",
-            {"scene", "--stage", "--language", "-D", "-o", "--size", "--channels", "--page"});
+    exclude("--list", {"--stage", "--language", "-D", "-o", "--size", "--channels", "--page"});
     for (const char* const form : {"--snippets", "--pattern"})
         exclude(form, {"scene", "--list", "--stage", "-D", "--size", "--channels", "--page"});
     exclude("scene", {"--stage"});

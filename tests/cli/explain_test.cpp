@@ -107,6 +107,26 @@ TEST(List, Filters) {
     EXPECT_EQ(nlohmann::json::parse(run({"list", "presets", "Quake", "--json"}).out).size(), 0u);
 }
 
+/// The reasons are those of `export --list`.
+TEST(List, WhyAStageIsNoShader) {
+    const std::string reason = "proves what it finds, by intervals and rationals";
+    const std::string block = run({"list", "algorithms", "oracle-block"}).out;
+    EXPECT_NE(block.find("not a shader: " + reason), std::string::npos) << block;
+    const std::string linear = run({"list", "algorithms", "linear-thesis"}).out;
+    EXPECT_EQ(linear.find("not a shader"), std::string::npos) << linear;
+    for (const auto& row : nlohmann::json::parse(run({"list", "algorithms", "--json"}).out)) {
+        ASSERT_TRUE(row.contains("not_a_shader")) << row["id"];
+        if (row["id"] == "linear") {
+            EXPECT_EQ(row["not_a_shader"], "");
+        }
+        if (row["id"] == "oracle-block") {
+            EXPECT_EQ(row["not_a_shader"], reason);
+        }
+    }
+    EXPECT_TRUE(explains({{"oracle-block", "not a shader: " + reason},
+                          {"linear", "a shader: quadrel export --stage linear"}}));
+}
+
 TEST(List, NamesOfValues) {
     const char* const names = "mode = relief (0 basic, 1 steep, 2 occlusion, 3 relief)";
     const std::string text = run({"list", "algorithms", "three-parallax"}).out;

@@ -249,11 +249,27 @@ TEST(ExportCommand, RefusesPagesInOneLine) {
 TEST(ExportCommand, SaysWhyAStageIsNotWritten) {
     const std::string list = run({"export", "--list"}).out;
     EXPECT_TRUE(says(list, "trace/linear "));
-    EXPECT_TRUE(says(list, "no: asks which fragment of its quad it is")) << list;
-    const Outcome refused = run({"export", "--stage", "normal-mcguire@published"});
+    EXPECT_TRUE(says(list, "no: proves what it finds, by intervals and rationals")) << list;
+    const Outcome refused = run({"export", "--stage", "oracle-block"});
     EXPECT_EQ(refused.code, 2);
-    EXPECT_TRUE(says(refused.err, "asks which fragment of its quad it is")) << refused.err;
+    EXPECT_TRUE(says(refused.err, "proves what it finds, by intervals")) << refused.err;
     EXPECT_TRUE(says(refused.err, "(see `quadrel export --list`)")) << refused.err;
+}
+
+TEST(ExportCommand, ListsWhatHasAllWords) {
+    const std::string all = run({"export", "--list"}).out;
+    const std::string cones = run({"export", "--list", "CONE", "trace/"}).out;
+    EXPECT_TRUE(says(cones, "trace/cone-cell "));
+    EXPECT_FALSE(says(cones, "shadow/shadow-cone ")) << cones;
+    EXPECT_FALSE(says(cones, "trace/linear ")) << cones;
+    EXPECT_LT(cones.size(), all.size());
+    // Words of reasons and sources, too, in any order.
+    EXPECT_TRUE(says(run({"export", "--list", "rationals", "no:"}).out, "oracle/oracle "));
+    EXPECT_TRUE(says(run({"export", "Dummer", "--list"}).out, "trace/cone-dummer-exact "));
+    const Outcome none = run({"export", "--list", "thesis-quad"});
+    EXPECT_EQ(none.code, 0);
+    EXPECT_EQ(none.out, "");
+    EXPECT_TRUE(says(none.err, "nothing in this list has all of these words")) << none.err;
 }
 
 TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
@@ -267,7 +283,7 @@ TEST(ExportCommand, RefusesWhatItDoesNotKnow) {
                            {"export", "--stage", "linear", "--side", "0"},
                            {"export", "--list", "-o", "list.txt"},
                            {"export", "--list", "--stage", "linear"},
-                           {"export", "--list", "thesis-quad"},
+                           {"export", "thesis-quad", "words", "-o", "out"},
                            {"export", "--stage", "linear", "--wrap", "around"},
                            {"export", "--stage", "linear", "--size", "8x8"},
                            {"export", "--snippets", "--seat", "0.5"},

@@ -53,6 +53,7 @@ std::string vector_at(Type type, const std::string& from) {
 }
 
 std::string loaded(const Named& input, const FunctionText& function) {
+    if (input.name == "frag_coord") return "frag_coord(arrays)";
     for (std::size_t i = 0; function.vertex && i < function.vertex->varyings.size(); ++i)
         if (function.vertex->varyings[i].name == input.name)
             return vector_at(input.type, "arrays.varyings + " +
@@ -99,19 +100,26 @@ void write_function(std::ostream& out, const FunctionText& function, const Diale
 
 /// Whether it has derivatives, of its own or of a look-up.
 bool uses_neighbours(const std::string& text) {
-    for (const char* word : {"dFdx(", "dFdy(", " texture(", "(texture("})
+    for (const char* word : {"dFdx(", "dFdy(", "dFdxFine(", " texture(", "(texture("})
         if (text.find(word) != std::string::npos) return true;
     return false;
 }
 
+/// Whether neighbours may have gone another way, or have left a loop.
+bool has_branches(const std::string& text) {
+    return text.find("for (") != std::string::npos || text.find("if (") != std::string::npos;
+}
+
 /// The row of a table.
 std::string row_of(const FunctionText& function, const char* id, const std::string& space = "") {
+    const auto word = [](bool of) { return of ? "true, " : "false, "; };
     const std::string vertex = function.vertex
                                    ? std::to_string(varying_places(*function.vertex).back()) +
                                          ", glsl::" + space + "run_" + function.vertex->name
                                    : "0, nullptr";
-    return std::string("{\"") + id + "\", " + (uses_neighbours(function.text) ? "true" : "false") +
-           ", glsl::" + space + "run_" + function.name + ", " + vertex + "}";
+    return std::string("{\"") + id + "\", " + word(uses_neighbours(function.text)) +
+           word(has_branches(function.text)) + "glsl::" + space + "run_" + function.name + ", " +
+           vertex + "}";
 }
 
 /// An error of a printer: what it writes in the place of what is right.
@@ -119,15 +127,19 @@ struct Planted {
     const char *id, *right, *wrong, *what;
 };
 constexpr Planted all_planted[] = {
-    {"linear", "h >= 1.0f - s", "h > 1.0f - s", "another comparison"},
+    {"linear", "result_h >= 1.0f - s", "result_h > 1.0f - s", "another comparison"},
     {"linear", "uv + K * s", "uv - K * s", "the other direction"},
     {"linear", "i <= steps", "i < steps", "one step less"},
-    {"linear", "if (isnan(h)) met_nan = true;", "", "an assignment lost"},
+    {"linear", "if (isnan(result_h)) met_nan = true;", "", "an assignment lost"},
     {"steep", "1.0f - ", "1.0f + ", "another operator"},
     {"max-mip", ": INFINITY;\n}", ": -INFINITY;\n}", "an infinity of the other sign"},
     {"max-mip", "<< level", ">> level", "the other shift"},
     {"relief-binary", "break;", ";", "a way out lost"},
     {"frame-gram", "cross(py, n)", "cross(n, py)", "swapped operands"},
+    {"ddm", "s) * 4.0f) - 1.0f", "s) * 4.0f)", "the next slice of a table"},
+    {"vdm", "table_y, first", "table_x, first", "another row of a table"},
+    {"normal-mcguire@published", "dFdyFine", "dFdxFine", "another neighbour"},
+    {"normal-mcguire@published", "frag_coord.x", "frag_coord.y", "another column of the quad"},
     {"shade-lambert", "light_specular = vec3(0.0f)", "light_specular = vec3(-0.0f)",
      "a zero of the other sign"},
     // At the vertices.

@@ -31,18 +31,18 @@ class Comparison {
     /// What differs first; empty if nothing does.
     std::string difference(const ExportedFunction& function,
                            std::span<const EditedParameter> edits = {}) {
-        bind_maps(function.uses_neighbours);
+        bind_maps(function.uses_neighbours && function.has_branches);
         run_stage_itself(*find_stage(function.id), edits);
         for (int lane = 0; lane < compared_lanes; lane += 4) run_quad(function, lane);
         return compared();
     }
 
   private:
-    /// Level 0 alone where a level follows from neighbours: in a loop they may have left it.
-    void bind_maps(bool uses_neighbours) {
+    /// Level 0 alone where a level may follow from neighbours that have left a loop.
+    void bind_maps(bool finest_alone) {
         for (int slot = 0; slot < texture_slot_count; ++slot) {
             bound_[slot] = maps_.map(slot);
-            if (uses_neighbours) bound_[slot].sampler.mip = MipFilter::none;
+            if (finest_alone) bound_[slot].sampler.mip = MipFilter::none;
             glsl::samplers[slot]->map = &bound_[slot];
         }
         nearest_ = bound_[static_cast<int>(TextureSlot::height)];
@@ -75,10 +75,12 @@ class Comparison {
         find_kernel(scalar_float_kernels(), stage.text.id)(&call);
     }
 
+    /// Neighbours' values are right once all are that they were made of in the round before.
     void run_quad(const ExportedFunction& function, int first_lane) {
+        constexpr int rounds = 4;
         glsl::quad_run.forget();
         const auto varyings = triangles_.interpolated(function, first_lane);
-        for (int round = 0; round < (function.uses_neighbours ? 3 : 1); ++round) {
+        for (int round = 0; round < (function.uses_neighbours ? rounds : 1); ++round) {
             for (int lane = 0; lane < 4; ++lane) {
                 glsl::quad_run.begin(lane);
                 function.run({inputs_.pointers(), found_.pointers(), first_lane + lane,
@@ -131,6 +133,14 @@ class Comparison {
         glsl::light1_constant = b.attenuation[0];
         glsl::light1_linear = b.attenuation[1];
         glsl::light1_quadratic = b.attenuation[2];
+        const auto number = [&](TextureSlot slot, int i) {
+            const TextureView& table = maps_.map(static_cast<int>(slot)).view;
+            return table.texels[table.offset[2] + i];
+        };
+        glsl::ddm_map_depth = number(TextureSlot::ddm, 0);
+        glsl::gdm_map_depth = number(TextureSlot::gdm, 0);
+        glsl::vdm_map_depth = number(TextureSlot::vdm, 0);
+        glsl::vdm_map_curvature = number(TextureSlot::vdm, 1);
     }
 
     test::Random random_;

@@ -24,7 +24,7 @@ inline constexpr int most_varying_floats = 16;
 
 struct ExportedFunction {
     const char* id;
-    bool uses_neighbours;
+    bool uses_neighbours, has_branches;
     void (*run)(const FragmentArrays& arrays);
     int varying_floats;                              ///< 0: there is no vertex program
     void (*run_vertex)(const VertexArrays& arrays);  ///< null likewise

@@ -38,6 +38,11 @@ template <int n>
 void put(float* to, const vec<n, float>& value) {
     for (int i = 0; i < n; ++i) to[i] = value[i];
 }
+/// Of quads that follow each other in the window.
+inline vec2<float> frag_coord(const FragmentArrays& arrays) {
+    const int column = arrays.lane % 2, row = arrays.lane / 2 % 2, quad = arrays.lane / 4;
+    return {static_cast<float>(2 * quad + column) + 0.5f, static_cast<float>(row) + 0.5f};
+}
 inline void store(const FragmentArrays& arrays, int slot, int value) {
     static_cast<std::int32_t*>(arrays.outputs[slot])[arrays.lane] = value;
 }

@@ -66,6 +66,7 @@ class RandomMaps {
         raise_pyramid();
         stack_layers(nans);
         bound_layers();
+        scatter_distances(random);
     }
 
     const SampledTexture& map(int slot) const { return maps_[slot]; }
@@ -125,6 +126,20 @@ class RandomMaps {
                     const float depth = from[(row * from_side + column) * 4 + c];
                     if (c % 2 == 0 ? !(depth >= to) : !(depth <= to)) to = depth;
                 }
+            }
+        }
+    }
+    /// Distances that end within a box or beyond it, and -1, where a ray passes.
+    void scatter_distances(test::Random& random) {
+        for (const TextureSlot slot : {TextureSlot::gdm, TextureSlot::vdm}) {
+            const TextureView& view = maps_[static_cast<int>(slot)].view;
+            std::vector<float>& texels = texels_[static_cast<int>(slot)];
+            const int count = view.offset[1];
+            for (int i = 0; i < count; ++i) {
+                float& distance = texels[static_cast<std::size_t>(i)];
+                distance *= random.chance(0.5) ? 0.3f : 1.0f;
+                if (slot == TextureSlot::vdm && random.chance(0.2)) distance = -1;
+                if (random.chance(0.0005)) distance = std::numeric_limits<float>::quiet_NaN();
             }
         }
     }

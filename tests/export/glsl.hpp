@@ -141,6 +141,8 @@ inline QuadRun quad_run;
 
 inline float dFdx(float x) { return quad_run.own(quadrel::dFdx(quad_run.all(x))); }
 inline float dFdy(float x) { return quad_run.own(quadrel::dFdy(quad_run.all(x))); }
+inline float dFdxFine(float x) { return dFdx(x); }
+inline float dFdyFine(float x) { return dFdy(x); }
 template <int n>
 vec<n, float> dFdx(const vec<n, float>& v) {
     return map_components([](float x) { return dFdx(x); }, v);
@@ -148,6 +150,14 @@ vec<n, float> dFdx(const vec<n, float>& v) {
 template <int n>
 vec<n, float> dFdy(const vec<n, float>& v) {
     return map_components([](float x) { return dFdy(x); }, v);
+}
+template <int n>
+vec<n, float> dFdxFine(const vec<n, float>& v) {
+    return dFdx(v);
+}
+template <int n>
+vec<n, float> dFdyFine(const vec<n, float>& v) {
+    return dFdy(v);
 }
 
 // ---- Textures -----------------------------------------------------------------------------------
@@ -200,6 +210,9 @@ inline vec4 texel_fetch(sampler of, int x, int y, int level) {
     vec4 result(0.0f, 0.0f, 0.0f, 1.0f);
     for (int c = 0; c < view.channels; ++c) result[c] = texel[c];
     return result;
+}
+inline vec4 texel_of_layer(sampler of, int x, int y, int layer, int level) {
+    return texel_fetch(of, x, layer * of.map->view.height[level] + y, level);
 }
 inline int texture_size(sampler of, int level, int axis) {
     return axis == 0 ? of.map->view.width[level] : of.map->view.height[level];
@@ -257,6 +270,7 @@ inline vec3 eye, light0_position, light0_ambient, light0_diffuse, light0_specula
     light1_ambient, light1_diffuse, light1_specular;
 inline float eye_to_world[9], projection[16], model_view[16], inverse_model_view[16], depth_scale,
     depth_offset, light0_intensity, light0_constant, light0_linear, light0_quadratic,
-    light1_intensity, light1_constant, light1_linear, light1_quadratic;
+    light1_intensity, light1_constant, light1_linear, light1_quadratic, ddm_map_depth,
+    gdm_map_depth, vdm_map_depth, vdm_map_curvature;
 
 }  // namespace quadrel::glsl

@@ -32,7 +32,7 @@ TEST(ConformanceProgram, SaysWhyItFails) {
     EXPECT_NE(left.out.find("quadrel-conformance: linear obstacles 45 degrees: found "),
               std::string::npos)
         << left.out;
-    const Outcome nothing = judge("ddm");
+    const Outcome nothing = judge("oracle-bilinear");
     EXPECT_EQ(nothing.code, 1);
     EXPECT_NE(nothing.out.find("no row could be drawn, and nothing judged"), std::string::npos)
         << nothing.out;

@@ -4,8 +4,10 @@
 
 #include "quadrel/num/shader/loop.hpp"
 #include "quadrel/num/shader/named.hpp"
+#include "quadrel/num/shader/neighbours.hpp"
 #include "quadrel/quad/shader_io.hpp"
 #include "quadrel/relief/cells.hpp"
+#include "quadrel/relief/direction_table.hpp"
 #include "quadrel/relief/trace/cone/cone_map.hpp"
 #include "quadrel/relief/trace/search/course.hpp"
 #include "quadrel/relief/trace/search/near_surface.hpp"
@@ -116,6 +118,46 @@ inline vec4<Shader> all_channels<Shader>(const TextureView& view, ShaderInt x, S
                                          ShaderInt level) {
     return recorded::unpack<4>(recorded::texel(view, x, y, level.node()));
 }
+
+/// A table is an array of its slices, whose texels are fetched, and uniforms for the two numbers
+/// that are said of it as a whole.
+template <>
+class DirectionTable<Shader> {
+  public:
+    explicit DirectionTable(const TextureView& view) : view_(view) {}
+
+    std::int32_t columns() const { return view_.width[1]; }
+    std::int32_t rows() const { return view_.height[1]; }
+    std::int32_t slices() const { return view_.faces; }
+    std::int32_t directions() const { return view_.width[0] / view_.width[1]; }
+    Shader depth() const {
+        return number_of_map("_depth", "depth of the relief that it was baked for, in tiles");
+    }
+    Shader curvature() const {
+        return number_of_map(
+            "_curvature",
+            "the greatest of bases that it was baked for, in 1/tile; 0: planes alone");
+    }
+
+    Shader at(ShaderInt i, ShaderInt j, ShaderInt k, ShaderInt a, ShaderInt b) const {
+        const ShaderInt x = named("table_x", a * ShaderInt(columns()) + i);
+        const ShaderInt y = named("table_y", b * ShaderInt(rows()) + j);
+        return Shader(recorded::component(recorded::texel_of_layer(view_, x, y, k), 0));
+    }
+    ShaderInt slice(Shader z) const {
+        const Shader count(static_cast<float>(slices()));
+        return to_int(clamp(ceil(z * count) - Shader(1), Shader(0), count - Shader(1)));
+    }
+
+  private:
+    Shader number_of_map(const char* what, const char* comment) const {
+        using namespace recorded;
+        const std::string name = ShaderTextures::current().entry_of(view_).name + what;
+        return Shader(Recorder::current().uniform(Type::real, {name, "float", 0, comment}));
+    }
+
+    const TextureView& view_;
+};
 
 /// Statuses have names.
 template <>

@@ -8,6 +8,7 @@
 #include "cli/explain/exit_codes.hpp"
 #include "cli/explain/explain_key.hpp"
 #include "cli/explain/markdown.hpp"
+#include "cli/explain/shader_reasons.hpp"
 #include "io/document/keys.hpp"
 #include "io/document/stage_parameters.hpp"
 #include "quadrel/bake/bake.hpp"
@@ -43,6 +44,10 @@ std::string stage_text(const StageInfo& stage) {
     text += fmt::format("  reads   {}\n  stores  {}\n", value_names(stage.inputs),
                         value_names(stage.outputs));
     if (!stage.textures.empty()) text += fmt::format("  looks up{}\n", slot_names(stage.textures));
+    if (const auto reason = why_not_a_shader(stage.text.id))
+        text += reason->empty()
+                    ? fmt::format("  a shader: quadrel export --stage {}\n", stage.text.id)
+                    : fmt::format("  not a shader: {}\n", *reason);
     return text;
 }
 

@@ -3,8 +3,9 @@
 #include <memory>
 
 #include "cli/common/console.hpp"
+#include "cli/common/filtered_rows.hpp"
 #include "cli/common/plugins.hpp"
-#include "cli/common/quiet.hpp"
+#include "cli/explain/shader_reasons.hpp"
 #include "cli/verbs.hpp"
 #include "render/lists/rows.hpp"
 
@@ -24,11 +25,13 @@ struct ListArguments {
     std::vector<std::string> filter, plugins;
 };
 
+/// What is asked of a few, or by a program, says of stages whether they are shaders, too: that
+/// takes three times as long as a list.
 ExitCode run_list(const ListArguments& arguments, ListRows (*make)()) {
     load_plugins(arguments.plugins);
-    ListRows rows = make();
-    std::erase_if(rows, [&](const ListRow& row) { return !has_all_words(row, arguments.filter); });
-    if (rows.empty()) tell("quadrel: nothing in this list has all of these words");
+    ListRows rows = filtered_rows(make(), arguments.filter);
+    if (make == algorithm_rows && (arguments.json || !arguments.filter.empty()))
+        add_shader_reasons(rows);
     print_rows(rows, arguments.json);
     return ExitCode::ok;
 }

@@ -10,12 +10,23 @@ namespace {
 
 /// Whether the text of `node` reads the variable.
 bool touches(const Node* node, const Variable* variable, const Expressions& expressions) {
-    if (expressions.is_named(node)) return false;
-    if (node->kind == Kind::read)
-        return expressions.name_of(node->variable) == expressions.name_of(variable);
+    if (expressions.is_named(node) || node->kind == Kind::read)
+        return expressions.text(node, choice_level) == expressions.name_of(variable);
     return std::any_of(node->arguments.begin(), node->arguments.end(), [&](const Node* argument) {
         return touches(argument, variable, expressions);
     });
+}
+
+/// `" += x"` of a value that is the old one and x more, and so on; else empty.
+template <class IsOld>
+std::string change_of(const Node& value, const IsOld& is_old, const Expressions& expressions) {
+    if (expressions.is_named(&value) || value.kind != Kind::binary || !is_old(value.arguments[0]))
+        return "";
+    for (const char* text : {"+", "-", "*", "/", "|"})
+        if (value.text == text)
+            return std::string(" ") + text + "= " +
+                   expressions.text(value.arguments[1], choice_level);
+    return "";
 }
 
 }  // namespace
@@ -26,8 +37,8 @@ std::vector<AssignmentGroup> groups_of(const Event& event, const Expressions& ex
         const Node& value = *of.value;
         const std::string name = expressions.name_of(of.variable);
         const auto is_old = [&](const Node* node) {
-            return node->kind == Kind::read && node->variable == of.variable &&
-                   node->index == of.version - 1 && !expressions.is_named(node);
+            return (node->kind == Kind::read || expressions.is_named(node)) &&
+                   expressions.text(node, choice_level) == name;
         };
         const bool is_open = !expressions.is_named(&value);
         const Node* condition = nullptr;
@@ -45,7 +56,11 @@ std::vector<AssignmentGroup> groups_of(const Event& event, const Expressions& ex
         }
         if (groups.empty() || groups.back().condition != condition)
             groups.push_back({condition, {}});
-        groups.back().lines.push_back(name + " = " + assigned + ";");
+        const Node& of_old = condition == nullptr ? value : *value.arguments[1];
+        const std::string by = condition == nullptr || value.kind == Kind::select
+                                   ? change_of(of_old, is_old, expressions)
+                                   : "";
+        groups.back().lines.push_back(name + (by.empty() ? " = " + assigned : by) + ";");
     }
     return groups;
 }

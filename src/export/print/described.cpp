@@ -1,6 +1,7 @@
 #include "export/print/described.hpp"
 
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace quadrel::recorded {
@@ -27,6 +28,30 @@ bool is_number(const Node& node, double value) {
     return node.kind == Kind::literal && node.value == value;
 }
 
+/// A name or a small whole number, as a part of a name.
+std::string word_of(const Node& node) {
+    constexpr double largest = 999;
+    if (node.kind == Kind::literal && node.type != Type::boolean) {
+        const bool is_word =
+            node.value >= 0 && node.value <= largest && node.value == static_cast<int>(node.value);
+        return is_word ? std::to_string(static_cast<int>(node.value)) : "";
+    }
+    std::string name = own_name(node);
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    return name;
+}
+
+/// `a_word_b`, where both have words and these make no long one; else empty.
+std::string joined(const Node& a, const std::string& word, const Node& b) {
+    static constexpr std::pair<const char*, const char*> numbers[] = {
+        {"0", "zero"}, {"1", "one"}, {"2", "two"}, {"3", "three"}, {"4", "four"}};
+    constexpr std::size_t longest = 28;
+    std::string first = word_of(a);
+    if (a.kind == Kind::literal) first = found_in(numbers, first);  // no name begins with a digit
+    const std::string second = word_of(b), all = first + "_" + word + "_" + second;
+    return first.empty() || second.empty() || all.size() > longest ? "" : all;
+}
+
 /// abs(x) <= the largest number, or several of these.
 bool is_finite_test(const Node& node) {
     if (node.kind != Kind::binary) return false;
@@ -47,9 +72,10 @@ std::string described_call(const Node& node) {
     static constexpr std::pair<const char*, const char*> words[] = {
         {"texture", "texel"},      {"textureLod", "texel"}, {"textureGrad", "texel"},
         {"textureLayer", "texel"}, {"texelFetch", "texel"}, {"textureGather", "texels"},
-        {"textureSize", "size"},   {"min", "least"},        {"max", "most"},
-        {"clamp", "clamped"},      {"mix", "mixed"},        {"mod", "rest"},
-        {"pow", "power"},          {"exp", "exponential"},  {"exp2", "exponential"}};
+        {"texelLayer", "texel"},   {"textureSize", "size"}, {"min", "least"},
+        {"max", "most"},           {"clamp", "clamped"},    {"mix", "mixed"},
+        {"mod", "rest"},           {"pow", "power"},        {"exp", "exponential"},
+        {"exp2", "exponential"}};
     static constexpr std::pair<const char*, const char*> of_operand[] = {
         {"sqrt", "root"},
         {"roundEven", "rounded"},
@@ -61,6 +87,8 @@ std::string described_call(const Node& node) {
         {"isnan", "nan"},
         {"dFdx", "dx"},
         {"dFdy", "dy"},
+        {"dFdxFine", "dx"},
+        {"dFdyFine", "dy"},
         {"normalize", "unit"},
         {"inversesqrt", "over_root"},
         {"floor", "floor"},
@@ -79,6 +107,10 @@ std::string described_call(const Node& node) {
         {"point_to_object", "object"},
         {"vector_to_object", "object"}};
     if (is_clamp(node)) return "clamped";
+    if (node.text == "min" || node.text == "max") {
+        const std::string both = joined(*node.arguments[0], "and", *node.arguments[1]);
+        if (!both.empty()) return node.text + "_of_" + both;
+    }
     const std::string word = found_in(words, node.text);
     if (!word.empty()) return word;
     const std::string function = found_in(of_operand, node.text);
@@ -89,6 +121,19 @@ std::string described_call(const Node& node) {
     return a.empty() || b.empty() ? node.text : node.text + "_" + a + "_" + b;
 }
 
+/// What people call some of them, else the operands' names with the operator's between.
+std::string joined_operands(const Node& node, const std::string& between) {
+    const Node &a = *node.arguments[0], &b = *node.arguments[1];
+    if (between.empty()) return "";
+    if (node.text == "*" && &a == &b && !word_of(a).empty()) return word_of(a) + "_squared";
+    for (const auto& [number, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+        if (node.text != "*" || own_name(*other).empty()) continue;
+        if (is_number(*number, 0.5)) return with_operand("half", *other);
+        if (is_number(*number, 2)) return with_operand("twice", *other);
+    }
+    return joined(a, between, b);
+}
+
 std::string described_binary(const Node& node) {
     static constexpr std::pair<const char*, const char*> words[] = {
         {"+", "sum"},     {"-", "difference"}, {"*", "product"},  {"/", "ratio"}, {"&&", "both"},
@@ -97,6 +142,10 @@ std::string described_binary(const Node& node) {
         {"==", "equal"},  {"!=", "unequal"}};
     static constexpr std::pair<const char*, const char*> to_zero[] = {
         {"<", "negative"}, {">", "positive"}, {"==", "zero"}, {"!=", "nonzero"}};
+    static constexpr std::pair<const char*, const char*> between[] = {
+        {"+", "plus"},  {"-", "minus"},     {"*", "times"}, {"/", "over"},
+        {"&&", "and"},  {"||", "or"},       {"<", "below"}, {"<=", "at_most"},
+        {">", "above"}, {">=", "at_least"}, {"==", "is"},   {"!=", "is_not"}};
     const Node &a = *node.arguments[0], &b = *node.arguments[1];
     const bool is_whole = node.type == Type::integer;
     if (is_finite_test(node)) return "finite";
@@ -105,7 +154,9 @@ std::string described_binary(const Node& node) {
     if (is_whole && is_number(b, 1) && node.text == "-" && !own_name(a).empty())
         return with_operand("before", a);
     const std::string sign = is_number(b, 0) ? found_in(to_zero, node.text) : "";
-    return sign.empty() ? found_in(words, node.text) : with_operand(sign, a);
+    if (!sign.empty()) return with_operand(sign, a);
+    const std::string named = joined_operands(node, found_in(between, node.text));
+    return named.empty() ? found_in(words, node.text) : named;
 }
 
 }  // namespace
@@ -133,8 +184,10 @@ std::string described(const Node& node) {
             return described_binary(node);
         case Kind::unary:
             return with_operand(node.text == "!" ? "not" : "minus", *node.arguments[0]);
-        case Kind::select:
-            return "chosen";
+        case Kind::select: {
+            const std::string either = joined(*node.arguments[1], "or", *node.arguments[2]);
+            return either.empty() ? "chosen" : either;
+        }
         case Kind::construct:
             return "vector";
         case Kind::component:

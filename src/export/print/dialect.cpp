@@ -48,6 +48,9 @@ std::string Dialect::call(const Node& node, const std::vector<std::string>& argu
     if (node.text == "texelFetch")
         return "texelFetch(" + arguments[0] + ", ivec2(" + arguments[1] + ", " + arguments[2] +
                "), " + arguments[3] + ")";
+    if (node.text == "texelLayer")
+        return "texelFetch(" + arguments[0] + ", ivec3(" + arguments[1] + ", " + arguments[2] +
+               ", " + arguments[3] + "), " + arguments[4] + ")";
     if (node.text == "textureSize")
         return "textureSize(" + arguments[0] + ", " + arguments[1] + ")" +
                (arguments[2] == "0" ? ".x" : ".y");
@@ -175,8 +178,9 @@ std::string Dialect::prelude(const std::string& text) const {
 }
 
 std::string Dialect::first_lines(const std::string& text) const {
-    const bool gathers = text.find("textureGather") != std::string::npos;
-    return gathers ? "#version 400 core\n" : "#version 330 core\n";
+    if (has_word(text, "dFdxFine(") || has_word(text, "dFdyFine("))
+        return "#version 400 core\n#extension GL_ARB_derivative_control : require\n";
+    return has_word(text, "textureGather") ? "#version 400 core\n" : "#version 330 core\n";
 }
 
 namespace {
@@ -191,6 +195,16 @@ class EsDialect : public Dialect {
             lines += std::string("precision highp ") + type + ";\n";
         return lines;
     }
+    std::string prelude(const std::string& text) const override {
+        std::string all = Dialect::prelude(text);
+        if (has_word(text, "dFdxFine("))
+            all +=
+                "// OpenGL ES cannot ask for fine differences; of coarse ones neighbours' numbers "
+                "are not "
+                "told.\n"
+                "#define dFdxFine dFdx\n#define dFdyFine dFdy\n";
+        return all;
+    }
 };
 
 /// C++ with the header of tests/export: what the tests compile to hold the text to the stage.
@@ -204,6 +218,7 @@ class CppDialect : public Dialect {
         if (node.text == "int") return "to_int(" + arguments[0] + ")";
         if (node.text == "textureSize") return "texture_size(" + join(arguments) + ")";
         if (node.text == "texelFetch") return "texel_fetch(" + join(arguments) + ")";
+        if (node.text == "texelLayer") return "texel_of_layer(" + join(arguments) + ")";
         return Dialect::call(node, arguments);
     }
     std::string prefix(const std::string& vector, int components) const override {

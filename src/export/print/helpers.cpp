@@ -18,12 +18,6 @@ namespace {
 constexpr int least_size = 5, most_helpers = 12;
 constexpr std::size_t most_arguments = 6;
 
-/// Differences of neighbours stay where all fragments come by.
-bool is_difference(const Node& node) {
-    return node.kind == Kind::call &&
-           (node.text == "dFdx" || node.text == "dFdy" || node.text == "texture");
-}
-
 /// A vector of literals, which is said wherever it stands.
 bool is_constant(const Node& node) {
     return node.kind == Kind::construct &&
@@ -159,6 +153,7 @@ bool Helpers::is_global(const Node& node) const {
                        [&](const Uniform& of) { return of.name == name; });
 }
 
+/// Differences of neighbours stay where all fragments come by.
 bool Helpers::is_body(const Node& node, const Node& root) const {
     return !is_leaf(node) && !is_difference(node) && node.region == root.region;
 }

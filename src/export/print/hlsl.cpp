@@ -21,6 +21,8 @@ std::string function_of(const Node& node) {
                                                                      {"inversesqrt", "rsqrt"},
                                                                      {"dFdx", "ddx"},
                                                                      {"dFdy", "ddy"},
+                                                                     {"dFdxFine", "ddx_fine"},
+                                                                     {"dFdyFine", "ddy_fine"},
                                                                      {"roundEven", "round"},
                                                                      {"floatBitsToInt", "asint"},
                                                                      {"intBitsToFloat", "asfloat"}};
@@ -55,6 +57,9 @@ std::string HlslDialect::call(const Node& node, const std::vector<std::string>& 
     if (node.text == "texelFetch")
         return first + ".Load(int3(" + arguments[1] + ", " + arguments[2] + ", " + arguments[3] +
                "))";
+    if (node.text == "texelLayer")
+        return first + ".Load(int4(" + arguments[1] + ", " + arguments[2] + ", " + arguments[3] +
+               ", " + arguments[4] + "))";
     if (node.text == "textureSize")
         return "texture_size(" + first + ", " + arguments[1] + ")" +
                (arguments[2] == "0" ? ".x" : ".y");

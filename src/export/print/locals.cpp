@@ -44,14 +44,19 @@ const Locals::Info& Locals::find(const Node* node) const {
     return found != info_.end() ? found->second : nothing;
 }
 
-Variable* Locals::continued(const Variable* variable) const {
-    const auto found = continued_.find(variable);
-    return found != continued_.end() ? found->second : nullptr;
+Variable* Locals::named_as(const Variable* variable) const {
+    const auto found = named_as_.find(variable);
+    return found != named_as_.end() ? found->second : nullptr;
 }
 
 Variable* Locals::condition_of(const Event* leave) const {
     const auto found = conditions_.find(leave);
     return found != conditions_.end() ? found->second : nullptr;
+}
+
+const Assignment* Locals::assignment_of(const Node* node) const {
+    const auto found = at_once_.find(node);
+    return found != at_once_.end() ? &found->second : nullptr;
 }
 
 // ---- What refers to what ------------------------------------------------------------------------
@@ -146,14 +151,14 @@ void Locals::declare() {
     declare_vectors();
     continue_variables(graph_.top);
     declare_changed();
+    name_variables(graph_.top);
+    assign_at_once(graph_.top);
 }
 
 /// A difference of neighbours is no part of a condition, or of what one chooses: there, a shader
 /// may leave it out for some of them.
 bool Locals::declare_difference(Node* node) {
-    if (node->kind != Kind::call ||
-        (node->text != "dFdx" && node->text != "dFdy" && node->text != "texture"))
-        return false;
+    if (!is_difference(*node)) return false;
     Info& info = info_[node];
     // Stored or assigned as it is.
     if (info.uses.size() == 1 && info.uses[0].node == nullptr &&
@@ -227,6 +232,25 @@ void Locals::continue_variables(Region& region) {
             if (end >= 0) variable->version_order.push_back(end);
         }
         continue_variables(event.loop->body);
+    }
+}
+
+/// What goes on from another variable has its name: a block's, and a loop's where nobody else reads
+/// what that held last.
+void Locals::name_variables(Region& region) {
+    for (Event& event : region.events) {
+        if (event.kind != Event::Kind::loop) continue;
+        for (const auto& variable : event.loop->variables) {
+            begin_[variable.get()] = event.order;
+            const Node& initial = *variable->initial;
+            if (const auto found = continued_.find(variable.get()); found != continued_.end())
+                named_as_[variable.get()] = found->second;
+            else if (is_needed(variable.get()) && initial.kind == Kind::read &&
+                     uses_of(&initial) == 1 && !is_declared(&initial) &&
+                     initial.index == static_cast<int>(initial.variable->version_order.size()) - 1)
+                named_as_[variable.get()] = initial.variable;
+        }
+        name_variables(event.loop->body);
     }
 }
 

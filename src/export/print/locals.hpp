@@ -23,10 +23,14 @@ class Locals {
     bool is_needed(const Variable* variable) const { return needs_.is_needed(variable); }
     /// How often it is used.
     std::size_t uses_of(const Node* node) const { return find(node).uses.size(); }
-    /// The loop's variable that a block's variable stands for; null where it is one of its own.
-    Variable* continued(const Variable* variable) const;
+    /// The variable around it whose name it has, since it goes on from it; null where it is one of
+    /// its own.
+    Variable* named_as(const Variable* variable) const;
     /// The variable that an assignment just before has given the condition to stay in a loop.
     Variable* condition_of(const Event* leave) const;
+    /// Where a value is assigned to a variable as soon as it is computed, and has its name until
+    /// that changes; null where it is a local.
+    const Assignment* assignment_of(const Node* node) const;
     /// Names of symbols that are read.
     const std::set<std::string>& symbols() const { return needs_.symbols(); }
 
@@ -64,11 +68,25 @@ class Locals {
     bool declare_changed_in(Node* node, int order, bool is_top);
     bool is_stale(const Node* node, int order) const;
 
+    void name_variables(Region& region);
+
+    // What a variable holds as soon as it is computed (assigned_at_once.cpp).
+    void assign_at_once(Region& region);
+    void assign_values(const Region& region, Event& event);
+    void assign_steps(const Region& region, const Assignment& to, int from, int event);
+    bool may_hold(const Region& region, const Assignment& to, const Node* value, int event) const;
+    bool reads_older(const Node* node, const Assignment& to, int event) const;
+    int next_change(const Region& region, const Event& event, const Assignment& of) const;
+    bool has_same_name(const Variable* a, const Variable* b) const;
+    int last_use_of(const Node* node) const;
+
     Graph& graph_;
     Needs needs_;
     std::unordered_map<const Node*, Info> info_;
-    std::unordered_map<const Variable*, Variable*> continued_;
+    std::unordered_map<const Variable*, Variable*> continued_, named_as_;
+    std::unordered_map<const Variable*, int> begin_;  ///< when their loops begin
     std::unordered_map<const Event*, Variable*> conditions_;
+    std::unordered_map<const Node*, Assignment> at_once_;
     std::unordered_map<const Node*, std::set<const Variable*>> reads_;
     std::vector<Root> roots_;
 };

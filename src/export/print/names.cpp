@@ -6,9 +6,8 @@
 
 namespace quadrel::recorded {
 
-std::string unique_name(const std::string& hint, const char* otherwise,
-                        std::set<std::string>& taken) {
-    std::string from = hint.empty() ? otherwise : hint, name;
+std::string local_name(const std::string& text) {
+    std::string from = text, name;
     if (from.rfind("this->", 0) == 0) from.erase(0, 6);
     for (const char c : from) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0)
@@ -17,6 +16,12 @@ std::string unique_name(const std::string& hint, const char* otherwise,
             name += '_';
     }
     while (!name.empty() && name.back() == '_') name.pop_back();
+    return name;
+}
+
+std::string unique_name(const std::string& hint, const char* otherwise,
+                        std::set<std::string>& taken) {
+    std::string name = local_name(hint);
     if (name.empty()) name = otherwise;
     if (is_reserved(name)) name += '_';
     std::string result = name;

@@ -28,6 +28,8 @@ std::string function_of(const Node& node) {
         {"inversesqrt", "inverseSqrt"},
         {"dFdx", "dpdx"},
         {"dFdy", "dpdy"},
+        {"dFdxFine", "dpdxFine"},
+        {"dFdyFine", "dpdyFine"},
         {"roundEven", "round"},
         {"floatBitsToInt", "bitcast<i32>"},
         {"intBitsToFloat", "bitcast<f32>"},
@@ -78,6 +80,9 @@ std::string WgslDialect::call(const Node& node, const std::vector<std::string>& 
     if (node.text == "texelFetch")
         return "textureLoad(" + map + ", vec2i(" + arguments[1] + ", " + arguments[2] + "), " +
                arguments[3] + ")";
+    if (node.text == "texelLayer")
+        return "textureLoad(" + map + ", vec2i(" + arguments[1] + ", " + arguments[2] + "), " +
+               arguments[3] + ", " + arguments[4] + ")";
     if (node.text == "textureSize")
         return "i32(textureDimensions(" + map + ", " + arguments[1] + ")" +
                (arguments[2] == "0" ? ".x)" : ".y)");
@@ -217,7 +222,8 @@ std::string WgslDialect::use_of(const Uniform& uniform, const std::string& text)
 
 std::string WgslDialect::first_lines(const std::string& text) const {
     bool has_differences = false, has_branches = false;
-    for (const char* function : {"dpdx(", "dpdy(", "textureSample(", "textureSampleBias("})
+    for (const char* function :
+         {"dpdx(", "dpdy(", "dpdxFine(", "dpdyFine(", "textureSample(", "textureSampleBias("})
         has_differences = has_differences || has_word(text, function);
     for (const char* branch : {"if (", "for (", "loop {"})
         has_branches = has_branches || has_word(text, branch);

@@ -86,6 +86,13 @@ void Writer::line(int depth, const std::string& text) {
 }
 
 void Writer::declare(const Node& node, int depth) {
+    if (const Assignment* const at_once = locals_.assignment_of(&node)) {
+        for (const std::string& comment : node.comments) line(depth, "// " + comment);
+        Event event(Event::Kind::assign, node.order);
+        event.assignments.push_back(*at_once);
+        write_assignments(event, nullptr, depth);
+        return expressions_.name(&node, name_of(at_once->variable));
+    }
     std::string hint = node.name.empty() ? node.weak_name : node.name;
     std::string value;
     if (node.kind == Kind::read) {
@@ -178,19 +185,11 @@ std::string described_by_assignments(const Region& region, const Variable* varia
 void Writer::begin_variables(const Loop& loop, int depth) {
     for (const auto& variable : loop.variables) {
         if (!locals_.is_needed(variable.get())) continue;
-        if (const Variable* const same = locals_.continued(variable.get())) {
+        if (const Variable* const same = locals_.named_as(variable.get())) {
             expressions_.name(variable.get(), name_of(same));
             continue;
         }
         const Node& initial = *variable->initial;
-        const bool is_last =
-            initial.kind == Kind::read && locals_.uses_of(&initial) == 1 &&
-            !locals_.is_declared(&initial) && expressions_.is_named(initial.variable) &&
-            initial.index == static_cast<int>(initial.variable->version_order.size()) - 1;
-        if (is_last) {
-            expressions_.name(variable.get(), name_of(initial.variable));
-            continue;
-        }
         std::string hint;
         for (const std::string& name : variable->names)
             if (!name.empty()) hint = name;

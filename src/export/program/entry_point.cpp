@@ -160,6 +160,7 @@ class HlslEntryPoint : public EntryPoint {
   public:
     using EntryPoint::EntryPoint;
 
+    std::string frag_coord() const override { return "varyings.window.xy"; }
     std::string fragment(const FragmentText& text) const override {
         std::string all = begin(text.comment, text.functions, text.uniforms, "", "PASS 0") +
                           varyings_struct(text.varyings, text.centroid) + "struct Targets {\n";

@@ -64,6 +64,8 @@ class EntryPoint {
 
     virtual std::string fragment(const FragmentText& text) const;
     virtual std::string vertex(const VertexText& text) const;
+    /// Where a fragment is in the window, as a vector of two.
+    virtual std::string frag_coord() const { return "gl_FragCoord.xy"; }
     /// Whether a shader can ask for levels of detail.
     virtual bool has_lod() const { return true; }
     /// Whether both shaders declare all numbers of both, since they read one buffer.

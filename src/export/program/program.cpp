@@ -73,9 +73,10 @@ class Statements {
     std::vector<std::string> all_;
 };
 
-/// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
+/// Values that no stage gives, but for varyings: axes of objects, the fragment's place, and what
+/// reads as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
-                  const Dialect& dialect) {
+                  const Dialect& dialect, const EntryPoint& entry) {
     const auto is_varying = [&](const std::string& name) {
         return std::any_of(text.varyings.begin(), text.varyings.end(),
                            [&](const Varying& of) { return of.name == name; });
@@ -86,6 +87,8 @@ void declare_open(const ValueTypes& open, FragmentText& text, Statements& statem
         if (name.rfind("object_", 0) == 0) {
             add_uniforms(text.uniforms, {normal_matrix});
             statements.declare(name, type, object_axis(name.back() - 'x', dialect));
+        } else if (name == "frag_coord") {
+            statements.declare(name, type, entry.frag_coord());
         } else if (type == Type::integer) {
             statements.declare(name, type, "0");
         } else if (type == Type::real) {
@@ -122,7 +125,7 @@ std::vector<Varying> varyings_of(const StageCalls& calls) {
 }
 
 FragmentText fragment_text(const ProgramRequest& request, const StageCalls& calls,
-                           const Dialect& dialect) {
+                           const Dialect& dialect, const EntryPoint& entry) {
     FragmentText text;
     text.varyings = varyings_of(calls);
     text.comment =
@@ -130,7 +133,7 @@ FragmentText fragment_text(const ProgramRequest& request, const StageCalls& call
     text.centroid = request.centroid != 0;
     text.uniforms = calls.uniforms();
     Statements statements(dialect);
-    declare_open(calls.open(), text, statements, dialect);
+    declare_open(calls.open(), text, statements, dialect, entry);
     for (const FunctionText& function : calls.functions()) {
         text.functions += function.text + "\n";
         statements.call(function);
@@ -167,7 +170,7 @@ ProgramText compose_program(const ProgramRequest& request) {
     ShaderScene scene = scene_of(request);
     const StageCalls calls(request.stages, request.stage_count, scene, wanted_values(request),
                            *dialect);
-    FragmentText fragment = fragment_text(request, calls, *dialect);
+    FragmentText fragment = fragment_text(request, calls, *dialect, *entry);
     VertexText vertex = vertex_text(request, fragment.varyings, calls, *dialect);
     vertex.comment = comment_of(
         request,

@@ -12,6 +12,7 @@ class WgslEntryPoint : public EntryPoint {
 
     std::string fragment(const FragmentText& text) const override;
     std::string vertex(const VertexText& text) const override;
+    std::string frag_coord() const override { return "varyings.window.xy"; }
     bool has_lod() const override { return false; }
     bool has_one_struct() const override { return true; }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "export/direction_maps.hpp"
 #include "export/scene/material_program.hpp"
 #include "export/scene/webgpu.hpp"
 #include "kernels/select.hpp"
@@ -88,13 +89,20 @@ class Collector {
         const Material& of = scene.materials[material];
         const MaterialProgram& asked =
             *programs_.emplace_back(std::make_unique<MaterialProgram>(content_, plan_, material));
-        ContentMaterial out{material, unique_word(of.name, names_), {}, {}, {}, false, false};
+        ContentMaterial out{material, unique_word(of.name, names_), {}, {}, {}, {}, false, false};
         out.discards = of.discard_below >= 0 || clips(of);
         out.writes_depth = writes_depth(of);
         out.program = export_program(asked.request());
         out.stages = asked.stage_names();
-        for (const ProgramName& sampler : out.program.samplers)
+        out.uniforms = material_values_by_name(of);
+        for (const ProgramName& sampler : out.program.samplers) {
             out.samplers.push_back(bound(material, sampler, out.program.fragment, out.name));
+            if (is_direction_map(static_cast<TextureSlot>(sampler.number)))
+                add_table_numbers(
+                    sampler.name,
+                    *plan_.textures[material].owned[static_cast<std::size_t>(sampler.number)],
+                    out.uniforms);
+        }
         content_.materials.push_back(std::move(out));
     }
 
@@ -109,6 +117,13 @@ class Collector {
     }
 
   private:
+    static void add_table_numbers(const std::string& map, const Texture& table,
+                                  UniformValues& values) {
+        const float* const numbers = table.level_texels(2, 0);
+        values[map + "_depth"] = {numbers[0]};
+        values[map + "_curvature"] = {numbers[1]};
+    }
+
     /// Gives attributes the first locations, as many of them as there may be, and all programs with
     /// what they have.
     std::vector<VertexAttribute> place(std::vector<VertexAttribute> attributes) {
@@ -141,6 +156,7 @@ class Collector {
                          const std::string& fragment, const std::string& material_name) {
         const auto slot = static_cast<std::size_t>(sampler.number);
         const MaterialTextures& textures = plan_.textures[material];
+        const bool is_table = is_direction_map(static_cast<TextureSlot>(slot));
         ContentSampler out{sampler.name, 0, textures.sampled[slot].sampler};
         if (sampler.name.ends_with("_nearest")) out.state.mag = out.state.min = Filter::nearest;
         if (static_cast<TextureSlot>(slot) >= first_baked_slot) {
@@ -150,6 +166,11 @@ class Collector {
             out.state.wrap_u = heights.wrap_u;
             out.state.wrap_v = heights.wrap_v;
             std::copy_n(heights.border, 4, out.state.border);
+            out.state.mip = MipFilter::none;
+        }
+        if (is_table) {  // its texels are fetched
+            out.state = {};
+            out.state.mag = out.state.min = Filter::nearest;
             out.state.mip = MipFilter::none;
         }
         const TextureShape shape = sampler.type == "samplerCube"      ? TextureShape::cube
@@ -169,20 +190,21 @@ class Collector {
             is_layers(static_cast<TextureSlot>(slot)) ? depth_layers_layout : texel_layout;
         if (content_.language == "wgsl" && reads_by_sampler(fragment, sampler.name))
             check_webgpu_sampler(out.state, material_name + ": " + sampler.name);
-        out.texture = texture(textures.owned[slot], shape, material_name + "_" + sampler.name,
-                              layout(*textures.owned[slot], content_.language));
+        out.texture =
+            texture(textures.owned[slot], shape, material_name + "_" + sampler.name,
+                    layout(*textures.owned[slot], content_.language), is_table ? 1 : view.levels);
         return out;
     }
 
     std::size_t texture(const std::shared_ptr<const Texture>& texture, TextureShape shape,
-                        std::string name, const TexelLayout& layout) {
+                        std::string name, const TexelLayout& layout, int levels) {
         auto& all = content_.textures;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (all[i].texture == texture && all[i].shape == shape &&
                 all[i].layout.channels == layout.channels)
                 return i;
         if (const std::size_t at = name.rfind("_nearest"); at != std::string::npos) name.resize(at);
-        all.push_back({unique_word(name, texture_names_), texture, shape, layout});
+        all.push_back({unique_word(name, texture_names_), texture, shape, layout, levels});
         return all.size() - 1;
     }
 
@@ -216,9 +238,20 @@ std::string ContentTexture::exr_file(int level, int face) const {
     return fmt::format("textures/{}.{}.{:03}.exr", name, level, face);
 }
 
+LevelSide ContentTexture::side(int level) const {
+    return side_of_level(first_levels(texture->view(), levels), level);
+}
+
 int ContentTexture::rows(int level) const {
-    const TextureView& view = texture->view();
-    return side_of_level(view, level).height * (shape == TextureShape::flat ? view.faces : 1);
+    return side(level).height * (shape == TextureShape::flat ? texture->view().faces : 1);
+}
+
+bool ContentTexture::is_padded() const {
+    return !has_mip_sizes(first_levels(texture->view(), levels));
+}
+
+std::string ContentTexture::bytes(int level, const TexelLayout& of) const {
+    return level_bytes(*texture, level, of, side(level));
 }
 
 std::string ContentMaterial::vertex_file(const std::string& language) const {

@@ -29,12 +29,18 @@ struct ContentTexture {
     std::shared_ptr<const Texture> texture;
     TextureShape shape = TextureShape::flat;
     TexelLayout layout;
+    int levels = 1;  ///< so many are handed over
 
     /// Files of a level: the bytes, and decoded.
     std::string bytes_file(int level) const;
     std::string exr_file(int level, int face) const;
-    /// Rows of a level in the file of bytes.
+    /// Sizes of a level as it is handed over, and rows in the file of bytes.
+    LevelSide side(int level) const;
     int rows(int level) const;
+    /// Whether levels lie in larger ones (side_of_level).
+    bool is_padded() const;
+    /// The very bytes of a level, in `layout`.
+    std::string bytes(int level, const TexelLayout& layout) const;
 };
 
 struct ContentSampler {
@@ -49,6 +55,7 @@ struct ContentMaterial {
     Program program;
     std::vector<std::string> stages;  ///< room/id, in their order
     std::vector<ContentSampler> samplers;
+    UniformValues uniforms;  ///< of the material alone
     bool discards = false, writes_depth = false;
 
     std::string vertex_file(const std::string& language) const;

@@ -53,9 +53,8 @@ class Files {
 
 void write_texture(const ContentTexture& texture, bool decoded, Files& files) {
     const TextureView& view = texture.texture->view();
-    for (int level = 0; level < view.levels; ++level) {
-        files.write(texture.bytes_file(level),
-                    level_bytes(*texture.texture, level, texture.layout));
+    for (int level = 0; level < texture.levels; ++level) {
+        files.write(texture.bytes_file(level), texture.bytes(level, texture.layout));
         for (int face = 0; decoded && face < view.faces; ++face)
             files.write(texture.exr_file(level, face),
                         exr_bytes(image_film(texture_level(*texture.texture, level, face), false),

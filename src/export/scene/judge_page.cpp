@@ -52,10 +52,9 @@ Json packed_level(const ContentTexture& texture, int level) {
     const bool codes =
         layout.format == TexelFormat::float32 && texture.texture->format() == TexelFormat::unorm16;
     if (codes) layout.format = TexelFormat::unorm16;
-    const std::string bytes = level_bytes(*texture.texture, level, layout);
+    const std::string bytes = texture.bytes(level, layout);
     const auto parts = static_cast<std::size_t>(layout.channels);
-    const auto width =
-        static_cast<std::size_t>(side_of_level(texture.texture->view(), level).width);
+    const auto width = static_cast<std::size_t>(texture.side(level).width);
     switch (layout.format) {
         case TexelFormat::unorm8:
         case TexelFormat::srgb8:
@@ -90,7 +89,7 @@ void add_bytes(const ExportContent& content, Json& files) {
     files["indices.bin"] = packed_entry(
         "uint32", words_by_part<std::uint32_t>(bytes_of(content.buffers.indices), 3), 3, 0);
     for (const ContentTexture& texture : content.textures)
-        for (int level = 0; level < texture.texture->view().levels; ++level)
+        for (int level = 0; level < texture.levels; ++level)
             files[texture.bytes_file(level)] = packed_level(texture, level);
 }
 

@@ -94,15 +94,15 @@ Json vertex_buffer(const VertexBuffers& buffers) {
 Json texture_entry(const ContentTexture& texture, bool decoded) {
     const TextureView& view = texture.texture->view();
     Json levels = Json::array();
-    for (int level = 0; level < view.levels; ++level) {
+    for (int level = 0; level < texture.levels; ++level) {
         Json files = Json::array();
         for (int face = 0; decoded && face < view.faces; ++face)
             files.push_back(texture.exr_file(level, face));
-        levels.push_back({{"width", side_of_level(view, level).width},
+        levels.push_back({{"width", texture.side(level).width},
                           {"height", texture.rows(level)},
                           {"bytes", texture.bytes_file(level)},
                           {"exr", files}});
-        if (!has_mip_sizes(view)) levels.back()["used"] = {view.width[level], view.height[level]};
+        if (texture.is_padded()) levels.back()["used"] = {view.width[level], view.height[level]};
     }
     const char* kind = texture.shape == TextureShape::cube     ? "cube"
                        : texture.shape == TextureShape::layers ? "2d-array"
@@ -178,7 +178,7 @@ Json material_entry(const ExportContent& content, const ContentMaterial& materia
     entry["writes_depth"] = material.writes_depth;
     entry["stages"] = material.stages;
     entry["samplers"] = samplers;
-    entry["uniforms"] = uniform_entries(content, material_values_by_name(of));
+    entry["uniforms"] = uniform_entries(content, material.uniforms);
     if (content.language == "wgsl") entry["webgpu"] = webgpu_entry(material, content.passes.size());
     return entry;
 }

@@ -109,9 +109,19 @@ LevelSide side_of_level(const TextureView& view, int level) {
     return {side >> level, side >> level};
 }
 
+TextureView first_levels(const TextureView& view, int levels) {
+    TextureView first = view;
+    first.levels = levels;
+    return first;
+}
+
 std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout) {
+    return level_bytes(texture, level, layout, side_of_level(texture.view(), level));
+}
+
+std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout,
+                        const LevelSide& side) {
     const TextureView& view = texture.view();
-    const LevelSide side = side_of_level(view, level);
     const int width = view.width[level], height = view.height[level];
     const auto value_at = [&](const float* texel, int channel) {
         if (channel < view.channels) return texel[channel];

@@ -34,8 +34,14 @@ struct LevelSide {
 };
 LevelSide side_of_level(const TextureView& view, int level);
 
-/// All faces or layers of a level, one after the other, rows without gaps, row 0 first. Decoded
-/// they are the texture's values to the bit.
+/// What is known of a texture's first levels.
+TextureView first_levels(const TextureView& view, int levels);
+
+/// All faces or layers of a level, of `side` each, one after the other, rows without gaps, row 0
+/// first. Decoded they are the texture's values to the bit.
+std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout,
+                        const LevelSide& side);
+/// The same of a texture that is handed over with all of its levels.
 std::string level_bytes(const Texture& texture, int level, const TexelLayout& layout);
 
 }  // namespace quadrel

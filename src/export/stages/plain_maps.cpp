@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "export/direction_maps.hpp"
 #include "quadrel/quad/slot_names.hpp"
 #include "quadrel/quad/value.hpp"
 
@@ -52,6 +53,25 @@ int channels_of(TextureSlot slot) {
     }
 }
 
+constexpr int plain_directions = 8, plain_slices = 4;
+
+/// As direction_table.hpp has it: an eighth as many columns as the heights have texels.
+TextureView plain_table(int side) {
+    const int columns = std::max(side / plain_directions, 1);
+    TextureView view{};
+    view.channels = 1;
+    view.faces = plain_slices;
+    view.levels = 3;
+    view.width[0] = view.height[0] = columns * plain_directions;
+    view.width[1] = view.height[1] = columns;
+    view.width[2] = 2;
+    view.height[2] = 1;
+    for (int level = 1; level < view.levels; ++level)
+        view.offset[level] =
+            view.offset[level - 1] + view.faces * view.width[level - 1] * view.height[level - 1];
+    return view;
+}
+
 }  // namespace
 
 FrameUniforms plain_frame(int lights) {
@@ -69,6 +89,7 @@ FrameUniforms plain_frame(int lights) {
 }
 
 TextureView plain_view(TextureSlot slot, int side) {
+    if (is_direction_map(slot)) return plain_table(side);
     TextureView view{};
     view.channels = channels_of(slot);
     view.faces = slot == TextureSlot::environment ? 6 : 1;

@@ -11,7 +11,8 @@ namespace quadrel::recorded {
 std::string map_name(TextureSlot slot);
 
 /// Square maps of `side` texels: those of scenes and pyramids with all of their levels, other baked
-/// ones with one. No texels.
+/// ones with one. Tables by directions have 8 a side, 4 slices, and about as many texels a slice.
+/// No texels.
 TextureView plain_view(TextureSlot slot, int side);
 
 /// A camera at the origin, and lights that differ in kind: the first is directional, the second

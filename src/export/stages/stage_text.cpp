@@ -29,6 +29,10 @@ std::string seat_text(float seat) {
     return text;
 }
 
+std::string size_text(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 std::string wrap_text(const PlainScene& plain) {
     static const char* const words[] = {"repeat", "mirrored-repeat", "clamp-to-edge",
                                         "clamp-to-border", "mirror-once"};
@@ -195,6 +199,18 @@ std::vector<std::string> assumptions(const RecordedStage& stage, const FunctionT
                 all.push_back("Written for a " + uniform.name +
                               " of one layer, and bakes have more: a scene that is exported as "
                               "a whole has the function for its own.");
+    for (const TextureSlot slot : {TextureSlot::ddm, TextureSlot::gdm, TextureSlot::vdm})
+        for (const Uniform& uniform : function.uniforms)
+            if (uniform.name == map_name(slot)) {
+                const TextureView table = plain_view(slot, plain.side);
+                all.push_back(
+                    "Written for a " + uniform.name + " of " +
+                    size_text(table.width[1], table.height[1]) + " columns, " +
+                    size_text(table.width[0] / table.width[1], table.height[0] / table.height[1]) +
+                    " directions and " + std::to_string(table.faces) +
+                    " slices, and bakes have others: a scene that is exported as a "
+                    "whole has the function for its own.");
+            }
     for (const Uniform& uniform : function.uniforms)
         if (uniform.name == "light0_position")
             all.emplace_back(

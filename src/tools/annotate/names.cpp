@@ -52,11 +52,12 @@ struct Head {
     bool is_declaration = false;
 };
 
-/// What a line begins to declare or to assign; no name where it does neither.
+/// What a line begins to declare or to assign, a right-hand side in the next line included; no name
+/// where it does neither.
 Head head_of(const std::string& line) {
     static const std::regex declaration(
-        R"(^\s*(?:const\s+)?(?:F|Mask<F>|Int<F>|vec[234]<F>|auto)\s+(\w+) = (?!\{))");
-    static const std::regex assignment(R"(^\s*((?:this->)?\w+(?:(?:\.|->)\w+)*) = (?!\{))");
+        R"(^\s*(?:const\s+)?(?:F|Mask<F>|Int<F>|vec[234]<F>|auto)\s+(\w+) =(?: (?!\{)|$))");
+    static const std::regex assignment(R"(^\s*((?:this->)?\w+(?:(?:\.|->)\w+)*) =(?: (?!\{)|$))");
     static const std::regex other(R"(constexpr|static |^\s*(using|template|for|//|return)\b)");
     std::smatch found;
     if (std::regex_search(line, other)) return {};

@@ -69,7 +69,7 @@ std::size_t match(const std::string& text, std::size_t open) {
 
 std::vector<Scope> scopes_of(const std::string& text) {
     static const std::regex function(
-        R"((?:^|[ \n;}])(F|Mask<F>|Int<F>|vec[234]<F>|auto|[A-Z]\w+<F>|Span) (\w+)\()");
+        R"((?:^|[ \n;}])(F|Mask<F>|Int<F>|vec[234]<F>|auto|[A-Z]\w+(?:<F>)?) (\w+)\()");
     static const std::regex lambda(R"(\b(\w+) = \[[^\]]*\]\()");
     static const std::regex nameless(R"([^=] \[[^\]\n]*\]\()");
     static const std::regex body(R"(^\)\s*(?:const)?\s*(?:->\s*[\w<>]+)?\s*\{)");

@@ -24,7 +24,8 @@ struct Region;
 struct Loop;
 
 /// An expression. `text` is its operator, function or symbol, as GLSL has it; `textureLayer` is
-/// textureLod of an array, by coordinates, layer and level.
+/// textureLod of an array, by coordinates, layer and level, `texelLayer` texelFetch of one, by
+/// column, row, layer and level.
 struct Node {
     enum class Kind : std::int32_t {
         literal,

@@ -32,7 +32,7 @@ inline void give_name(Node* node, const std::string& name) {
 
 /// What has no lanes has no name.
 template <class T>
-T named(const char*, T x) {
+constexpr T named(const char*, T x) {
     return x;
 }
 inline Shader named(const char* name, Shader x) {

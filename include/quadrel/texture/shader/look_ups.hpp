@@ -108,6 +108,12 @@ inline Node* texel(const TextureView& view, const ShaderInt& x, const ShaderInt&
     return look_up("texelFetch", view,
                    {x.node(), y.node(), level != nullptr ? level : literal(Type::integer, 0)});
 }
+/// The same of level 0 of an array's layer.
+inline Node* texel_of_layer(const TextureView& view, const ShaderInt& x, const ShaderInt& y,
+                            const ShaderInt& layer) {
+    return look_up("texelLayer", view,
+                   {x.node(), y.node(), layer.node(), literal(Type::integer, 0)}, "sampler2DArray");
+}
 /// Width (axis 0) or height of a level in texels.
 inline ShaderInt size_of_level(const TextureView& view, int axis, Node* level) {
     return integer("textureSize",
@@ -141,15 +147,6 @@ inline void gather2<Shader>(const float*, ShaderInt, Shader[2]) {
 template <>
 inline ShaderInt look_up16<Shader>(const std::int32_t*, ShaderInt) {
     throw recorded::RecordingError("reads a table of its own");
-}
-/// A shader sees of its neighbours the differences alone.
-template <>
-inline ShaderMask lane_is_right<Shader>() {
-    throw recorded::RecordingError("asks which fragment of its quad it is");
-}
-template <>
-inline ShaderMask lane_is_below<Shader>() {
-    throw recorded::RecordingError("asks which fragment of its quad it is");
 }
 
 /// For those who count lanes to choose between ways that give the same.

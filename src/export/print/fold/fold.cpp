@@ -1,7 +1,9 @@
 #include "export/print/fold/fold.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 namespace quadrel::recorded {
@@ -21,6 +23,13 @@ bool is_leaf(const Node& node) {
 bool is_literal(const Node& node, double value) {
     return node.kind == Kind::literal && node.value == value &&
            std::signbit(node.value) == std::signbit(value);
+}
+
+bool is_difference(const Node& node) {
+    static constexpr const char* functions[] = {"dFdx", "dFdy", "dFdxFine", "dFdyFine", "texture"};
+    return node.kind == Kind::call &&
+           std::any_of(std::begin(functions), std::end(functions),
+                       [&](const char* function) { return node.text == function; });
 }
 
 namespace {

@@ -19,6 +19,8 @@ bool is_within(const Region* outer, const Region* inner);
 /// A literal, symbol or read.
 bool is_leaf(const Node& node);
 bool is_literal(const Node& node, double value);
+/// Whether neighbours have a part in it: a difference, or a look-up whose level follows from one.
+bool is_difference(const Node& node);
 
 class Folder {
   public:

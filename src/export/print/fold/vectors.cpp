@@ -12,9 +12,9 @@ namespace {
 /// What GLSL has for vectors, too, component by component.
 bool is_componentwise(const std::string& function) {
     static const char* const functions[] = {
-        "sqrt",        "abs",   "floor", "ceil", "trunc", "roundEven", "fract", "sign",
-        "inversesqrt", "exp2",  "exp",   "log2", "log",   "min",       "max",   "mod",
-        "pow",         "clamp", "mix",   "step", "dFdx",  "dFdy"};
+        "sqrt",        "abs",   "floor", "ceil", "trunc", "roundEven", "fract",    "sign",
+        "inversesqrt", "exp2",  "exp",   "log2", "log",   "min",       "max",      "mod",
+        "pow",         "clamp", "mix",   "step", "dFdx",  "dFdy",      "dFdxFine", "dFdyFine"};
     for (const char* known : functions)
         if (function == known) return true;
     return false;
