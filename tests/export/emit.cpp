@@ -173,14 +173,9 @@ class Emitter {
     }
 
     void emit(const RecordedStage& stage) {
-        try {
-            const FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
-            write_function(out_, function, dialect_);
-            rows_ += "    " + row_of(function, stage.text->id) + ",\n";
-        } catch (const RecordingError& error) {
-            reasons_ +=
-                std::string("    {\"") + stage.text->id + "\", \"" + error.what() + "\"},\n";
-        }
+        const FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
+        write_function(out_, function, dialect_);
+        rows_ += "    " + row_of(function, stage.text->id) + ",\n";
     }
 
     void plant(const Planted& planted) {
@@ -201,12 +196,7 @@ class Emitter {
 
     /// The function with other numbers in the places of its constants.
     void edit(const RecordedStage& stage) {
-        FunctionText function;
-        try {
-            function = write_stage(stage, scene_, nullptr, {}, dialect_);
-        } catch (const RecordingError&) {
-            return;
-        }
+        FunctionText function = write_stage(stage, scene_, nullptr, {}, dialect_);
         std::string values;
         int count = 0;
         for (const Parameter& constant : function.parameters) {
@@ -233,7 +223,6 @@ class Emitter {
         table("ExportedFunction", "exported_functions", "exported_count", rows_);
         table("PlantedFunction", "planted_functions", "planted_count", planted_rows_);
         table("EditedFunction", "edited_functions", "edited_count", edited_rows_);
-        table("NotExported", "not_exported", "not_exported_count", reasons_);
         out_ << "}\n";
     }
 
@@ -271,7 +260,7 @@ class Emitter {
     std::ostream& out_;
     const Dialect& dialect_;
     ShaderScene scene_;
-    std::string rows_, planted_rows_, edited_rows_, reasons_;
+    std::string rows_, planted_rows_, edited_rows_;
     int planted_ = 0, edited_ = 0;
 };
 
@@ -293,17 +282,14 @@ void write_shader(std::ostream& out, const char* language, const char* main,
     const ShaderScene scene = plain_scene({exported_side, exported_lights});
     FunctionText all;
     for (const RecordedStage& stage : all_recorded_stages()) {
-        try {
-            const FunctionText function =
-                write_stage(stage, scene, nullptr, {}, *dialect, "", parameters);
-            if (function.vertex) {
-                all.text += function.vertex->text + "\n";
-                add_uniforms(all.uniforms, function.vertex->uniforms);
-            }
-            all.text += function.text + "\n";
-            add_uniforms(all.uniforms, function.uniforms);
-        } catch (const RecordingError&) {  // the other program's table has it
+        const FunctionText function =
+            write_stage(stage, scene, nullptr, {}, *dialect, "", parameters);
+        if (function.vertex) {
+            all.text += function.vertex->text + "\n";
+            add_uniforms(all.uniforms, function.vertex->uniforms);
         }
+        all.text += function.text + "\n";
+        add_uniforms(all.uniforms, function.uniforms);
     }
     out << whole_file(all.text, all.uniforms, *dialect) << main;
 }
@@ -314,19 +300,16 @@ void write_each(std::ostream& out, const char* language) {
     const ShaderScene scene = plain_scene({exported_side, exported_lights});
     int number = 0;
     for (const RecordedStage& stage : all_recorded_stages()) {
-        try {
-            const FunctionText function =
-                write_stage(stage, scene, nullptr, {}, *dialect, "",
-                            number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
-            std::vector<Uniform> uniforms = function.uniforms;
-            std::string text = function.text;
-            if (function.vertex) {
-                add_uniforms(uniforms, function.vertex->uniforms);
-                text = function.vertex->text + "\n" + text;
-            }
-            out << "=== " << stage.text->id << "\n" << whole_file(text, uniforms, *dialect);
-        } catch (const RecordingError&) {  // the other program's table has it
+        const FunctionText function =
+            write_stage(stage, scene, nullptr, {}, *dialect, "",
+                        number++ % 2 == 0 ? ParametersAs::constants : ParametersAs::uniforms);
+        std::vector<Uniform> uniforms = function.uniforms;
+        std::string text = function.text;
+        if (function.vertex) {
+            add_uniforms(uniforms, function.vertex->uniforms);
+            text = function.vertex->text + "\n" + text;
         }
+        out << "=== " << stage.text->id << "\n" << whole_file(text, uniforms, *dialect);
     }
 }
 

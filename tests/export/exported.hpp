@@ -53,14 +53,6 @@ struct EditedFunction {
 extern const EditedFunction edited_functions[];
 extern const int edited_count;
 
-/// A stage that no function was made of, and why.
-struct NotExported {
-    const char* id;
-    const char* reason;
-};
-extern const NotExported not_exported[];
-extern const int not_exported_count;
-
 /// Side of the maps, and how many lights there are.
 inline constexpr int exported_side = 64, exported_lights = 2;
 
