@@ -167,8 +167,7 @@ TEST_F(JudgePageInABrowser, FindsWhatVertexProgramsMakeLegal) {
     const Judged transformed(by_matrices, "");
     ASSERT_EQ(transformed.error(), "");
     EXPECT_EQ(transformed.failing(), 0) << transformed.verdict().dump(1);
-    const Judged wrong(with_planted(by_matrices, "difference = target_ - position",
-                                    "difference = target_ + position"),
+    const Judged wrong(with_planted(by_matrices, "= target_ - position", "= target_ + position"),
                        "");
     EXPECT_GT(wrong.failing(), 0) << wrong.error();
     EXPECT_EQ(wrong.first_to_leave().substr(0, 2), "K.") << wrong.first_to_leave();
