@@ -25,6 +25,7 @@ struct FragmentText {
     PassTargets passes;
     std::string depth, discard;  ///< depth to write, and when not to; empty: none
     std::string lod_map;         ///< map whose level of detail is asked for; empty: none
+    bool asks_front_facing = false;
 };
 
 struct VertexText {
@@ -54,6 +55,8 @@ class EntryPoint {
 
     virtual std::string fragment(const FragmentText& text) const;
     virtual std::string vertex(const VertexText& text) const;
+    /// Whether the fragment's triangle faces the front, where the text asks for that.
+    virtual std::string front_facing() const { return "gl_FrontFacing"; }
     /// Whether a shader can ask for levels of detail.
     virtual bool has_lod() const { return true; }
     /// Whether both shaders declare all numbers of both, since they read one buffer.

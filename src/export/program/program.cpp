@@ -73,15 +73,19 @@ class Statements {
     std::vector<std::string> all_;
 };
 
-/// Values that no stage gives, but for varyings: axes of objects, and what reads as 0.
+/// Values that no stage gives, but for varyings: axes of objects, the rasterizer's, and what reads
+/// as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
-                  const Dialect& dialect) {
+                  const Dialect& dialect, const EntryPoint& entry) {
     for (const auto& [name, type] : open) {
         if (find_varying(name) != nullptr) continue;
         if (name == "bary") throw RecordingError("bary: barycentrics are not handed to fragments");
         if (name.rfind("object_", 0) == 0) {
             add_uniforms(text.uniforms, {normal_matrix});
             statements.declare(name, type, object_axis(name.back() - 'x', dialect));
+        } else if (name == "front_facing") {
+            text.asks_front_facing = true;
+            statements.declare(name, type, dialect.choice(entry.front_facing(), "1.0", "-1.0"));
         } else if (type == Type::integer) {
             statements.declare(name, type, "0");
         } else if (type == Type::real) {
@@ -112,7 +116,8 @@ void bind_textures(const ProgramRequest& request, ShaderScene& scene) {
                                 texture->sampler);
 }
 
-FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect) {
+FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect,
+                           const EntryPoint& entry) {
     ShaderScene scene(*request.frame);
     scene.material = *request.uniforms;
     bind_textures(request, scene);
@@ -124,7 +129,7 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
     text.centroid = request.centroid != 0;
     text.uniforms = calls.uniforms();
     Statements statements(dialect);
-    declare_open(calls.open(), text, statements, dialect);
+    declare_open(calls.open(), text, statements, dialect, entry);
     for (const FunctionText& function : calls.functions()) {
         text.functions += function.text + "\n";
         statements.call(function);
@@ -143,6 +148,19 @@ FragmentText fragment_text(const ProgramRequest& request, const Dialect& dialect
     return text;
 }
 
+/// A shell's vertices are none of the mesh's: they are in eye space and in clip space as they come.
+void take_shaded_vertices(const ProgramRequest& request, VertexText& text) {
+    text.comment = comment_of(request, "vertices of its shell, as Quadrel has them.");
+    std::set<std::string> read = {"clip_position"};
+    for (const Varying& varying : text.varyings) {
+        text.values.push_back({varying.shaded, varying.shaded});
+        read.insert(varying.shaded);
+    }
+    text.position = {"clip_position", "clip_position"};
+    for (const Named& attribute : vertex_attributes())
+        if (read.count(attribute.name) != 0) text.attributes.push_back(attribute);
+}
+
 VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragment,
                        const Dialect& dialect) {
     VertexText text;
@@ -151,11 +169,15 @@ VertexText vertex_text(const ProgramRequest& request, const FragmentText& fragme
         "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
         "are by rows, where SHADED_VERTICES is 0.");
     text.centroid = fragment.centroid;
-    text.functions = row_functions(dialect);
     // The position in eye space is a varying in any case: it is what clip space is made of.
     text.varyings = fragment.varyings;
     std::erase_if(text.varyings, [](const Varying& of) { return of.name == std::string("P"); });
     text.varyings.insert(text.varyings.begin(), *find_varying("P"));
+    if (request.draws_shells != 0) {
+        take_shaded_vertices(request, text);
+        return text;
+    }
+    text.functions = row_functions(dialect);
     text.uniforms = {model_view, projection};
     std::set<std::string> read;
     for (const Varying& varying : text.varyings) {
@@ -204,7 +226,7 @@ ProgramText compose_program(const ProgramRequest& request) {
         throw RecordingError(std::string("no scenes are written in ") + request.language);
     if (asks_lod(request) && !entry->has_lod())
         throw RecordingError(std::string("lod: a shader cannot ask for it in ") + request.language);
-    FragmentText fragment = fragment_text(request, *dialect);
+    FragmentText fragment = fragment_text(request, *dialect, *entry);
     VertexText vertex = vertex_text(request, fragment, *dialect);
     vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one

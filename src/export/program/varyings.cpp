@@ -17,6 +17,14 @@ const Varying* find_varying(const std::string& name) {
         {"quadric", Type::vec2, false, "curvature", "curvature"},
         {"face_J_u", Type::vec3, true, "gradient_u", "gradient_u"},
         {"face_J_v", Type::vec3, true, "gradient_v", "gradient_v"},
+        {"corner_weights", Type::vec3, false, "face_weights", "face_weights"},
+        {"shell_depth", Type::real, false, "face_depth", "face_depth"},
+        {"shell_row", Type::real, true, "face_row", "face_row"},
+        {"strip_nv", Type::vec3, false, "emitted_nv", "emitted_nv"},
+        {"strip_tv", Type::vec3, false, "emitted_tv", "emitted_tv"},
+        {"strip_bv", Type::vec3, false, "emitted_bv", "emitted_bv"},
+        {"strip_height", Type::real, false, "emitted_height", "emitted_height"},
+        {"strip_side", Type::real, false, "emitted_side", "emitted_side"},
     };
     const auto* const found = std::find_if(std::begin(all), std::end(all),
                                            [&](const Varying& of) { return of.name == name; });
@@ -37,15 +45,27 @@ const std::vector<Named>& vertex_attributes() {
                                            {"clip_position", Type::vec4},
                                            {"eye_normal", Type::vec3},
                                            {"mapped_coordinates", Type::vec2},
-                                           {"curvature", Type::vec2}};
+                                           {"curvature", Type::vec2},
+                                           {"face_weights", Type::vec3},
+                                           {"face_depth", Type::real},
+                                           {"face_row", Type::real},
+                                           {"emitted_nv", Type::vec3},
+                                           {"emitted_tv", Type::vec3},
+                                           {"emitted_bv", Type::vec3},
+                                           {"emitted_height", Type::real},
+                                           {"emitted_side", Type::real}};
     return all;
 }
 
 int location_of(const std::string& attribute) {
     const auto& all = vertex_attributes();
-    return static_cast<int>(std::find_if(all.begin(), all.end(),
-                                         [&](const Named& of) { return of.name == attribute; }) -
-                            all.begin());
+    const auto place = std::find_if(all.begin(), all.end(),
+                                    [&](const Named& of) { return of.name == attribute; }) -
+                       all.begin();
+    // Those of shells are in the places of tangents and gradients, which their frames do not read.
+    static constexpr int of_shells[] = {4, 5, 6, 4, 5, 6, 7, 8};
+    const auto others = static_cast<std::ptrdiff_t>(all.size() - std::size(of_shells));
+    return place < others ? static_cast<int>(place) : of_shells[place - others];
 }
 
 }  // namespace quadrel::recorded

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
+#include "export/scene/shells.hpp"
 #include "export/scene/webgpu.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
 #include "quadrel/film/channels.hpp"
 #include "render/draw/geometry.hpp"
+#include "render/draw/shell.hpp"
 #include "render/plan/prepared.hpp"
 
 namespace quadrel {
@@ -121,11 +124,13 @@ class Collector {
             request.has_flat_meshes |= object.visible && object.material == material &&
                                        scene.meshes[object.mesh].normals.empty();
         request.centroid = scene.centroid && scene.samples > 1;
+        request.draws_shells = draws_shell(of);
         return export_program(request);
     }
 
     ContentSampler bound(std::size_t material, const ProgramName& sampler,
                          const std::string& fragment, const std::string& material_name) {
+        if (sampler.name == "shell_table") return bound_shells(sampler);
         const auto slot = static_cast<std::size_t>(sampler.number);
         const MaterialTextures& textures = plan_.textures[material];
         ContentSampler out{sampler.name, 0, textures.sampled[slot].sampler};
@@ -161,6 +166,18 @@ class Collector {
         return out;
     }
 
+    /// One table for all materials, whose texels are fetched.
+    ContentSampler bound_shells(const ProgramName& sampler) {
+        if (shell_table_ == nullptr) shell_table_ = SceneShells(*content_.scene).table();
+        ContentSampler out{sampler.name, 0, {}};
+        out.state.mag = out.state.min = Filter::nearest;
+        out.state.mip = MipFilter::none;
+        out.state.wrap_u = out.state.wrap_v = Wrap::clamp_to_edge;
+        out.texture = texture(shell_table_, TextureShape::flat, sampler.name,
+                              texel_layout(*shell_table_, content_.language));
+        return out;
+    }
+
     std::size_t texture(const std::shared_ptr<const Texture>& texture, TextureShape shape,
                         std::string name, const TexelLayout& layout) {
         auto& all = content_.textures;
@@ -176,6 +193,7 @@ class Collector {
     ExportContent& content_;
     const RenderPlan& plan_;
     std::set<std::string> names_, texture_names_;
+    std::shared_ptr<const Texture> shell_table_;
 };
 
 std::vector<std::string> attributes_of(const ExportContent& content) {
@@ -184,6 +202,19 @@ std::vector<std::string> attributes_of(const ExportContent& content) {
         for (const ProgramName& attribute : material.program.attributes)
             names.push_back(attribute.name);
     return names;
+}
+
+/// Those of shells share theirs with tangents and gradients.
+void check_locations(const VertexBuffers& buffers) {
+    std::map<int, const char*> known;
+    for (const VertexAttribute& attribute : buffers.attributes) {
+        const auto [first, is_new] = known.emplace(attribute.location, attribute.name);
+        if (!is_new)
+            throw UsageError(fmt::format(
+                "export: vertices with both {} and {}, expected one of them: a scene for shells "
+                "and one for other objects",
+                first->second, attribute.name));
+    }
 }
 
 /// All that follows from what is prepared.
@@ -195,6 +226,7 @@ void gather(ExportContent& content) {
     for (std::size_t m = 0; m < drawn.size(); ++m)
         if (drawn[m]) collector.add(m);
     content.buffers = vertex_buffers(*content.scene, attributes_of(content));
+    check_locations(content.buffers);
 }
 
 }  // namespace

@@ -50,8 +50,7 @@ void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
 std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors) {
     std::vector<Perturbation> all;
     if (group < GroupKind::hit) return all;
-    for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-6})
-        add_perturbations(all, group, errors, part);
+    for (const double part : permitted_parts) add_perturbations(all, group, errors, part);
     return all;
 }
 
