@@ -78,6 +78,7 @@ struct ProgramRequest {
     std::int32_t writes_depth;     ///< 1: with the depth of their hit
     std::int32_t has_flat_meshes;  ///< 1: some have no normals of their own (flat_faces)
     std::int32_t centroid;         ///< 1: varyings are taken at the centroid
+    std::int32_t draws_shells;     ///< 1: vertices are those of shells, which are shaded alone
     /// What the vertices have, by location: what vertex programs give is computed where it is not
     /// among them. None: vertices have all that is asked for.
     const char* const* attributes;
@@ -118,7 +119,7 @@ struct ExportTable {
 };
 
 inline constexpr std::uint32_t export_magic = 0x58455251;  // "QREX"
-inline constexpr std::uint32_t export_abi_version = 4;
+inline constexpr std::uint32_t export_abi_version = 5;
 inline constexpr const char* export_symbol = "quadrel_export_table";
 
 }  // namespace quadrel

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "export/exported.hpp"
+#include "export/shell_inputs.hpp"
 #include "export/stages/plain_scene.hpp"
 #include "export/stages/stage_text.hpp"
 #include "export/stages/vertex_transforms.hpp"
@@ -35,6 +36,8 @@ Place place_of(const std::string& name) {
             if (n == 6 && name == shader_name(value, light, "_v")) return {slot + 3, 3, false};
         }
     }
+    if (const std::size_t input = shell_input(name); input < std::size(shell_inputs))
+        return {shell_slot(input), shell_inputs[input].components, false};
     return {};
 }
 
@@ -140,6 +143,11 @@ constexpr Planted all_planted[] = {
     {"vdm", "table_y, first", "table_x, first", "another row of a table"},
     {"normal-mcguire@published", "dFdyFine", "dFdxFine", "another neighbour"},
     {"normal-mcguire@published", "frag_coord.x", "frag_coord.y", "another column of the quad"},
+    {"prism-pom", "& 127", "& 63", "another row of a shell"},
+    {"prism-exact", "column + 5", "column + 4", "another texel of the row"},
+    {"frame-prism", "corner_weights.y", "corner_weights.x", "another varying"},
+    {"prism-gs@published", "front_facing", "-front_facing", "the other side"},
+    {"shadow-shell", ">> 2", ">> 3", "another neighbour"},
     {"shade-lambert", "light_specular = vec3(0.0f)", "light_specular = vec3(-0.0f)",
      "a zero of the other sign"},
     // At the vertices.

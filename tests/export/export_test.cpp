@@ -7,6 +7,7 @@
 #include "export/exported.hpp"
 #include "export/fragments.hpp"
 #include "export/glsl.hpp"
+#include "export/shell_rows.hpp"
 #include "export/vertex_runs.hpp"
 #include "quadrel/relief/registry.hpp"
 
@@ -23,7 +24,8 @@ class Comparison {
           material_(recorded::plain_material()),
           maps_(random_, true),
           frame_(random_frame(random_)),
-          triangles_(random_) {
+          triangles_(random_),
+          shells_(random_) {
         fill_inputs(inputs_, random_);
         set_uniforms();
     }
@@ -72,6 +74,8 @@ class Comparison {
         call.material = &material_;
         call.frame = &frame_;
         for (int slot = 0; slot < texture_slot_count; ++slot) call.textures[slot] = &bound_[slot];
+        if (RandomShells::are_read_by(stage.text.id)) shells_.bind(stage.text.id, call, inputs_);
+        glsl::shell_table.map = &shells_.table();
         find_kernel(scalar_float_kernels(), stage.text.id)(&call);
     }
 
@@ -148,6 +152,7 @@ class Comparison {
     RandomMaps maps_;
     FrameUniforms frame_;
     RandomTriangles triangles_;
+    RandomShells shells_;
     SlotArrays inputs_, expected_, found_;
     SampledTexture bound_[texture_slot_count], nearest_;
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "export/exported.hpp"
+#include "export/shell_inputs.hpp"
 #include "export/stages/plain_maps.hpp"
 #include "kernels/table.hpp"
 #include "quadrel/quad/stage.hpp"
@@ -14,11 +15,11 @@
 
 namespace quadrel::export_tests {
 
-/// An array for each slot.
+/// An array for each slot, of values and of what shells have beside them.
 class SlotArrays {
   public:
-    SlotArrays() : values_(static_cast<std::size_t>(slot_count) * batch_lanes) {
-        for (int slot = 0; slot < slot_count; ++slot) pointers_[slot] = at(slot);
+    SlotArrays() : values_(static_cast<std::size_t>(all_slots) * batch_lanes) {
+        for (int slot = 0; slot < all_slots; ++slot) pointers_[slot] = at(slot);
     }
     SlotArrays(const SlotArrays&) = delete;
     SlotArrays& operator=(const SlotArrays&) = delete;
@@ -39,7 +40,7 @@ class SlotArrays {
 
   private:
     std::vector<float> values_;
-    void* pointers_[slot_count];
+    void* pointers_[all_slots];
 };
 
 /// Maps that fit the scene of the exported functions, of random texels; some are no numbers.

@@ -266,6 +266,9 @@ inline sampler* const samplers[] = {&height_map,
                                     &prewarp_map};
 static_assert(std::size(samplers) == static_cast<std::size_t>(texture_slot_count));
 
+/// Of RandomShells.
+inline sampler shell_table;
+
 inline vec3 eye, light0_position, light0_ambient, light0_diffuse, light0_specular, light1_position,
     light1_ambient, light1_diffuse, light1_specular;
 inline float eye_to_world[9], projection[16], model_view[16], inverse_model_view[16], depth_scale,

@@ -73,6 +73,8 @@ std::string EntryPoint::vertex_values(const VertexText& text, const Assign& assi
     }
     // A call that is needed in any case comes before the attributes that have a part of it.
     for (const VertexCall& of : text.calls) (of.is_needed ? same : transformed) += call(of);
+    if (text.position.transformed == text.position.shaded)
+        return same + place(text.position.shaded);
     return same + "#if SHADED_VERTICES\n" + shaded + place(text.position.shaded) + "#else\n" +
            transformed + place(text.position.transformed) + "#endif\n";
 }
@@ -161,6 +163,8 @@ class HlslEntryPoint : public EntryPoint {
     using EntryPoint::EntryPoint;
 
     std::string frag_coord() const override { return "varyings.window.xy"; }
+    std::string front_facing() const override { return "is_front_facing"; }
+
     std::string fragment(const FragmentText& text) const override {
         std::string all = begin(text.comment, text.functions, text.uniforms, "", "PASS 0") +
                           varyings_struct(text.varyings, text.centroid) + "struct Targets {\n";
@@ -168,7 +172,8 @@ class HlslEntryPoint : public EntryPoint {
             all += statement("float4 target" + std::to_string(i) + " : SV_Target" +
                              std::to_string(i) + ";");
         if (!text.depth.empty()) all += statement("float depth : SV_Depth;");
-        all += "};\n\n" + text.functions + "Targets main(Varyings varyings) {\n";
+        all += "};\n\n" + text.functions + "Targets main(Varyings varyings" +
+               (text.asks_front_facing ? ", bool is_front_facing : SV_IsFrontFace" : "") + ") {\n";
         for (const Varying& varying : text.varyings)
             all += statement(dialect_.type(varying.type) + " " + varying.name + " = varyings." +
                              varying.name + ";");

@@ -25,6 +25,7 @@ struct FragmentText {
     PassTargets passes;
     std::string depth, discard;  ///< depth to write, and when not to; empty: none
     std::string lod_map;         ///< map whose level of detail is asked for; empty: none
+    bool asks_front_facing = false;
 };
 
 /// A call of a vertex program's function.
@@ -66,6 +67,8 @@ class EntryPoint {
     virtual std::string vertex(const VertexText& text) const;
     /// Where a fragment is in the window, as a vector of two.
     virtual std::string frag_coord() const { return "gl_FragCoord.xy"; }
+    /// Whether the fragment's triangle faces the front, where the text asks for that.
+    virtual std::string front_facing() const { return "gl_FrontFacing"; }
     /// Whether a shader can ask for levels of detail.
     virtual bool has_lod() const { return true; }
     /// Whether both shaders declare all numbers of both, since they read one buffer.

@@ -73,8 +73,8 @@ class Statements {
     std::vector<std::string> all_;
 };
 
-/// Values that no stage gives, but for varyings: axes of objects, the fragment's place, and what
-/// reads as 0.
+/// Values that no stage gives, but for varyings: axes of objects, the rasterizer's, and what reads
+/// as 0.
 void declare_open(const ValueTypes& open, FragmentText& text, Statements& statements,
                   const Dialect& dialect, const EntryPoint& entry) {
     const auto is_varying = [&](const std::string& name) {
@@ -89,6 +89,9 @@ void declare_open(const ValueTypes& open, FragmentText& text, Statements& statem
             statements.declare(name, type, object_axis(name.back() - 'x', dialect));
         } else if (name == "frag_coord") {
             statements.declare(name, type, entry.frag_coord());
+        } else if (name == "front_facing") {
+            text.asks_front_facing = true;
+            statements.declare(name, type, dialect.choice(entry.front_facing(), "1.0", "-1.0"));
         } else if (type == Type::integer) {
             statements.declare(name, type, "0");
         } else if (type == Type::real) {
@@ -174,8 +177,10 @@ ProgramText compose_program(const ProgramRequest& request) {
     VertexText vertex = vertex_text(request, fragment.varyings, calls, *dialect);
     vertex.comment = comment_of(
         request,
-        "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
-        "are by rows, where SHADED_VERTICES is 0.");
+        request.draws_shells != 0
+            ? "vertices of its shell, as Quadrel has them."
+            : "vertices to eye space and clip space, as Quadrel has them; by the matrices, which "
+              "are by rows, where SHADED_VERTICES is 0.");
     vertex.centroid = fragment.centroid;
     vertex.fragment_functions = fragment.functions;
     fragment.varyings = vertex.varyings;  // structs of both are one

@@ -19,6 +19,14 @@ const Varying* find_varying(const std::string& name) {
         {"quadric", Type::vec2, false, "curvature", "curvature"},
         {"face_J_u", Type::vec3, true, "gradient_u", "gradient_u"},
         {"face_J_v", Type::vec3, true, "gradient_v", "gradient_v"},
+        {"corner_weights", Type::vec3, false, "face_weights", "face_weights"},
+        {"shell_depth", Type::real, false, "face_depth", "face_depth"},
+        {"shell_row", Type::real, true, "face_row", "face_row"},
+        {"strip_nv", Type::vec3, false, "emitted_nv", "emitted_nv"},
+        {"strip_tv", Type::vec3, false, "emitted_tv", "emitted_tv"},
+        {"strip_bv", Type::vec3, false, "emitted_bv", "emitted_bv"},
+        {"strip_height", Type::real, false, "emitted_height", "emitted_height"},
+        {"strip_side", Type::real, false, "emitted_side", "emitted_side"},
     };
     const auto* const found = std::find_if(std::begin(all), std::end(all),
                                            [&](const Varying& of) { return of.name == name; });
@@ -41,7 +49,15 @@ const std::vector<Named>& vertex_attributes() {
                                            {"mapped_coordinates", Type::vec2},
                                            {"curvature", Type::vec2},
                                            {"unit_tangent", Type::vec3},
-                                           {"unit_binormal", Type::vec3}};
+                                           {"unit_binormal", Type::vec3},
+                                           {"face_weights", Type::vec3},
+                                           {"face_depth", Type::real},
+                                           {"face_row", Type::real},
+                                           {"emitted_nv", Type::vec3},
+                                           {"emitted_tv", Type::vec3},
+                                           {"emitted_bv", Type::vec3},
+                                           {"emitted_height", Type::real},
+                                           {"emitted_side", Type::real}};
     return all;
 }
 

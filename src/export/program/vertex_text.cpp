@@ -122,18 +122,37 @@ VertexCall vertex_call(const VertexFunction& function, VertexValues& values,
     return call;
 }
 
+/// A shell's vertices are none of the mesh's: they are in eye space and in clip space as they come.
+void take_shaded_vertices(const StageCalls& calls, VertexText& text, Attributes& attributes) {
+    for (const FunctionText& function : calls.functions())
+        if (function.vertex)
+            throw RecordingError(function.name +
+                                 ": computes at vertices, and shells have their own");
+    for (const Varying& varying : text.varyings) {
+        text.values.push_back({varying.shaded, varying.shaded});
+        attributes.read(varying.shaded);
+    }
+    text.position = {"clip_position", "clip_position"};
+}
+
 }  // namespace
 
 VertexText vertex_text(const ProgramRequest& request, const std::vector<Varying>& varyings,
                        const StageCalls& calls, const Dialect& dialect) {
     VertexText text;
-    text.functions = row_functions(dialect);
     // The position in eye space is a varying in any case: it is what clip space is made of.
     text.varyings = varyings;
     std::erase_if(text.varyings, [](const Varying& of) { return of.name == "P"; });
     text.varyings.insert(text.varyings.begin(), *find_varying("P"));
-    text.uniforms = {model_view, projection};
     Attributes attributes(request);
+    attributes.read("clip_position");
+    if (request.draws_shells != 0) {
+        take_shaded_vertices(calls, text, attributes);
+        text.attributes = attributes.all();
+        return text;
+    }
+    text.functions = row_functions(dialect);
+    text.uniforms = {model_view, projection};
     VertexValues values(request, text, attributes, dialect);
     for (const Varying& varying : text.varyings) text.values.push_back(values.of(varying));
     std::string functions;
@@ -144,7 +163,6 @@ VertexText vertex_text(const ProgramRequest& request, const std::vector<Varying>
         text.calls.push_back(vertex_call(*function.vertex, values, attributes));
     }
     text.functions += transform_functions(functions, dialect) + functions;
-    attributes.read("clip_position");
     text.attributes = attributes.all();
     text.position = {rows_times(projection, Type::vec4, "P", dialect), "clip_position"};
     return text;

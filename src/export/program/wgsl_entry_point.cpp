@@ -52,12 +52,14 @@ std::string WgslEntryPoint::values(const FragmentText& text) const {
     for (const Named& value : text.values)
         if (!is_varying(value)) declare(value.name, value.type);
     for (const std::string& line : text.statements) body += statement(line);
-    return all + "\nfn shade_fragment(varyings: Varyings) {\n" + body + "}\n\n";
+    return all + "\nfn shade_fragment(varyings: Varyings" +
+           (text.asks_front_facing ? ", is_front_facing: bool" : "") + ") {\n" + body + "}\n\n";
 }
 
 std::string WgslEntryPoint::pass(const FragmentText& text, std::size_t number) const {
     const auto& targets = text.passes[number];
     const std::string type = "Targets" + std::to_string(number);
+    const bool asks = text.asks_front_facing;
     std::string members, body;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const std::string name = "target" + std::to_string(i);
@@ -72,9 +74,12 @@ std::string WgslEntryPoint::pass(const FragmentText& text, std::size_t number) c
     // Last: neighbours need the values of what is discarded.
     if (!text.discard.empty()) body += statement("if (" + text.discard + ") { discard; }");
     return "struct " + type + " {\n" + members + "}\n\n@fragment\nfn pass" +
-           std::to_string(number) + "(varyings: Varyings) -> " + type + " {\n" +
-           statement("shade_fragment(varyings);") + statement("var targets: " + type + ";") + body +
-           statement("return targets;") + "}\n";
+           std::to_string(number) + "(varyings: Varyings" +
+           (asks ? ", @builtin(front_facing) is_front_facing: bool" : "") + ") -> " + type +
+           " {\n" +
+           statement(asks ? "shade_fragment(varyings, is_front_facing);"
+                          : "shade_fragment(varyings);") +
+           statement("var targets: " + type + ";") + body + statement("return targets;") + "}\n";
 }
 
 std::string WgslEntryPoint::fragment(const FragmentText& text) const {
@@ -88,10 +93,11 @@ std::string WgslEntryPoint::fragment(const FragmentText& text) const {
     return all;
 }
 
-/// Members of the struct, set within a branch.
-std::string WgslEntryPoint::vertex_branch(const VertexText& text, bool shaded) const {
+/// Members of the struct, set within a branch or, where there is none, without `indent`.
+std::string WgslEntryPoint::vertex_branch(const VertexText& text, bool shaded,
+                                          const std::string& indent) const {
     std::string all;
-    const auto set = [&](const std::string& line) { all += statement("    " + line); };
+    const auto set = [&](const std::string& line) { all += statement(indent + line); };
     // A call that is needed in any case comes before the attributes that have a part of it.
     for (const VertexCall& call : text.calls) {
         if (shaded && !call.is_needed) continue;
@@ -123,9 +129,12 @@ std::string WgslEntryPoint::vertex(const VertexText& text) const {
            "@vertex\nfn main(corner: Vertex) -> Varyings {\n";
     for (const Attribute& attribute : text.attributes)
         all += statement("let " + attribute.name + " = corner." + attribute.name + ";");
-    return all + statement("var varyings: Varyings;") + statement("if (SHADED_VERTICES) {") +
-           vertex_branch(text, true) + statement("} else {") + vertex_branch(text, false) +
-           statement("}") + statement("return varyings;") + "}\n";
+    all += statement("var varyings: Varyings;");
+    if (text.position.transformed == text.position.shaded)
+        return all + vertex_branch(text, true, "") + statement("return varyings;") + "}\n";
+    return all + statement("if (SHADED_VERTICES) {") + vertex_branch(text, true) +
+           statement("} else {") + vertex_branch(text, false) + statement("}") +
+           statement("return varyings;") + "}\n";
 }
 
 }  // namespace quadrel::recorded

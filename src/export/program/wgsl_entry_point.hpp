@@ -13,6 +13,7 @@ class WgslEntryPoint : public EntryPoint {
     std::string fragment(const FragmentText& text) const override;
     std::string vertex(const VertexText& text) const override;
     std::string frag_coord() const override { return "varyings.window.xy"; }
+    std::string front_facing() const override { return "is_front_facing"; }
     bool has_lod() const override { return false; }
     bool has_one_struct() const override { return true; }
 
@@ -22,7 +23,8 @@ class WgslEntryPoint : public EntryPoint {
     std::string varyings_struct(const std::vector<Varying>& varyings, bool centroid) const;
     std::string values(const FragmentText& text) const;
     std::string pass(const FragmentText& text, std::size_t number) const;
-    std::string vertex_branch(const VertexText& text, bool shaded) const;
+    std::string vertex_branch(const VertexText& text, bool shaded,
+                              const std::string& indent = "    ") const;
 };
 
 }  // namespace quadrel::recorded

@@ -10,6 +10,7 @@
 
 #include "export/direction_maps.hpp"
 #include "export/scene/material_program.hpp"
+#include "export/scene/shells.hpp"
 #include "export/scene/webgpu.hpp"
 #include "kernels/select.hpp"
 #include "quadrel/error.hpp"
@@ -65,6 +66,12 @@ bool is_of_program(const VertexAttribute& attribute) {
                         [&](const VertexAttribute& of) { return of.name == attribute.name; });
 }
 
+/// Whether its location depends on what else is read.
+bool needs_place(const VertexAttribute& attribute) {
+    return is_of_program(attribute) ||
+           attribute.location >= static_cast<int>(most_vertex_attributes);
+}
+
 /// What some program reads: what all vertices have, then what vertex programs make, at the end.
 std::vector<VertexAttribute> attributes_of(const ExportContent& content) {
     std::map<std::string, const ProgramName*> read;
@@ -108,7 +115,7 @@ class Collector {
 
     void add_vertices() {
         std::vector<VertexAttribute> attributes = attributes_of(content_);
-        if (std::any_of(attributes.begin(), attributes.end(), is_of_program))
+        if (std::any_of(attributes.begin(), attributes.end(), needs_place))
             attributes = place(std::move(attributes));
         const auto run = [&](std::size_t object, const VertexList& vertices) {
             return values_of(object, vertices);
@@ -127,7 +134,14 @@ class Collector {
     /// Gives attributes the first locations, as many of them as there may be, and all programs with
     /// what they have.
     std::vector<VertexAttribute> place(std::vector<VertexAttribute> attributes) {
-        if (attributes.size() > most_vertex_attributes) attributes.resize(most_vertex_attributes);
+        if (attributes.size() > most_vertex_attributes) {
+            if (!is_of_program(attributes[most_vertex_attributes]))
+                throw UsageError(
+                    fmt::format("export: vertices with {} attributes, expected at most {}: a scene "
+                                "for shells and one for other objects",
+                                attributes.size(), most_vertex_attributes));
+            attributes.resize(most_vertex_attributes);
+        }
         std::vector<const char*> names;
         for (std::size_t i = 0; i < attributes.size(); ++i) {
             attributes[i].location = static_cast<int>(i);
@@ -154,6 +168,7 @@ class Collector {
 
     ContentSampler bound(std::size_t material, const ProgramName& sampler,
                          const std::string& fragment, const std::string& material_name) {
+        if (sampler.name == "shell_table") return bound_shells(sampler);
         const auto slot = static_cast<std::size_t>(sampler.number);
         const MaterialTextures& textures = plan_.textures[material];
         const bool is_table = is_direction_map(static_cast<TextureSlot>(slot));
@@ -196,6 +211,18 @@ class Collector {
         return out;
     }
 
+    /// One table for all materials, whose texels are fetched.
+    ContentSampler bound_shells(const ProgramName& sampler) {
+        if (shell_table_ == nullptr) shell_table_ = SceneShells(*content_.scene).table();
+        ContentSampler out{sampler.name, 0, {}};
+        out.state.mag = out.state.min = Filter::nearest;
+        out.state.mip = MipFilter::none;
+        out.state.wrap_u = out.state.wrap_v = Wrap::clamp_to_edge;
+        out.texture = texture(shell_table_, TextureShape::flat, sampler.name,
+                              texel_layout(*shell_table_, content_.language), 1);
+        return out;
+    }
+
     std::size_t texture(const std::shared_ptr<const Texture>& texture, TextureShape shape,
                         std::string name, const TexelLayout& layout, int levels) {
         auto& all = content_.textures;
@@ -212,6 +239,7 @@ class Collector {
     const RenderPlan& plan_;
     std::vector<std::unique_ptr<MaterialProgram>> programs_;  ///< one a material
     std::set<std::string> names_, texture_names_;
+    std::shared_ptr<const Texture> shell_table_;
 };
 
 /// All that follows from what is prepared.

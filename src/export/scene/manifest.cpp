@@ -11,6 +11,7 @@
 #include "export/scene/webgpu.hpp"
 #include "quadrel/check.hpp"
 #include "render/draw/geometry.hpp"
+#include "render/draw/shell.hpp"
 #include "render/plan/names.hpp"
 #include "texture/texel_format.hpp"
 
@@ -173,7 +174,7 @@ Json material_entry(const ExportContent& content, const ContentMaterial& materia
                {"vertex", material.vertex_file(content.language)},
                {"fragment", material.fragment_file(content.language)}};
     if (const int version = version_of(material.program.fragment)) entry["glsl_version"] = version;
-    entry["cull"] = cull_name(of.cull);
+    entry["cull"] = cull_name(draws_shell(of) ? shell_cull(of) : of.cull);
     entry["discards"] = material.discards;
     entry["writes_depth"] = material.writes_depth;
     entry["stages"] = material.stages;

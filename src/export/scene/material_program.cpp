@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "render/draw/geometry.hpp"
+#include "render/draw/shell.hpp"
 #include "render/plan/prepared.hpp"
 
 namespace quadrel {
@@ -56,6 +57,7 @@ MaterialProgram::MaterialProgram(const ExportContent& content, const RenderPlan&
         request_.has_flat_meshes |= object.visible && object.material == material &&
                                     scene.meshes[object.mesh].normals.empty();
     request_.centroid = scene.centroid && scene.samples > 1;
+    request_.draws_shells = draws_shell(of);
 }
 
 std::vector<std::string> MaterialProgram::stage_names() const {

@@ -1,10 +1,15 @@
 #include "export/scene/vertices.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <iterator>
 #include <map>
 
+#include "export/scene/shells.hpp"
+#include "export/scene/whole_triangle.hpp"
 #include "render/draw/primitive_vertices.hpp"
+#include "render/draw/shell.hpp"
 #include "render/draw/vertex_stage.hpp"
 #include "scene/billboard.hpp"
 
@@ -29,13 +34,6 @@ struct DrawnObject {
     const ShadedVertices& shaded;
     std::vector<DrawnCorners> triangles;
 };
-
-/// The whole triangle: its vertices are the mesh's own.
-AssembledTriangle whole_triangle() {
-    AssembledTriangle whole;
-    for (std::size_t v = 0; v < 3; ++v) whole.weights[v].perspective[v] = 1;
-    return whole;
-}
 
 /// Corners of an object's triangles as vertex programs have them.
 class ProgramVertices {
@@ -68,7 +66,7 @@ class Builder {
   public:
     Builder(const Scene& scene, const std::vector<VertexAttribute>& attributes,
             const VertexProgramRun& run)
-        : scene_(scene), run_(run) {
+        : scene_(scene), shells_(scene), run_(run) {
         int offset = 0;
         for (VertexAttribute attribute : attributes) {
             const int number = number_of(attribute);
@@ -85,6 +83,23 @@ class Builder {
 
     void add(std::size_t object) {
         Draw draw{object, static_cast<std::uint32_t>(buffers_.indices.size())};
+        Known known;
+        if (draws_shell(scene_.materials[scene_.objects[object].material]))
+            for (const ShellDrawTriangle& triangle : shells_.of(object))
+                add_shell_triangle(triangle, known);
+        else
+            add_mesh(object, known);
+        draw.index_count = static_cast<std::uint32_t>(buffers_.indices.size()) - draw.first_index;
+        buffers_.draws.push_back(draw);
+    }
+
+    VertexBuffers take() { return std::move(buffers_); }
+
+  private:
+    /// Of each attribute the address of its numbers, in the order of all_vertex_attributes.
+    using Parts = std::array<const float*, 24>;
+
+    void add_mesh(std::size_t object, Known& known) {
         const Object& of = scene_.objects[object];
         Mesh card;
         const Mesh& mesh = drawn_mesh(scene_, of, card);
@@ -106,16 +121,10 @@ class Builder {
         if (has_axes_) list = ProgramVertices(drawn).list();
         NamedFloats made;
         if (has_programs_) made = run_(object, list);
-        Known known;
         for (std::size_t t = 0; t < drawn.triangles.size(); ++t)
             add_triangle(drawn, frames, t, list, made, known);
-        draw.index_count = static_cast<std::uint32_t>(buffers_.indices.size()) - draw.first_index;
-        buffers_.draws.push_back(draw);
     }
 
-    VertexBuffers take() { return std::move(buffers_); }
-
-  private:
     void add_triangle(const DrawnObject& drawn, const PrimitiveFrames& frames, std::size_t triangle,
                       const VertexList& list, const NamedFloats& made, Known& known) {
         const Mesh& mesh = drawn.mesh;
@@ -131,36 +140,75 @@ class Builder {
                                                       corners.corner[static_cast<std::size_t>(v)]);
             const glm::vec2 uv = mesh.uvs.empty() ? glm::vec2(0) : mesh.uvs[i];
             const glm::vec3 eye_normal = mesh.normals.empty() ? face : drawn.shaded.normal[i];
-            // In the order of all_vertex_attributes.
-            const float* const parts[] = {&mesh.positions[i].x,
-                                          &normal.x,
-                                          &uv.x,
-                                          &face.x,
-                                          frame.tangent[v],
-                                          &frame.tangent_sign[v],
-                                          frame.bitangent[v],
-                                          frame.J,
-                                          frame.J + 3,
-                                          &eye[i].x,
-                                          &drawn.shaded.clip[i].x,
-                                          &eye_normal.x,
-                                          &drawn.shaded.uv[i].x,
-                                          frame.quadric[v],
-                                          has_axes_ ? &list.tangent[3 * corner] : nullptr,
-                                          has_axes_ ? &list.binormal[3 * corner] : nullptr};
-            std::string bytes;
-            for (std::size_t a = 0; a < numbers_.size(); ++a) {
-                const VertexAttribute& attribute = buffers_.attributes[a];
-                const auto floats = static_cast<std::size_t>(attribute.components);
-                const float* const from =
-                    numbers_[a] >= 0 ? parts[numbers_[a]] : made_at(made, attribute, corner);
-                if (from != nullptr)
-                    bytes.append(reinterpret_cast<const char*>(from), floats * sizeof(float));
-                else
-                    bytes.append(floats * sizeof(float), '\0');
-            }
-            buffers_.indices.push_back(vertex_of(bytes, known));
+            Parts parts{};
+            const float* const own[] = {&mesh.positions[i].x,
+                                        &normal.x,
+                                        &uv.x,
+                                        &face.x,
+                                        frame.tangent[v],
+                                        &frame.tangent_sign[v],
+                                        frame.bitangent[v],
+                                        frame.J,
+                                        frame.J + 3,
+                                        &eye[i].x,
+                                        &drawn.shaded.clip[i].x,
+                                        &eye_normal.x,
+                                        &drawn.shaded.uv[i].x,
+                                        frame.quadric[v],
+                                        has_axes_ ? &list.tangent[3 * corner] : nullptr,
+                                        has_axes_ ? &list.binormal[3 * corner] : nullptr};
+            std::copy(std::begin(own), std::end(own), parts.begin());
+            add_vertex(parts, made, corner, known);
         }
+    }
+
+    void add_shell_triangle(const ShellDrawTriangle& triangle, Known& known) {
+        const PrimitiveFrame& frame = triangle.frame;
+        for (std::size_t v = 0; v < 3; ++v) {
+            const ShellCorner& corner = triangle.corner[v];
+            add_vertex({nullptr,
+                        nullptr,
+                        nullptr,
+                        &triangle.face_normal.x,
+                        frame.tangent[v],
+                        &frame.tangent_sign[v],
+                        frame.bitangent[v],
+                        frame.J,
+                        frame.J + 3,
+                        &corner.eye.x,
+                        &corner.clip.x,
+                        &corner.normal.x,
+                        &corner.uv.x,
+                        nullptr,
+                        nullptr,
+                        nullptr,
+                        corner.corner_weights,
+                        &corner.shell_depth,
+                        &corner.shell_row,
+                        corner.strip_nv,
+                        corner.strip_tv,
+                        corner.strip_bv,
+                        &corner.strip_height,
+                        &corner.strip_side},
+                       {}, 0, known);
+        }
+    }
+
+    /// Zeros for what is not there.
+    void add_vertex(const Parts& parts, const NamedFloats& made, std::size_t corner, Known& known) {
+        std::string bytes;
+        for (std::size_t a = 0; a < numbers_.size(); ++a) {
+            const VertexAttribute& attribute = buffers_.attributes[a];
+            const auto floats = static_cast<std::size_t>(attribute.components);
+            const float* const from = numbers_[a] >= 0
+                                          ? parts[static_cast<std::size_t>(numbers_[a])]
+                                          : made_at(made, attribute, corner);
+            if (from != nullptr)
+                bytes.append(reinterpret_cast<const char*>(from), floats * sizeof(float));
+            else
+                bytes.append(floats * sizeof(float), '\0');
+        }
+        buffers_.indices.push_back(vertex_of(bytes, known));
     }
 
     /// What the object's vertex programs make for a corner; null where they make none of it.
@@ -184,6 +232,7 @@ class Builder {
     }
 
     const Scene& scene_;
+    SceneShells shells_;
     const VertexProgramRun& run_;
     VertexBuffers buffers_;
     std::vector<int> numbers_;  ///< of the attributes
@@ -209,7 +258,16 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"},
         {"curvature", 13, 2, 0, "quadric of the corner, fitted to the mesh in eye space"},
         {"unit_tangent", 14, 3, 0, "of the corner, along growing u, unit, object space"},
-        {"unit_binormal", 15, 3, 0, "of the corner, along growing v, unit, object space"}};
+        {"unit_binormal", 15, 3, 0, "of the corner, along growing v, unit, object space"},
+        {"face_weights", 16, 3, 0, "of a shell: of the corners of its face, or of its prism"},
+        {"face_depth", 17, 1, 0, "of a shell: depth below its top, 0 to 1"},
+        {"face_row", 18, 1, 0, "of a shell: row of its face in the table of shells"},
+        {"emitted_nv", 19, 3, 0, "of prisms as listed: their normal, as long as they are high"},
+        {"emitted_tv", 20, 3, 0, "of prisms as listed: along u"},
+        {"emitted_bv", 21, 3, 0, "of prisms as listed: along v"},
+        {"emitted_height", 22, 1, 0, "of prisms as listed: 0 at the base, 1 at the top"},
+        {"emitted_side", 23, 1, 0,
+         "of prisms as listed: 1 where a side faces the eye, else -1 or 0"}};
     return all;
 }
 

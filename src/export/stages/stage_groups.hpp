@@ -7,5 +7,6 @@ namespace quadrel::recorded {
 
 std::vector<RecordedStage> search_stages();
 std::vector<RecordedStage> shading_stages();
+std::vector<RecordedStage> shell_stages();
 
 }  // namespace quadrel::recorded

@@ -8,8 +8,6 @@ namespace quadrel::recorded {
 
 const std::vector<Refusal>& refusals() {
     static constexpr const char* by_proof = "proves what it finds, by intervals and rationals";
-    static constexpr const char* of_shells =
-        "reads what a shell is made of, which no folder of a scene has";
     static const std::vector<Refusal> all = {
         {"interpolate", "quad", "the rasterizer's: a shader's inputs are interpolated"},
         {"lod", "quad", "the samplers': a shader asks them (textureQueryLod)"},
@@ -21,16 +19,6 @@ const std::vector<Refusal>& refusals() {
         {"oracle-tri-min", "trace", by_proof},
         {"shadow-oracle", "shadow", by_proof},
         {"ao-oracle", "occlusion", by_proof},
-        {"frame-shell", "frame", of_shells},
-        {"prism-exact", "trace", of_shells},
-        {"frame-prism", "frame", of_shells},
-        {"frame-prism@published", "frame", of_shells},
-        {"prism-pom", "trace", of_shells},
-        {"prism-gs", "trace", of_shells},
-        {"prism-gs@published", "trace", of_shells},
-        {"displace-prism@published", "hit", of_shells},
-        {"shadow-shell", "shadow", of_shells},
-        {"shadow-shell-march", "shadow", of_shells},
         {"oracle-none", "oracle", "has nothing to say"}};
     return all;
 }
@@ -38,7 +26,7 @@ const std::vector<Refusal>& refusals() {
 const std::vector<RecordedStage>& all_recorded_stages() {
     static const std::vector<RecordedStage> all = [] {
         std::vector<RecordedStage> list;
-        for (const auto& group : {shading_stages(), search_stages()})
+        for (const auto& group : {shading_stages(), search_stages(), shell_stages()})
             list.insert(list.end(), group.begin(), group.end());
         return list;
     }();

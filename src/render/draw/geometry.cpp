@@ -187,7 +187,7 @@ void assemble_shell(const DrawnObject& object, const std::optional<PrimitiveFram
         return draw(strips.vertices(), object.state.cull, triangles, strip_row);
     }
     const Shell shell(object.mesh, object.vertices, material, projection);
-    const Cull cull = material.depth > 0 ? Cull::back : object.state.cull;
+    const Cull cull = shell_cull(material);
     if (material.depth > 0) check_near_plane(object.scene, object.index, shell, object.mesh);
     const int bits = object.state.subpixel_bits;
     if (shell_kind(material) == ShellKind::prisms) {

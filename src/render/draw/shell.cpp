@@ -34,6 +34,11 @@ ShellKind shell_kind(const Material& material) {
 
 bool draws_shell(const Material& material) { return shell_kind(material) != ShellKind::none; }
 
+Cull shell_cull(const Material& material) {
+    const bool is_closed = shell_kind(material) != ShellKind::strips && material.depth > 0;
+    return is_closed ? Cull::back : material.cull;
+}
+
 bool walks_shell(const Material& material) {
     return shell_kind(material) == ShellKind::tetrahedra && material.depth > 0 &&
            (material.shadow.id == "shadow-shell" || material.shadow.id == "shadow-shell-march");

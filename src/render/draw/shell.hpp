@@ -27,6 +27,10 @@ ShellKind shell_kind(const Material& material);
 /// Whether objects of the material are drawn as shells, of any kind.
 bool draws_shell(const Material& material);
 
+/// Which of its faces are not drawn: where they enclose what is searched, those by which rays
+/// leave.
+Cull shell_cull(const Material& material);
+
 /// Whether shadows of the material go through the tetrahedra of its shell.
 bool walks_shell(const Material& material);
 

@@ -99,13 +99,14 @@ CaseReport run_case(const Case& what, const std::string& hardware, const JudgeOp
     JudgeOptions options = judging;
     options.texel = texel_size(drawn->scene);
     options.implicit_in_loops = has_implicit_look_ups_in_loops(drawn->scene);
-    options.redraws = {
-        {Verdict::unordered,
-         [&] { return gl::draw_scene(with_comparisons(drawn->scene), {}, programs); }},
-        {Verdict::defect,
-         [&] { return gl::draw_scene(with_sizes_of_level_0(drawn->scene), {}, programs); }},
-        {Verdict::defect,
-         [&] { return gl::draw_scene(with_whole_levels(drawn->scene), {}, programs); }}};
+    const auto redraw = [&](Verdict verdict, gl::ExportedScene (*other)(gl::ExportedScene)) {
+        options.redraws.push_back(
+            {verdict, [&, other] { return gl::draw_scene(other(drawn->scene), {}, programs); }});
+    };
+    if (has_mixes(drawn->scene)) redraw(Verdict::perturbed, with_blends);
+    redraw(Verdict::unordered, with_comparisons);
+    redraw(Verdict::defect, with_sizes_of_level_0);
+    redraw(Verdict::defect, with_whole_levels);
     try {
         report.groups = judge(drawn->source, gl::draw_scene(drawn->scene, {}, programs), options);
     } catch (const gl::TooLarge& error) {

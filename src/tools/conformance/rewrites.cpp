@@ -51,6 +51,19 @@ std::string comparisons() {
     return all + macros;
 }
 
+/// type blend(type x, type y, part a)
+std::string blend_of(const std::string& type, const std::string& part) {
+    return type + " blend(" + type + " x, " + type + " y, " + part + " a) { EXACTLY " + type +
+           " z = x * (1.0 - a) + y * a; return z; }\n";
+}
+
+std::string blends() {
+    std::string all = first_lines + blend_of("float", "float");
+    for (const char* const type : {"vec2", "vec3", "vec4"})
+        all += blend_of(type, "float") + blend_of(type, type);
+    return all + "#define mix(x, y, a) blend(x, y, a)\n";
+}
+
 constexpr const char* sizes_of_levels = R"(
 ivec2 size_of_level(ivec2 size, int level) { return max(size >> level, ivec2(1)); }
 ivec3 size_of_level(ivec3 size, int level) { return ivec3(size_of_level(size.xy, level), size.z); }
@@ -67,6 +80,12 @@ gl::ExportedScene with(gl::ExportedScene scene, const std::string& definitions) 
 }
 
 }  // namespace
+
+bool has_mixes(const gl::ExportedScene& scene) {
+    return std::ranges::any_of(scene.materials, [](const gl::ExportedMaterial& of) {
+        return of.fragment.find("mix(") != std::string::npos;
+    });
+}
 
 bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene) {
     for (const gl::ExportedMaterial& material : scene.materials) {
@@ -88,6 +107,8 @@ bool has_implicit_look_ups_in_loops(const gl::ExportedScene& scene) {
 gl::ExportedScene with_comparisons(gl::ExportedScene scene) {
     return with(std::move(scene), comparisons());
 }
+
+gl::ExportedScene with_blends(gl::ExportedScene scene) { return with(std::move(scene), blends()); }
 
 gl::ExportedScene with_sizes_of_level_0(gl::ExportedScene scene) {
     return with(std::move(scene), sizes_of_levels);

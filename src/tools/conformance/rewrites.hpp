@@ -11,6 +11,12 @@ namespace quadrel::conformance {
 /// two signs, is left open (4.7.1); comparisons of these are not.
 gl::ExportedScene with_comparisons(gl::ExportedScene scene);
 
+/// The scene with fragment shaders whose mix is x (1 - a) + y a (GLSL 4.60, 8.3), which is y where
+/// a is 1. x + a (y - x) may be off that by a rounding, and so may what a search discards by it.
+gl::ExportedScene with_blends(gl::ExportedScene scene);
+/// Whether a fragment shader has any.
+bool has_mixes(const gl::ExportedScene& scene);
+
 /// The scene with fragment shaders that make the sizes of levels of level 0's: "textureSize returns
 /// the dimensions of level lod" (GLSL 4.60, 8.9.1), also where fragments of a quad ask for
 /// different ones.

@@ -28,6 +28,34 @@ struct PrismStrip {
 };
 static_assert(sizeof(PrismStrip) == sizeof(PrimitiveVertices), "rows of one array");
 
+/// What a packet reads of its rows.
+template <Number F>
+class StripRows {
+  public:
+    template <class Io>
+    explicit StripRows(const Io& io)
+        : row_(io.call(), io.first_lane(), reinterpret_cast<const PrismStrip*>(io.call().vertices)),
+          interpolated_(interpolator(io)) {
+        static_assert(Io::reads_vertices, "the stage does not declare reads_vertices");
+    }
+
+    vec3<F> nv() const { return vector(offsetof(PrismStrip, nv)); }
+    vec3<F> tv() const { return vector(offsetof(PrismStrip, tv)); }
+    vec3<F> bv() const { return vector(offsetof(PrismStrip, bv)); }
+    F height() const { return interpolated_.at(row_, at(offsetof(PrismStrip, height)), 1); }
+    F side() const { return interpolated_.at(row_, at(offsetof(PrismStrip, side)), 1); }
+    F front_facing() const { return row_.at(at(offsetof(PrismStrip, front_facing))); }
+
+  private:
+    static constexpr int at(std::size_t bytes) { return static_cast<int>(bytes / sizeof(float)); }
+    vec3<F> vector(std::size_t bytes) const {
+        return interpolated_.template vector<3>(row_, at(bytes));
+    }
+
+    PrimitiveReader<F> row_;
+    Interpolator<F> interpolated_;
+};
+
 /// The variables of the listing's main, named as there.
 template <Number F>
 struct PrismStripVaryings {
@@ -38,22 +66,12 @@ struct PrismStripVaryings {
 
     template <class Io>
     explicit PrismStripVaryings(const Io& io) {
-        static_assert(Io::reads_vertices, "the stage does not declare reads_vertices");
-        const auto at = [](std::size_t bytes) { return static_cast<int>(bytes / sizeof(float)); };
-        const PrimitiveReader<F> row(io.call(), io.first_lane(),
-                                     reinterpret_cast<const PrismStrip*>(io.call().vertices));
-        const Interpolator<F> varying = interpolator(io);
-        const auto vector = [&](std::size_t bytes) {
-            return varying.template vector<3>(row, at(bytes));
-        };
+        const StripRows<F> row(io);
         objPosEs = io.template load<Value::P>();
-        texCoords = vec3<F>(io.template load<Value::uv>(),
-                            varying.at(row, at(offsetof(PrismStrip, height)), 1));
-        d_z = varying.at(row, at(offsetof(PrismStrip, side)), 1);
-        frontFace =
-            select(texCoords.z > F(0), F(1), row.at(at(offsetof(PrismStrip, front_facing))));
-        const vec3<F> N = vector(offsetof(PrismStrip, nv)) * frontFace;
-        const vec3<F> T = vector(offsetof(PrismStrip, tv)), B = vector(offsetof(PrismStrip, bv));
+        texCoords = vec3<F>(io.template load<Value::uv>(), row.height());
+        d_z = row.side();
+        frontFace = select(texCoords.z > F(0), F(1), row.front_facing());
+        const vec3<F> N = row.nv() * frontFace, T = row.tv(), B = row.bv();
         invmax = inversesqrt(max(dot(T, T), dot(B, B)));
         tbnMat = mat3<F>(T * invmax, B * invmax, N * invmax);
         inv_tbnMat = inverse(tbnMat);

@@ -1,9 +1,11 @@
 // Which fragment is seen, if any.
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "conformance/judge/differences.hpp"
 #include "conformance/judge/edges.hpp"
+#include "render/plan/plan.hpp"
 
 namespace quadrel::conformance {
 
@@ -37,6 +39,56 @@ void take_other_object(Differences& differences) {
     }
     for (const std::size_t i : others) sides.skipped[i] = true;
     differences.take(Verdict::coverage, [&](std::size_t i) { return others.contains(i); });
+}
+
+bool discards(const Scene& scene) {
+    return std::ranges::any_of(scene.materials, [](const Material& of) { return clips(of); });
+}
+
+namespace {
+
+/// Rays are as much longer as reliefs are deeper.
+Scene with_deeper_reliefs(Scene scene, double part) {
+    for (Material& material : scene.materials)
+        material.depth = static_cast<float>(static_cast<double>(material.depth) * (1 + part));
+    return scene;
+}
+
+/// Whether the implementation has what the film has, but for roundings.
+bool has_the_same(const Differences& differences, const Film& film, const Roundings& roundings,
+                  std::size_t i) {
+    const Differences::Pairs pairs = differences.pairs_with(film);
+    for (std::size_t c = 0; c < pairs.size(); ++c) {
+        const auto& [made, found] = pairs[c];
+        const std::size_t at = differences.sides.in(film, i);
+        const double off =
+            static_cast<double>(found->as_float(i)) - static_cast<double>(made->as_float(at));
+        if (made->bits[at] != found->bits[i] && !(std::fabs(off) <= roundings.of(c, at)))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void take_other_fragment(Differences& differences) {
+    Comparison& sides = differences.sides;
+    if (!discards(sides.scene)) return;
+    for (const double part : permitted_parts)
+        for (const double by : {-part, part}) {
+            if (differences.empty()) return;
+            const Scene other = with_deeper_reliefs(sides.scene, by * sides.options.errors.ray);
+            const Film film = Reruns(other, sides.options.threads)
+                                  .made_of(differences.group.channels, {}, sides.found,
+                                           squares_around(differences.pixels, sides.found.window,
+                                                          sides.found.window));
+            const Roundings roundings(film, differences.group.channels, sides.options.errors);
+            differences.take(Verdict::perturbed, [&](std::size_t i) {
+                const bool is_seen = has_the_same(differences, film, roundings, i);
+                if (is_seen) sides.skipped[i] = true;
+                return is_seen;
+            });
+        }
 }
 
 }  // namespace quadrel::conformance

@@ -50,6 +50,9 @@ struct Differences {
     std::set<std::size_t> left;  ///< pixels that were not looked at
 };
 
+/// Whether searches discard fragments.
+bool discards(const Scene& scene);
+
 // Each takes out what it explains; in the order in which they are asked.
 
 /// Beside an edge that snapping may move past them. Nothing else is compared where one side has a
@@ -66,10 +69,13 @@ void take_undefined(Differences& differences);
 void take_perturbed(Differences& differences);
 /// Where two objects have the same depth but for roundings, either may be seen.
 void take_other_object(Differences& differences);
+/// Where searches discard fragments: what the reference sees when rays are longer or shorter by a
+/// part of what is permitted. Nothing else is compared there.
+void take_other_fragment(Differences& differences);
 /// In the range of what the specification permits, where that is known and looked at.
 void take_legal(Differences& differences);
 /// Of searches, for hits and towards the first light: behind loops that fragments of the quad have
-/// left at different steps.
+/// left at different steps. Where hits decide over fragments also which of them is seen.
 void take_divergent(Differences& differences);
 
 }  // namespace quadrel::conformance

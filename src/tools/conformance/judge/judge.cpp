@@ -41,6 +41,9 @@ class Judge {
             take_coverage(differences);
         else if (!differences.empty())
             explain(differences);
+        if (!differences.empty()) take_redrawn(differences);
+        if (!differences.empty() && group.kind <= GroupKind::derivatives)
+            explain_fragments(differences);
         give_up(differences);
         return differences.report;
     }
@@ -64,8 +67,17 @@ class Judge {
         if (!differences.empty()) take_perturbed(differences);
         if (!differences.empty() && kind == GroupKind::geometry) take_other_object(differences);
         if (!differences.empty()) take_legal(differences);
-        if (!differences.empty() && sides_.options.implicit_in_loops) take_divergent(differences);
-        if (!differences.empty()) take_redrawn(differences);
+        if (!differences.empty() && kind >= GroupKind::hit) take_loops(differences);
+    }
+
+    /// Why another fragment is seen.
+    void explain_fragments(Differences& differences) {
+        take_other_fragment(differences);
+        if (!differences.empty()) take_loops(differences);
+    }
+
+    void take_loops(Differences& differences) {
+        if (sides_.options.implicit_in_loops) take_divergent(differences);
     }
 
     /// Where it is only the words of the shader that make the difference.

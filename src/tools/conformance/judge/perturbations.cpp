@@ -55,7 +55,7 @@ std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedError
                                            bool vertex_rays) {
     std::vector<Perturbation> all;
     if (group < GroupKind::hit) return all;
-    for (const double part : {1.0, 0x1p-2, 0x1p-4, 0x1p-6})
+    for (const double part : permitted_parts)
         add_perturbations(all, group, errors, vertex_rays, part);
     return all;
 }

@@ -50,6 +50,9 @@ struct Perturbation {
 std::vector<Perturbation> perturbations_of(GroupKind group, const PermittedErrors& errors,
                                            bool vertex_rays);
 
+/// The parts of errors that are tried.
+inline constexpr double permitted_parts[] = {1, 0x1p-2, 0x1p-4, 0x1p-6};
+
 struct TexelSize {
     double u = 0, v = 0;  ///< in UV; 0: there is no height map
 };

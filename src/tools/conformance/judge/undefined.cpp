@@ -11,13 +11,16 @@ void take_undefined(Differences& differences) {
 }
 
 void take_divergent(Differences& differences) {
-    const Comparison& sides = differences.sides;
+    Comparison& sides = differences.sides;
     const GroupKind kind = differences.group.kind;
-    const std::string steps = kind == GroupKind::hit ? "hit.steps" : "shadow.steps";
-    if ((kind != GroupKind::hit && kind != GroupKind::shadow) || sides.found.find(steps) == nullptr)
+    // Which fragment is seen follows from hits where searches discard some.
+    const bool is_of_fragments = kind <= GroupKind::derivatives && discards(sides.scene);
+    const std::string steps = kind == GroupKind::shadow ? "shadow.steps" : "hit.steps";
+    if ((!is_of_fragments && kind != GroupKind::hit && kind != GroupKind::shadow) ||
+        sides.found.find(steps) == nullptr)
         return;
     const Plane &found = *sides.found.find(steps), &reference = *sides.reference.find(steps);
-    differences.take(Verdict::divergent, [&](std::size_t i) {
+    const auto is_divergent = [&](std::size_t i) {
         const int x = sides.x_of(i) / 2 * 2, y = sides.y_of(i) / 2 * 2;
         for (const int dy : {0, 1})
             for (const int dx : {0, 1}) {
@@ -28,6 +31,11 @@ void take_divergent(Differences& differences) {
                     return true;
             }
         return false;
+    };
+    differences.take(Verdict::divergent, [&](std::size_t i) {
+        const bool is_taken = is_divergent(i);
+        if (is_taken && is_of_fragments) sides.skipped[i] = true;
+        return is_taken;
     });
 }
 

@@ -11,21 +11,22 @@ namespace quadrel::conformance {
 
 /// Of a pixel's channels of one group, the first that holds.
 enum class Verdict : std::int32_t {
-    same,         ///< the reference's bits
-    inherited,    ///< the bits that the reference makes of the implementation's own earlier values
-    rounded,      ///< off these by no more than a few roundings (PermittedErrors::rounding)
-    perturbed,    ///< between what it makes of these, moved by permitted errors (perturbations.hpp)
-    legal,        ///< in the range of what the specification permits
-    open,         ///< that range is infinite, or a look-up was at NaN: nothing is known
-    divergent,    ///< behind look-ups in a loop that fragments of the quad have left at different
-                  ///< steps, whose implicit derivatives are undefined (GLSL 4.60, 8.9)
-    unordered,    ///< the reference's where min and max are written out as comparisons: what they
-                  ///< make of NaN, and of zeros of two signs, is left to implementations
-    defect,       ///< the reference's where a defect of the implementation that is known, with the
-                  ///< paragraph of the specification, is kept out of the way (rewrites.hpp)
-    coverage,     ///< covered on one side only, beside an edge that snapping may move past it; or
-                  ///< by another object, where depths are the same but for roundings
-    left,         ///< not looked at: of more pixels than were to be
+    same,       ///< the reference's bits
+    inherited,  ///< the bits that the reference makes of the implementation's own earlier values
+    rounded,    ///< off these by no more than a few roundings (PermittedErrors::rounding)
+    perturbed,  ///< between what it makes of these, moved by permitted errors (perturbations.hpp);
+                ///< or the reference's where mix is written out, whose roundings are left open
+    legal,      ///< in the range of what the specification permits
+    open,       ///< that range is infinite, or a look-up was at NaN: nothing is known
+    divergent,  ///< behind look-ups in a loop that fragments of the quad have left at different
+                ///< steps, whose implicit derivatives are undefined (GLSL 4.60, 8.9)
+    unordered,  ///< the reference's where min and max are written out as comparisons: what they
+                ///< make of NaN, and of zeros of two signs, is left to implementations
+    defect,     ///< the reference's where a defect of the implementation that is known, with the
+                ///< paragraph of the specification, is kept out of the way (rewrites.hpp)
+    coverage,   ///< covered on one side only, beside an edge that snapping may move past it; or
+                ///< by another object, where depths are the same but for roundings
+    left,       ///< not looked at: of more pixels than were to be
     unexplained,  ///< anything else
 };
 inline constexpr std::size_t verdict_count = 12;
