@@ -213,29 +213,48 @@ bool RangeBatch::is_made_of_differences(const MaterialPlan& plan, std::size_t nu
 }
 
 /// The stage along either row and either column: of each lane what any of these makes of it. Its
-/// own are among them, so that this holds fine differences, too.
+/// own are among them, so that this holds fine differences, too. Where nothing has been undecided
+/// so far it is the same in every run of the quad.
 void RangeBatch::run_along_rows_and_columns(const MaterialPlan& plan, std::size_t number) {
+    if (frame_.known) return take_known_frame(plan.stages[number]);
     const auto differentiate = static_cast<std::size_t>(
         std::ranges::find_if(plan.stages, takes_differences) - plan.stages.begin());
     if (differentiate >= number) return run_stage(plan, number);
-    const std::span<const Value> outputs = plan.stages[number].info->outputs;
-    along_others_.resize(memory_.size());
+    frame_.arrays.resize(memory_.size());
     for (int choice = 0; choice < 4 && !context_->too_many; ++choice) {
         context_->row_and_column = choice;
         run_stage(plan, differentiate);
         run_stage(plan, number);
-        std::byte* kept = along_others_.data();
-        for (const Value value : outputs)
-            for (int i = 0; i < arrays_of(value); ++i) {
-                void* const values = values_[static_cast<std::size_t>(slot_of(value) + i)];
-                if (values == nullptr) continue;
-                if (choice > 0) join_arrays(*plan_.table, info(value).kind, values, kept);
-                std::memcpy(kept, values, array_bytes);
-                kept += array_bytes;
-            }
+        for_each_output(plan.stages[number], [&](ValueKind kind, void* values, std::byte* kept) {
+            if (choice > 0) join_arrays(*plan_.table, kind, values, kept);
+            std::memcpy(kept, values, array_bytes);
+        });
     }
     context_->row_and_column = -1;
     run_stage(plan, differentiate);
+    frame_.known = context_->open == 0 && context_->joined == 0 && !context_->too_many;
+    frame_.shared_errors = context_->shared_errors;
+    frame_.unit_vectors = context_->unit_vectors;
+}
+
+void RangeBatch::take_known_frame(const PlannedStage& stage) {
+    for_each_output(stage, [](ValueKind, void* values, const std::byte* kept) {
+        std::memcpy(values, kept, array_bytes);
+    });
+    context_->shared_errors = std::max(context_->shared_errors, frame_.shared_errors);
+    context_->unit_vectors = std::max(context_->unit_vectors, frame_.unit_vectors);
+}
+
+/// With the place where a frame's array is kept.
+template <class Take>
+void RangeBatch::for_each_output(const PlannedStage& stage, const Take& take) {
+    std::byte* kept = frame_.arrays.data();
+    for (const Value value : stage.info->outputs)
+        for (int i = 0; i < arrays_of(value); ++i)
+            if (void* const values = values_[static_cast<std::size_t>(slot_of(value) + i)]) {
+                take(info(value).kind, values, kept);
+                kept += array_bytes;
+            }
 }
 
 /// What a stage that has no function for ranges has drawn, as it is.
@@ -280,6 +299,7 @@ void RangeBatch::name_place() {
 void RangeBatch::run_quad(const MaterialPlan& plan, int quad, const QuadCoverage& coverage) {
     ++context_->quad;
     std::fill_n(context_->undecided, quad_lanes, 0u);
+    frame_.known = false;
     lanes_.fill(no_way);
     mark_coverage(coverage);
     context_->begin_lane(-1);
