@@ -15,6 +15,8 @@ struct RangeTable {
     RangeContext* (*context)();  ///< the calling thread's
     /// All that element `lane` of an array of values may be, under the calling thread's context.
     void (*ends)(const void* values, std::int32_t lane, double* low, double* high);
+    /// Lets each lane of an array of values be what it is in the other one, too.
+    void (*join)(void* values, const void* others);
     /// Names what the coordinates u and v of each lane may be off by, so that what is computed from
     /// them is known to move with them.
     void (*name_place)(void* u, void* v);

@@ -11,6 +11,23 @@ void ends(const void* values, std::int32_t lane, double* low, double* high) {
     *high = range.hi;
 }
 
+/// Either of two unit vectors is one.
+Ranged joined(const Ranged& a, const Ranged& b) {
+    constexpr std::int32_t component_and_kind = 7;
+    const RealInterval x = a.range(), y = b.range();
+    if (x.lo == y.lo && x.hi == y.hi) return a;
+    Ranged result = join(a, b);
+    const bool both_unit = a.unit != 0 && b.unit != 0;
+    if (both_unit && ((a.unit ^ b.unit) & component_and_kind) == 0) result.unit = a.unit;
+    return result;
+}
+
+void join_values(void* values, const void* others) {
+    auto* const to = static_cast<Ranged*>(values);
+    for (int lane = 0; lane < 4; ++lane)
+        to[lane] = joined(to[lane], static_cast<const Ranged*>(others)[lane]);
+}
+
 /// The middle of a range, and what is left as the named error `part` of a group.
 Ranged with_named_error(const Ranged& x, std::int32_t group, int part) {
     const RealInterval range = x.range();
@@ -46,6 +63,7 @@ const RangeTable& table_of(StageList<S...>) {
                                   sizeof...(S),
                                   [] { return &range_context(); },
                                   &ends,
+                                  &join_values,
                                   &name_place};
     return table;
 }

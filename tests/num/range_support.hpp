@@ -21,7 +21,7 @@ inline ErrorBudget gpu_like() {
     budget.sine_limit = 3.15;
     budget.arctangent = 4096;
     budget.flushes_denormals = true;
-    budget.any_derivative = true;
+    budget.derivatives = DerivativeFreedom::each;
     return budget;
 }
 

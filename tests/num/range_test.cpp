@@ -281,6 +281,23 @@ TEST(Ranges, OfDerivativesHoldBothRowsAndColumns) {
     EXPECT_FALSE(holds(dFdy(v).lane[0].range(), 8));
 }
 
+/// Along a known row and column they are the same in all lanes, and nothing else.
+TEST(Ranges, OfDerivativesAreThoseOfAKnownRowAndColumn) {
+    const Ranges v = lanes(0, 1, 4, 9);
+    RangeContext& context = range_context();
+    context.budget = gpu_like();
+    for (context.row_and_column = 0; context.row_and_column < 4; ++context.row_and_column)
+        for (int i = 0; i < 4; ++i) {
+            const bool lower = context.row_and_column % 2 != 0, right = context.row_and_column > 1;
+            const RealInterval x = dFdx(v).lane[i].range(), y = dFdy(v).lane[i].range();
+            EXPECT_EQ(holds(x, 1), !lower);
+            EXPECT_EQ(holds(x, 5), lower);
+            EXPECT_EQ(holds(y, 4), !right);
+            EXPECT_EQ(holds(y, 8), right);
+        }
+    context.row_and_column = -1;
+}
+
 /// Near t = 1 the form that compilers make of mix loses all of a small b.
 TEST(Ranges, OfMixHoldBothForms) {
     const Ranges a(1), b(0x1p-30), t(1);

@@ -22,6 +22,7 @@ constexpr SearchEffort little_effort{3, 6, 5};
 
 /// What was found of quads of a scene, beside their ranges.
 struct ExtremeVerdict {
+    std::vector<std::string> channels;
     std::size_t values = 0, outside = 0;
     std::string first;  ///< of those outside
     /// Widths that were found over those of the ranges, where the range is one and finite:
@@ -29,8 +30,8 @@ struct ExtremeVerdict {
     std::vector<std::vector<double>> reached;
 
     double reached_on_average(const std::string& channel) const {
-        const auto c = static_cast<std::size_t>(std::ranges::find(extreme_channels, channel) -
-                                                extreme_channels.begin());
+        const auto c =
+            static_cast<std::size_t>(std::ranges::find(channels, channel) - channels.begin());
         double sum = 0;
         for (const double part : reached[c]) sum += part;
         return sum / static_cast<double>(reached[c].size());
@@ -38,7 +39,7 @@ struct ExtremeVerdict {
 };
 
 void judge_pixel(ExtremeVerdict& verdict, const Film& ranges, FoundPixel& pixel, std::size_t c) {
-    const std::string& name = extreme_channels[c];
+    const std::string& name = verdict.channels[c];
     const std::size_t i = ranges.index(pixel.x, pixel.y);
     const auto end = [&](const char* prefix) { return ranges.find(prefix + name)->as_float(i); };
     const LegalRange range{end("gpu.lo."), end("gpu.hi."),
@@ -58,9 +59,10 @@ void judge_pixel(ExtremeVerdict& verdict, const Film& ranges, FoundPixel& pixel,
         verdict.reached[c].push_back(spread_of(pixel.values[c]).width / width);
 }
 
-Film ranges_of(const Scene& scene, const Window& window, const std::string& limits) {
+Film ranges_of(const Scene& scene, const Window& window, const std::string& limits,
+               const std::vector<std::string>& channels = extreme_channels) {
     RenderOptions options;
-    options.channels = extreme_channels;
+    options.channels = channels;
     options.window = window;
     options.limits = limits;
     return render(scene, options);
@@ -68,13 +70,13 @@ Film ranges_of(const Scene& scene, const Window& window, const std::string& limi
 
 /// Of the ranges' window; the search goes by `limits`.
 ExtremeVerdict extreme_verdict(const Scene& scene, const Film& ranges, const std::string& limits,
-                               const SearchEffort& effort) {
+                               const SearchEffort& effort,
+                               const std::vector<std::string>& channels = extreme_channels) {
     ExtremeVerdict verdict;
-    verdict.reached.resize(extreme_channels.size());
-    for (FoundPixel& pixel :
-         Extremes(scene, extreme_channels, limits, effort).search(ranges.window))
-        for (std::size_t c = 0; c < extreme_channels.size(); ++c)
-            judge_pixel(verdict, ranges, pixel, c);
+    verdict.channels = channels;
+    verdict.reached.resize(channels.size());
+    for (FoundPixel& pixel : Extremes(scene, channels, limits, effort).search(ranges.window))
+        for (std::size_t c = 0; c < channels.size(); ++c) judge_pixel(verdict, ranges, pixel, c);
     return verdict;
 }
 
@@ -141,6 +143,33 @@ TEST(Extremes, BeyondWhatIsPermittedAreFound) {
     }
 }
 
+/// All differences of an implementation are along the same row and column: neither do ranges hold
+/// those that take P along one row and uv along the other, nor may they forget a choice.
+TEST(Extremes, AreAlongOneRowAndColumn) {
+    const Scene scene = load_scene(on_bricks.scene);
+    const std::vector<std::string> channels = {"K.U", "K.V", "dUVdx.U", "dUVdy.V"};
+    const auto outside = [&](const std::string& ranges, const std::string& limits) {
+        const std::string precise = "gl,evaluation=1e-7,derivatives=";
+        return extreme_verdict(scene,
+                               ranges_of(scene, on_bricks.window, precise + ranges, channels),
+                               precise + limits, {1, 20, 10}, channels)
+            .outside;
+    };
+    EXPECT_EQ(outside("quad", "quad"), 0u);
+    EXPECT_GT(outside("quad", "each"), 0u);
+    EXPECT_GT(outside("exact", "quad"), 0u);
+    EXPECT_EQ(outside("each", "each"), 0u);
+}
+
+/// Colours of sRGB8 are moved as far as decoding may be off, and no further.
+TEST(Extremes, OfDecodingLieWithinTheRanges) {
+    const Scene scene = load_scene("sampler-wrap-repeat");
+    const Window window{8, 40, 12, 42};
+    const Film ranges = ranges_of(scene, window, "gl,srgb=0.5");
+    EXPECT_EQ(extreme_verdict(scene, ranges, "gl,srgb=0.5", little_effort).outside, 0u);
+    EXPECT_GT(extreme_verdict(scene, ranges, "gl,srgb=0.6", little_effort).outside, 0u);
+}
+
 /// Values that interpolation alone makes are moved nearly as far as their ranges go, those of
 /// searches a good part of the way.
 TEST(Extremes, GetFar) {
@@ -150,7 +179,8 @@ TEST(Extremes, GetFar) {
         extreme_verdict(scene, ranges_of(scene, on_bricks.window, "gl"), "gl", {5, 20, 9});
     for (const char* channel : {"uv.U", "uv.V", "lod.lambda"})
         EXPECT_GT(verdict.reached_on_average(channel), 0.7) << channel;
-    for (const char* channel : {"K.U", "K.V", "hit.U", "hit.V"})
+    EXPECT_GT(verdict.reached_on_average("K.U"), 0.6) << "all of it along one row";
+    for (const char* channel : {"K.V", "hit.U", "hit.V"})
         EXPECT_GT(verdict.reached_on_average(channel), 0.4) << channel;
 }
 

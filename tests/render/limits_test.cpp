@@ -517,6 +517,10 @@ TEST(Limits, AreRefusedWhereThereAreNone) {
         options.limits = open;
         EXPECT_NE(refuses(scene).find("found \"\""), std::string::npos) << open;
     }
+    options.limits = "gl,derivatives=some";
+    EXPECT_NE(refuses(scene).find("derivatives=quad"), std::string::npos);
+    options.limits = "gl,srgb=2";
+    EXPECT_NE(refuses(scene).find("number from 0 to 1"), std::string::npos);
     options.limits = "gl,plane=much";
     EXPECT_NE(refuses(scene).find("number"), std::string::npos);
     options.limits = "";

@@ -113,6 +113,17 @@ bool observes_heights(const std::vector<ChannelSource>& channels) {
     });
 }
 
+/// The texels of those that are decoded from sRGB8.
+std::vector<const float*> srgb_maps(const std::vector<MaterialTextures>& textures) {
+    std::vector<const float*> maps;
+    for (const MaterialTextures& of_material : textures)
+        for (const auto& texture : of_material.owned)
+            if (texture && texture->format() == TexelFormat::srgb8 &&
+                std::ranges::count(maps, texture->view().texels) == 0)
+                maps.push_back(texture->view().texels);
+    return maps;
+}
+
 }  // namespace
 
 RenderPlan make_render_plan(const Scene& scene, const std::vector<ChannelSource>& channels,
@@ -203,6 +214,7 @@ void load_plan_textures(const Scene& scene, const std::vector<bool>& used, Rende
     for (std::size_t m = 0; m < slots.size(); ++m)
         if (used[m]) slots[m] = slots_read(plan, m);
     plan.textures = load_textures(scene, slots, plan.texels_read, *scene.texture_cache, baking);
+    plan.limits.srgb_maps = srgb_maps(plan.textures);
     plan.maxima.resize(scene.materials.size());
     for (std::size_t m = 0; m < slots.size(); ++m)
         if (used[m]) bound_material(plan, m, *scene.texture_cache, pixels);

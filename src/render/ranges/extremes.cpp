@@ -193,6 +193,7 @@ SharedChoices Extremes::choices(double level) {
     SharedChoices shared;
     shared.level = level;
     shared.filtered = std::floor(random() * 3) - 1;
+    shared.srgb = std::floor(random() * 3) - 1;
     shared.derivatives = random() < 0.25 ? DerivativeMode::coarse : DerivativeMode::fine;
     return shared;
 }

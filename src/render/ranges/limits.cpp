@@ -8,6 +8,7 @@
 #include <charconv>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "quadrel/error.hpp"
 
@@ -34,7 +35,7 @@ ErrorBudget shared_limits() {
     budget.sine_limit = float_below_pi;
     budget.arctangent = 4096;
     budget.flushes_denormals = true;
-    budget.any_derivative = true;
+    budget.derivatives = DerivativeFreedom::quad;
     budget.filtered = 0x1p-16;
     budget.plane = 0x1p-20;
     budget.snapping = 0x1p-8;  // 8 bits, whichever way they are rounded
@@ -47,6 +48,13 @@ ErrorBudget vulkan() {
     budget.address = 0x1p-4;  // subTexelPrecisionBits 4
     budget.lod = 0x1p-4;      // mipmapPrecisionBits 4
     budget.lod_freedom = LodFreedom::vulkan;
+    return budget;
+}
+
+/// Its conformance tests take what Direct3D permits of decoding.
+ErrorBudget webgpu() {
+    ErrorBudget budget = vulkan();
+    budget.srgb = 0.5;
     return budget;
 }
 
@@ -77,6 +85,7 @@ ErrorBudget d3d() {
     budget.address = 0.6 * 0x1p-8;
     budget.lod = 0x1p-8;
     budget.lod_freedom = LodFreedom::d3d;
+    budget.srgb = 0.5;
     return budget;
 }
 
@@ -105,6 +114,7 @@ double* setting(ErrorBudget& budget, const std::string& name) {
     if (name == "filtered") return &budget.filtered;
     if (name == "address") return &budget.address;
     if (name == "lod") return &budget.lod;
+    if (name == "srgb") return &budget.srgb;
     return nullptr;
 }
 
@@ -114,7 +124,8 @@ void apply_setting(ErrorBudget& budget, const std::string& text) {
     if (place == nullptr || equals == std::string::npos)
         throw UsageError(
             fmt::format("--limits: found \"{}\", expected plane=, snapping=, evaluation=, "
-                        "filtered=, address= or lod= and a number, or rho=exact",
+                        "filtered=, address=, lod= or srgb= and a number, or rho=exact, "
+                        "derivatives=exact, derivatives=quad or derivatives=each",
                         text));
     const char* const first = text.data() + equals + 1;
     const char* const last = text.data() + text.size();
@@ -126,8 +137,22 @@ void apply_setting(ErrorBudget& budget, const std::string& text) {
     *place = value;
 }
 
-/// "rho=exact" is no number: the level of detail is made of the sampler's own form.
-bool is_exact_rho(const std::string& text) { return text == "rho=exact"; }
+/// What is no number: of what the level of detail is made, and along which row and column
+/// differences are taken. False if it is neither.
+bool apply_choice(ErrorBudget& budget, const std::string& text) {
+    constexpr std::pair<const char*, DerivativeFreedom> derivatives[] = {
+        {"derivatives=exact", DerivativeFreedom::exact},
+        {"derivatives=quad", DerivativeFreedom::quad},
+        {"derivatives=each", DerivativeFreedom::each}};
+    for (const auto& [name, freedom] : derivatives)
+        if (text == name) {
+            budget.derivatives = freedom;
+            return true;
+        }
+    if (text != "rho=exact") return false;
+    budget.lod_freedom = LodFreedom::exact;
+    return true;
+}
 
 }  // namespace
 
@@ -136,8 +161,10 @@ ErrorBudget budget_of_limits(const std::string& text) {
     std::string part;
     std::getline(parts, part, ',');
     ErrorBudget budget;
-    if (part == "vulkan" || part == "webgpu")
+    if (part == "vulkan")
         budget = vulkan();
+    else if (part == "webgpu")
+        budget = webgpu();
     else if (part == "gl")
         budget = gl();
     else if (part == "d3d")
@@ -148,12 +175,8 @@ ErrorBudget budget_of_limits(const std::string& text) {
         throw UsageError(fmt::format(
             "--limits: found \"{}\", expected vulkan, d3d, gl or webgpu, or rounding", part));
     if (text.ends_with(',')) apply_setting(budget, "");
-    while (std::getline(parts, part, ',')) {
-        if (is_exact_rho(part))
-            budget.lod_freedom = LodFreedom::exact;
-        else
-            apply_setting(budget, part);
-    }
+    while (std::getline(parts, part, ','))
+        if (!apply_choice(budget, part)) apply_setting(budget, part);
     return budget;
 }
 

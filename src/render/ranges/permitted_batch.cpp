@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "quadrel/num/math.hpp"
+#include "quadrel/num/srgb.hpp"
 #include "quadrel/quad/interpolate.hpp"
 #include "render/ranges/exact_rows.hpp"
 
@@ -48,13 +49,11 @@ bool is_interpolation(const PlannedStage& stage) {
     return stage.info->text.id == std::string_view(Interpolate::text.id);
 }
 
-/// Before the last texel of the last level.
-std::size_t size_of(const TextureView& view) {
-    const int last = view.levels - 1;
-    return static_cast<std::size_t>(view.offset[last]) +
-           static_cast<std::size_t>(view.width[last]) *
-               static_cast<std::size_t>(view.height[last]) *
-               static_cast<std::size_t>(view.channels * view.faces);
+/// Floats of a level.
+std::size_t size_of(const TextureView& view, int level) {
+    return static_cast<std::size_t>(view.width[level]) *
+           static_cast<std::size_t>(view.height[level]) *
+           static_cast<std::size_t>(view.channels * view.faces);
 }
 
 /// The float in [low, high] that is nearest to x; where there is none, the nearest one.
@@ -116,6 +115,27 @@ class PermittedBatch::KeptValues {
     std::vector<std::pair<int, std::vector<float>>> kept_;
 };
 
+/// With each number as `move` makes it of its value and its channel. Made once.
+template <class Move>
+const SampledTexture* PermittedBatch::MovedMap::moved(const SampledTexture& from,
+                                                      const Move& move) {
+    const TextureView& view = from.view;
+    if (of != view.texels) {
+        of = view.texels;
+        const int last = view.levels - 1;
+        texels.resize(static_cast<std::size_t>(view.offset[last]) + size_of(view, last));
+        for (int level = 0; level < view.levels; ++level)
+            for (std::size_t i = 0; i < size_of(view, level); ++i) {
+                const std::size_t at = static_cast<std::size_t>(view.offset[level]) + i;
+                const auto channel = static_cast<int>(i % static_cast<std::size_t>(view.channels));
+                texels[at] = static_cast<float>(move(static_cast<double>(of[at]), channel));
+            }
+    }
+    map = from;
+    map.view.texels = texels.data();
+    return &map;
+}
+
 PermittedBatch::PermittedBatch(const RenderPlan& plan, const Geometry& geometry,
                                const ErrorBudget& budget)
     : plan_(plan),
@@ -174,7 +194,8 @@ void PermittedBatch::run(const QuadCoverage& quad, int samples, bool centroid,
     uniforms_.maxima = nullptr;
     call_.material = &uniforms_;
     frame_ = *call_.frame;
-    if (budget_.any_derivative) frame_.derivatives = shared.derivatives;
+    const bool any_derivative = budget_.derivatives != DerivativeFreedom::exact;
+    if (any_derivative) frame_.derivatives = shared.derivatives;
     call_.frame = &frame_;
     call_.values = values_.data();
     call_.lanes = static_cast<std::int32_t>(batch_size);
@@ -187,7 +208,7 @@ void PermittedBatch::run(const QuadCoverage& quad, int samples, bool centroid,
             interpolate(stage);
         else
             run_looking_up(stage, i);
-        if (budget_.any_derivative && stores(stage, Value::dUVdx)) choose_differences();
+        if (any_derivative && stores(stage, Value::dUVdx)) choose_differences();
     }
 }
 
@@ -260,18 +281,27 @@ void PermittedBatch::move_varying(int varying) {
 /// Of each lane, along which row or column.
 void PermittedBatch::choose_differences() {
     constexpr Value values[] = {Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy};
-    for (int d = 0; d < PermittedErrors::differences; ++d) {
-        const std::size_t other = d % 2 == 0 ? 2 : 1;  // the lane in the other row, or column
+    for (int d = 0; d < PermittedErrors::differences; ++d)
         for (int component = 0; component < info(values[d]).components; ++component) {
             float* const of = floats(slot_of(values[d]) + component);
             for (std::size_t q = 0; of != nullptr && q < implementations_.size(); ++q) {
                 const float own[4] = {of[4 * q], of[4 * q + 1], of[4 * q + 2], of[4 * q + 3]};
                 for (std::size_t k = 0; k < 4; ++k)
-                    if (implementations_[q].takes_other(d, static_cast<int>(k)))
-                        of[4 * q + k] = own[k ^ other];
+                    of[4 * q + k] = own[lane_of_difference(d, q, k)];
             }
         }
-    }
+}
+
+/// Which lane's own difference a lane has.
+std::size_t PermittedBatch::lane_of_difference(int difference, std::size_t implementation,
+                                               std::size_t lane) const {
+    const PermittedErrors& errors = implementations_[implementation];
+    const bool along_y = difference % 2 != 0;
+    const std::size_t across = along_y ? 1 : 2;  // to the lane in the other row, or column
+    if (budget_.derivatives == DerivativeFreedom::each)
+        return errors.takes_other(difference, static_cast<int>(lane)) ? lane ^ across : lane;
+    if (!errors.is_coarse()) return lane;
+    return errors.along_second(along_y) ? across : 0;
 }
 
 /// How long gradients of the undisplaced UV are for the stage's look-ups, which makes their level
@@ -308,20 +338,27 @@ void PermittedBatch::stretch_gradients(const PlannedStage& stage) {
 void PermittedBatch::move_heights() {
     constexpr auto slot = static_cast<int>(TextureSlot::height);
     const SampledTexture* const texture = plan_.textures[material_].bound(slot);
-    call_.textures[slot] = texture;
     if (texture == nullptr || shared_.filtered == 0) return;
-    MovedHeights& moved = heights_[shared_.filtered > 0 ? 1 : 0];
-    if (moved.of != texture->view.texels) {
-        const double factor = 1 + (shared_.filtered > 0 ? 1 : -1) * inside * budget_.filtered;
-        moved.of = texture->view.texels;
-        moved.texels.resize(size_of(texture->view));
-        std::transform(
-            moved.of, moved.of + moved.texels.size(), moved.texels.begin(),
-            [&](float h) { return static_cast<float>(static_cast<double>(h) * factor); });
+    const double factor = 1 + (shared_.filtered > 0 ? 1 : -1) * inside * budget_.filtered;
+    call_.textures[slot] = heights_[shared_.filtered > 0 ? 1 : 0].moved(
+        *texture, [&](double h, int) { return h * factor; });
+}
+
+/// sRGB8 that is decoded as if all codes were a little lower or higher.
+void PermittedBatch::move_decoded() {
+    constexpr int alpha = 3;
+    const double codes = (shared_.srgb > 0 ? 1 : -1) * inside * budget_.srgb / 255;
+    if (shared_.srgb == 0 || codes == 0) return;
+    for (int slot = 0; slot < texture_slot_count; ++slot) {
+        const auto& texture = plan_.textures[material_].owned[static_cast<std::size_t>(slot)];
+        if (!texture || texture->format() != TexelFormat::srgb8) continue;
+        MovedMap& moved = decoded_[shared_.srgb > 0 ? 1 : 0][static_cast<std::size_t>(slot)];
+        call_.textures[slot] =
+            moved.moved(*plan_.textures[material_].bound(slot), [&](double x, int channel) {
+                const bool is_exact = channel == alpha || x <= 0 || x >= 1;
+                return is_exact ? x : srgb_decode(std::max(srgb_encode(x) + codes, 0.0));
+            });
     }
-    heights_moved_ = *texture;
-    heights_moved_.view.texels = moved.texels.data();
-    call_.textures[slot] = &heights_moved_;
 }
 
 /// Whether a stage reads maps by filtered look-ups. Noise is computed, and what reads patches of
@@ -363,10 +400,11 @@ void PermittedBatch::run_looking_up(const PlannedStage& stage, std::size_t numbe
     std::array<std::vector<float>, 2> move;
     for (int axis = 0; axis < 2; ++axis)
         move[static_cast<std::size_t>(axis)] = move_place(stage, number, from, axis);
+    const std::array textures = std::to_array(call_.textures);
+    move_decoded();
     move_heights();
     stage.run(&call_);
-    call_.textures[static_cast<int>(TextureSlot::height)] =
-        plan_.textures[material_].bound(static_cast<int>(TextureSlot::height));
+    std::ranges::copy(textures, call_.textures);
     for (int axis = 0; axis < 2 && finds; ++axis) {
         float* const hit = floats(slot_of(Value::hit_uv) + axis);
         const std::vector<float>& by = move[static_cast<std::size_t>(axis)];

@@ -49,8 +49,11 @@ class PermittedBatch {
     void interpolate(const PlannedStage& stage);
     void move_varying(int varying);
     void choose_differences();
+    std::size_t lane_of_difference(int difference, std::size_t implementation,
+                                   std::size_t lane) const;
     void stretch_gradients(const PlannedStage& stage);
     void move_heights();
+    void move_decoded();
     void run_looking_up(const PlannedStage& stage, std::size_t number);
     std::vector<float> move_place(const PlannedStage& stage, std::size_t number, int slot,
                                   int axis);
@@ -74,12 +77,17 @@ class PermittedBatch {
     std::vector<double> exact_memory_;  ///< what interpolation gives, before errors
     std::vector<void*> exact_;
     std::vector<double> edges_[3];
-    SampledTexture heights_moved_{};  ///< the height map with texels that are moved
-    struct MovedHeights {
+    /// A map with texels that are moved.
+    struct MovedMap {
         const float* of = nullptr;  ///< the map's own
         std::vector<float> texels;
+        SampledTexture map{};
+
+        template <class Move>
+        const SampledTexture* moved(const SampledTexture& from, const Move& move);
     };
-    MovedHeights heights_[2];  ///< a little lower, and higher
+    MovedMap heights_[2];  ///< a little lower, and higher
+    std::array<std::array<MovedMap, texture_slot_count>, 2> decoded_;  ///< likewise
 };
 
 }  // namespace quadrel

@@ -30,11 +30,15 @@ class PermittedErrors {
         return share_[index(7 * varyings + 6 + 2 * of + axis)];
     }
 
-    /// ErrorBudget::any_derivative: whether a lane takes a difference (of P in x, y, of uv in x, y)
+    /// DerivativeFreedom::each: whether a lane takes a difference (of P in x, y, of uv in x, y)
     /// along the quad's other row or column.
     bool takes_other(int difference, int lane) const {
         return share_[index(7 * varyings + 6 + 2 * most_stages + 4 * difference + lane)] < 0;
     }
+    /// DerivativeFreedom::quad: whether all lanes take all differences along the same row and
+    /// column, and which these are.
+    bool is_coarse() const { return takes_other(0, 0); }
+    bool along_second(bool column) const { return takes_other(0, column ? 2 : 1); }
 
     std::array<float, count>& shares() { return share_; }
     const std::array<float, count>& shares() const { return share_; }
@@ -51,6 +55,8 @@ struct SharedChoices {
     double level = 0.5;
     /// ErrorBudget::filtered, of heights, a share of it.
     double filtered = 0;
+    /// ErrorBudget::srgb, a share of it.
+    double srgb = 0;
     DerivativeMode derivatives = DerivativeMode::fine;
 };
 

@@ -55,6 +55,12 @@ class RangeBatch {
   private:
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
+    void run_stage(const MaterialPlan& plan, std::size_t number);
+    bool is_made_of_differences(const MaterialPlan& plan, std::size_t number) const;
+    void run_along_rows_and_columns(const MaterialPlan& plan, std::size_t number);
+    void take_known_frame(const PlannedStage& stage);
+    template <class Take>
+    void for_each_output(const PlannedStage& stage, const Take& take);
     void take_drawn(const PlannedStage& stage);
     void inject_after(const MaterialPlan& plan, std::size_t stage);
     void name_place();
@@ -87,6 +93,13 @@ class RangeBatch {
     const std::vector<bool>* known_ = nullptr;
     std::vector<std::byte> memory_;
     std::vector<void*> values_;
+    /// What the quad's frame has stored, an array after the other.
+    struct Frame {
+        std::vector<std::byte> arrays;
+        bool known = false;                                ///< whatever the run
+        std::int32_t shared_errors = 0, unit_vectors = 0;  ///< RangeContext's, behind it
+    };
+    Frame frame_;
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]
     std::vector<std::vector<FragmentRange>> ways_;  ///< of the followed lane: [slot of the plan]
     std::vector<std::size_t> through_;  ///< stages until it is written: [slot of the plan]

@@ -28,6 +28,8 @@ struct RangePlan {
     /// Per material and stage: all that is read of it is injected.
     std::vector<std::vector<bool>> known;
     std::vector<int> slots;  ///< arrays that channels show
+    /// Texels of all maps that are decoded from sRGB8, once they are loaded.
+    std::vector<const float*> srgb_maps;
     /// Per material, how its heights are read as a surface; none where they are no map.
     std::vector<std::optional<oracle::Surface>> surfaces;
     /// Per material; of all none where nobody asks what is undecided.

@@ -42,6 +42,19 @@ struct RangeContext {
     std::int32_t followed = -1;  ///< lane of the quad; none if negative
     std::uint32_t kind = 0;      ///< what a decision that is met now is about
 
+    /// Which row and column of the quad differences are of: 1 the lower row, plus 2 the right
+    /// column. Negative: any that are permitted.
+    std::int32_t row_and_column = -1;
+    /// The maps (by their texels) that are decoded from sRGB8.
+    const float* const* srgb_maps = nullptr;
+    std::int32_t srgb_map_count = 0;
+
+    bool is_srgb_map(const float* texels) const {
+        for (int i = 0; i < srgb_map_count; ++i)
+            if (srgb_maps[i] == texels) return true;
+        return false;
+    }
+
     /// Lanes in which both sides of a decision were taken together.
     std::uint32_t joined = 0;
     std::uint32_t undecided[4] = {};  ///< kinds, per lane

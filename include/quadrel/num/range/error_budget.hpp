@@ -14,6 +14,13 @@ enum class LodFreedom : std::int32_t {
     gl,      ///< the same, or to the sum of the greater of |m_u| and of |m_v| in x and y
 };
 
+/// Along which row and column of a quad differences are taken.
+enum class DerivativeFreedom : std::int32_t {
+    exact,  ///< those of the reference's own mode
+    quad,   ///< of the quad either one row and one column, or each lane's own
+    each,   ///< any, of each component of each difference by itself
+};
+
 /// Errors in units of 2^-23 times the result ("ulp") unless said otherwise. All 0: exact arithmetic
 /// on float32 inputs, and functions as the reference defines them.
 struct ErrorBudget {
@@ -30,12 +37,14 @@ struct ErrorBudget {
     double sine_limit = 0;  ///< 0: the reference's own
     double arctangent = 0;  ///< infinite: anything
     bool flushes_denormals = false;
-    bool any_derivative = false;  ///< of either row or column of the quad, as it likes
+    DerivativeFreedom derivatives = DerivativeFreedom::exact;
 
     // Samplers.
     double address = 0;   ///< of a texel coordinate and so of weights, in texels
     double filtered = 0;  ///< of a filtered value, relative to the largest tap
     double lod = 0;       ///< of the level of detail, in levels
+    /// Of a decoded texel of sRGB8: as a code, how far from its own; of 0 and 255 nothing.
+    double srgb = 0;
     LodFreedom lod_freedom = LodFreedom::exact;
 
     // Interpolation: what no specification states.

@@ -121,19 +121,21 @@ namespace range_detail {
 /// to - from, rounded once; a difference of lanes is no sum that could be taken in another order.
 inline Ranged difference(const Ranged& to, const Ranged& from) { return (to - from).range(); }
 
-/// Differences along an axis: `step` is the neighbour's distance, `first` the lane of the quad that
-/// a coarse one starts from.
+/// Differences along an axis: `step` is the neighbour's distance. Where an implementation chooses,
+/// those of the row (or column) that the context says, or of both.
 inline Ranges differences(const Ranges& v, int step, DerivativeMode mode) {
-    const bool any_mode = range_context().budget.any_derivative;
-    const Ranged coarse = difference(v.lane[step], v.lane[0]);
-    const int across = 3 - step;  // coarse ones may be those of either row or column
-    const Ranged other = difference(v.lane[3], v.lane[across]);
+    const RangeContext& context = range_context();
+    const Ranged first = difference(v.lane[step], v.lane[0]);
+    const Ranged second = difference(v.lane[3], v.lane[3 - step]);
     Ranges result;
-    for (int i = 0; i < 4; ++i) {
-        const int from = i & ~step;
-        const Ranged fine = difference(v.lane[from + step], v.lane[from]);
-        result.lane[i] = mode == DerivativeMode::coarse ? coarse : fine;
-        if (any_mode) result.lane[i] = join(coarse, other);
+    if (context.budget.derivatives == DerivativeFreedom::exact) {
+        const bool coarse = mode == DerivativeMode::coarse;
+        for (int i = 0; i < 4; ++i) result.lane[i] = coarse || (i & ~step) == 0 ? first : second;
+    } else if (context.row_and_column >= 0) {
+        const int bit = step == 1 ? 1 : 2;
+        result = Ranges((context.row_and_column & bit) != 0 ? second : first);
+    } else {
+        result = Ranges(join(first, second));
     }
     return result;
 }

@@ -150,13 +150,13 @@ inline TexelRange face_range(const SampledTexture& texture, int lane, const Rang
 template <class Lambda>
 TexelRange cube_range(const SampledTexture& texture, int number, const CubeLane& lane,
                       const Lambda& lambda) {
-    if (!lane.known) return filtered(whole_map(texture));
+    if (!lane.known) return filtered(texture, whole_map(texture));
     TexelRange range = TexelRange::nothing();
     int faces = 0;
     for (std::int32_t face = 0; face < 6; ++face) {
         FaceVector at = on_face(face, lane.direction);
         if (!meets_face(at)) continue;
-        if (at.out.lo <= 0) return filtered(whole_map(texture));
+        if (at.out.lo <= 0) return filtered(texture, whole_map(texture));
         if (++faces > 1) range_context().undecided[number] |= Undecided::cube_face;
         range.include(face_range(texture, number, lambda(face, at), face, at));
     }

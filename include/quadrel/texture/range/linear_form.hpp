@@ -148,15 +148,23 @@ inline LinearForm either(const LinearForm& a, const LinearForm& b) {
     return form;
 }
 
-/// The form as a number, with what filters are off by; `range` where the form is wider.
+/// The greatest value that the form may have.
+inline double greatest_of(const LinearForm& form, int channel) {
+    double greatest = form.at[channel] + form.rest[channel];
+    for (int k = 0; k < 3; ++k) greatest += std::fabs(form.part[k][channel]);
+    return greatest;
+}
+
+/// The form as a number, with what filters are off by, and texels by `own`; `range` where the form
+/// is wider.
 inline Ranged narrower(const LinearForm& form, int channel, std::int32_t named,
-                       const RealInterval& range) {
+                       const RealInterval& range, double own) {
     const ErrorBudget& errors = budget();
     double parts = 0;
     for (int k = 0; k < 3; ++k) parts += std::fabs(form.part[k][channel]);
     const double off = (errors.filtered + (errors.unit > 0 ? 4 * errors.unit : 0x1p-48)) *
                        (std::fabs(form.at[channel]) + parts + form.rest[channel]);
-    const double rest = form.rest[channel] + off;
+    const double rest = form.rest[channel] + off + own;
     if (!(2 * (rest + parts) <= 1.1 * range.width())) return Ranged(range);
     Ranged result(widened(form.at[channel], rest));
     result.mass = next_up(result.mass + parts);

@@ -7,10 +7,17 @@
 #include "quadrel/texture/range/level_of_detail.hpp"
 #include "quadrel/texture/range/linear_form.hpp"
 #include "quadrel/texture/range/map_range.hpp"
+#include "quadrel/texture/range/srgb.hpp"
 
 namespace quadrel {
 
 namespace range_detail {
+
+/// With what decoding and filters are off by.
+inline TexelRange filtered(const SampledTexture& texture, TexelRange range) {
+    for (int c = 0; c < 4; ++c) range.channel[c] = decoded(texture, c, range.channel[c]);
+    return filtered(range);
+}
 
 /// The look-up of a lane; `of(level, filter)` is the range of a level.
 template <class LevelRange>
@@ -29,7 +36,7 @@ TexelRange look_up(const SampledTexture& texture, int lane, const Ranged& lambda
         range.include(range_of_levels(mips ? s.mip : MipFilter::none, d,
                                       [&](int level) { return of(level, filter); }));
     }
-    return filtered(range);
+    return filtered(texture, range);
 }
 
 /// The named error that a level of detail moves with in look-ups beside a place: the same gradients
@@ -120,7 +127,8 @@ inline vec4<Ranges> sample_expanded(const SampledTexture& texture,
         if (!asks(context, i) || !form_of_look_up(form, texture, u, v, lod.lambda.lane[i]))
             continue;
         for (int c = 0; c < 4; ++c)
-            result[c].lane[i] = narrower(form, c, u.named, lanes[i].channel[c]);
+            result[c].lane[i] = narrower(form, c, u.named, lanes[i].channel[c],
+                                         decoding_error(texture, c, greatest_of(form, c)));
     }
     return result;
 }
@@ -145,9 +153,10 @@ class FastHeight<Ranges> {
         Ranges result(Ranged::anything());
         for (int i = 0; i < 4; ++i)
             if (asks(context, i))
-                result.lane[i] = Ranged(filtered(level_range(texture_, level_, Filter::linear,
-                                                             uv.x.lane[i], uv.y.lane[i]))
-                                            .channel[0]);
+                result.lane[i] =
+                    Ranged(filtered(texture_, level_range(texture_, level_, Filter::linear,
+                                                          uv.x.lane[i], uv.y.lane[i]))
+                               .channel[0]);
         return result;
     }
 
@@ -192,7 +201,7 @@ inline vec4<Ranges> texture_gather(const SampledTexture& texture,
         const bool few = gather_range(taps, texture, uv.x.lane[i], uv.y.lane[i]);
         for (int tap = 0; tap < 4; ++tap) {
             const TexelRange& texel = few ? taps[tap] : whole_map(texture);
-            result[tap].lane[i] = Ranged(filtered(texel).channel[component]);
+            result[tap].lane[i] = Ranged(filtered(texture, texel).channel[component]);
         }
     }
     return result;
