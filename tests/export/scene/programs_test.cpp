@@ -65,7 +65,6 @@ struct Texts {
 
 bool has_validator() { return std::system("glslangValidator --version > /dev/null 2>&1") == 0; }
 
-/// The files of a folder that are not taken, with what is said of them. One compiler for many.
 /// A language, and how its compiler is called: for one text where that makes a binary, else for
 /// many.
 struct Language {

@@ -67,9 +67,12 @@ bool has_vertex_rays(const Scene& scene) {
 
 void move_eye(Geometry& geometry, const std::array<double, 3>& parts) {
     for (PrimitiveVertices& row : geometry.vertices) {
-        double distance = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            distance = std::hypot(distance, static_cast<double>(row.to_object[4 * axis + 3]));
+        double square = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = row.to_object[4 * axis + 3];
+            square += at * at;
+        }
+        const double distance = std::sqrt(square);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             float& at = row.to_object[4 * axis + 3];
             at = static_cast<float>(static_cast<double>(at) + parts[axis] * distance);
