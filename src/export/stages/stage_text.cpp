@@ -173,12 +173,17 @@ FunctionText write_stage(const RecordedStage& stage, const ShaderScene& scene, c
 std::set<std::string> differing_uniforms(const std::vector<FunctionText>& functions) {
     std::map<std::string, Uniform> known;
     std::set<std::string> differing;
-    for (const FunctionText& function : functions)
-        for (const Uniform& of : function.uniforms) {
+    const auto compare = [&](const std::vector<Uniform>& uniforms) {
+        for (const Uniform& of : uniforms) {
             const Uniform& first = known.emplace(of.name, of).first->second;
             if (first.type != of.type || first.count != of.count || first.comment != of.comment)
                 differing.insert(of.name);
         }
+    };
+    for (const FunctionText& function : functions) {
+        compare(function.uniforms);
+        if (function.vertex) compare(function.vertex->uniforms);
+    }
     return differing;
 }
 
