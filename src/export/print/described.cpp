@@ -121,6 +121,34 @@ std::string described_call(const Node& node) {
     return a.empty() || b.empty() ? node.text : node.text + "_" + a + "_" + b;
 }
 
+/// x - floor(x)
+bool is_rest(const Node& node) {
+    const Node& floor = *node.arguments[1];
+    return node.text == "-" && floor.kind == Kind::call && floor.text == "floor" &&
+           floor.arguments[0] == node.arguments[0];
+}
+
+/// The difference that is a factor of a product; null where none is.
+const Node* difference_in(const Node& product) {
+    if (product.kind != Kind::binary || product.text != "*") return nullptr;
+    for (const Node* factor : product.arguments)
+        if (factor->kind == Kind::binary && factor->text == "-") return factor;
+    return nullptr;
+}
+
+/// a + t * (b - a)
+bool is_mixture(const Node& node) {
+    const Node* const difference = node.text == "+" ? difference_in(*node.arguments[1]) : nullptr;
+    return difference != nullptr && difference->arguments[1] == node.arguments[0];
+}
+
+/// x, by a period more or less where it is outside.
+bool is_wrapped(const Node& choice) {
+    const Node &moved = *choice.arguments[1], &same = *choice.arguments[2];
+    return choice.type == Type::integer && moved.kind == Kind::binary &&
+           (moved.text == "+" || moved.text == "-") && moved.arguments[0] == &same;
+}
+
 /// What people call some of them, else the operands' names with the operator's between.
 std::string joined_operands(const Node& node, const std::string& between) {
     const Node &a = *node.arguments[0], &b = *node.arguments[1];
@@ -149,6 +177,11 @@ std::string described_binary(const Node& node) {
     const Node &a = *node.arguments[0], &b = *node.arguments[1];
     const bool is_whole = node.type == Type::integer;
     if (is_finite_test(node)) return "finite";
+    if (is_rest(node)) return with_operand("fraction", a);
+    if (is_mixture(node)) {
+        const std::string ends = joined(a, "to", *difference_in(b)->arguments[0]);
+        return ends.empty() ? "mixed" : ends;
+    }
     if (is_whole && is_number(b, 1) && node.text == "+" && !own_name(a).empty())
         return with_operand("after", a);
     if (is_whole && is_number(b, 1) && node.text == "-" && !own_name(a).empty())
@@ -185,6 +218,7 @@ std::string described(const Node& node) {
         case Kind::unary:
             return with_operand(node.text == "!" ? "not" : "minus", *node.arguments[0]);
         case Kind::select: {
+            if (is_wrapped(node)) return with_operand("wrapped", *node.arguments[2]);
             const std::string either = joined(*node.arguments[1], "or", *node.arguments[2]);
             return either.empty() ? "chosen" : either;
         }

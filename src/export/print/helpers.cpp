@@ -58,17 +58,34 @@ std::string name_of_argument(const Cones& group, std::size_t i) {
     return name.empty() ? described(*group[0].arguments[i]) : name;
 }
 
+/// Likewise of what they give; of results of several axes what is in front of their letters.
 template <class Cones>
 std::string name_of_results(const Cones& group) {
-    for (const auto& of : group)
-        if (const std::string name = name_of_result(*of.root); !name.empty()) return name;
-    return "";
+    std::string name, first;
+    for (const auto& of : group) {
+        const std::string own = name_of_result(*of.root);
+        if (own.empty()) continue;
+        if (first.empty()) first = name = own;
+        if (own != name) name = common_stem(name, own);
+    }
+    return name.empty() ? first : name;
 }
 
-/// A function's graph, made of nodes of another.
+/// What the first result's name ends in, and `name`, that of all, does not: `_x`.
+std::string axis_of(const Node& first, const std::string& name) {
+    const std::string own = name_of_result(first);
+    return own.size() == name.size() + 2 && own.rfind(name, 0) == 0 ? own.substr(name.size()) : "";
+}
+
+std::string without(const std::string& axis, std::string name) {
+    if (!axis.empty() && name.ends_with(axis)) name.resize(name.size() - axis.size());
+    return name;
+}
+
+/// A function's graph, made of nodes of another. Its names do not end in `axis`.
 class BodyCopy {
   public:
-    explicit BodyCopy(Graph& made) : made_(made) {}
+    BodyCopy(Graph& made, std::string axis) : made_(made), axis_(std::move(axis)) {}
 
     /// Stands for `of` from now on.
     void add_input(const Node& of, const std::string& name) {
@@ -86,6 +103,8 @@ class BodyCopy {
             if (copies_.count(argument) == 0) add(*argument);
             argument = copies_.at(argument);
         }
+        node.name = without(axis_, node.name);
+        node.weak_name = without(axis_, node.weak_name);
         copies_[&of] = own(std::move(node));
     }
     void store(const Node& of) {
@@ -106,6 +125,7 @@ class BodyCopy {
     }
 
     Graph& made_;
+    std::string axis_;
     std::unordered_map<const Node*, Node*> copies_;
 };
 
@@ -240,14 +260,16 @@ void Helpers::extract(std::vector<Cone>& group, const std::string& prefix) {
     auto helper = std::make_unique<Helper>();
     helper->type = first.root->type;
     helper->graph.uniforms = graph_.uniforms;
-    helper->name = unique_name(prefix + "_" + name_of_results(group), "helper", names_);
-    BodyCopy copy(helper->graph);
+    const std::string name = name_of_results(group);
+    helper->name = unique_name(prefix + "_" + name, "helper", names_);
+    const std::string axis = axis_of(*first.root, name);
+    BodyCopy copy(helper->graph, axis);
     std::set<std::string> inputs;
     for (const Uniform& of : graph_.uniforms) inputs.insert(of.name);
     for (std::size_t i = 0; i < first.arguments.size(); ++i) {
         const std::string letter(1, static_cast<char>('a' + i));
-        copy.add_input(*first.arguments[i],
-                       unique_name(name_of_argument(group, i), letter.c_str(), inputs));
+        copy.add_input(*first.arguments[i], unique_name(without(axis, name_of_argument(group, i)),
+                                                        letter.c_str(), inputs));
     }
     for (const Node* of : first.body) copy.add(*of);
     copy.store(*first.root);

@@ -24,6 +24,11 @@ std::string named(const std::string& name, const std::string& expression) {
     return "named(" + quoted(name) + ", " + expression + ")";
 }
 
+/// What is computed of an axis: names end in its letter.
+std::string named_for(const std::string& axis, const std::string& expression) {
+    return "(recorded::NamedFor(" + quoted(axis) + "), " + expression + ")";
+}
+
 std::string trimmed(const std::string& text) {
     const std::size_t first = text.find_first_not_of(" \n");
     if (first == std::string::npos) return "";
@@ -50,6 +55,7 @@ struct Head {
     std::string name;
     std::size_t length = 0;  ///< up to the right-hand side
     bool is_declaration = false;
+    std::string axis;  ///< that it has several values of
 };
 
 /// What a line begins to declare or to assign, a right-hand side in the next line included; no name
@@ -58,15 +64,22 @@ Head head_of(const std::string& line) {
     static const std::regex declaration(
         R"(^\s*(?:const\s+)?(?:F|Mask<F>|Int<F>|vec[234]<F>|auto)\s+(\w+) =(?: (?!\{)|$))");
     static const std::regex assignment(R"(^\s*((?:this->)?\w+(?:(?:\.|->)\w+)*) =(?: (?!\{)|$))");
+    static const std::regex declaration_of_axis(
+        R"(^\s*(?:const\s+)?(?:auto|(?!\w*Jacobian)[A-Z]\w+(?:<F>)?)\s+([xyuvij]) =(?: (?!\{)|$))");
+    static const std::regex assignment_of_axis(
+        R"(^\s*((?:this->)?\w+(?:(?:\.|->)\w+)*\.([xyuvij])) =(?: (?!\{)|$))");
     static const std::regex other(R"(constexpr|static |^\s*(using|template|for|//|return)\b)");
     std::smatch found;
     if (std::regex_search(line, other)) return {};
     // What counts has the name of the counter that it is handed.
     if (line.find("counter = ") != std::string::npos) return {};
-    if (std::regex_search(line, found, declaration))
-        return {found[1], static_cast<std::size_t>(found.length()), true};
-    if (std::regex_search(line, found, assignment))
-        return {found[1], static_cast<std::size_t>(found.length()), false};
+    const auto head = [&](bool is_declaration, const std::string& axis) {
+        return Head{found[1], static_cast<std::size_t>(found.length()), is_declaration, axis};
+    };
+    if (std::regex_search(line, found, declaration_of_axis)) return head(true, found[1]);
+    if (std::regex_search(line, found, declaration)) return head(true, "");
+    if (std::regex_search(line, found, assignment_of_axis)) return head(false, found[2]);
+    if (std::regex_search(line, found, assignment)) return head(false, "");
     return {};
 }
 
@@ -80,19 +93,20 @@ bool is_left_alone(const std::string& expression) {
 std::string named_statement(const std::string& text, std::size_t at, const Head& head,
                             const std::string& comments, std::size_t& end) {
     static const std::regex next_name(R"(^,\s*(\w+) = (?!\{))");
-    std::string result, name = head.name + comments;
+    std::string result, name = head.name + comments, axis = head.axis;
     for (;;) {
         end = end_of(text, at, head.is_declaration ? ";," : ";");
         if (end == std::string::npos) return "";
         const std::string expression = text.substr(at, end - at);
         if (is_left_alone(expression)) return "";
-        result += named(name, expression);
+        result += named(name, axis.empty() ? expression : named_for(axis, expression));
         if (text[end] == ';') return result;
         std::smatch found;
         const std::string rest = text.substr(end, 200);
         if (!std::regex_search(rest, found, next_name)) return result;  // one without a value
         result += rest.substr(0, static_cast<std::size_t>(found.length()));
         name = found[1];
+        if (!axis.empty()) axis = name;
         at = end + static_cast<std::size_t>(found.length());
     }
 }
@@ -183,12 +197,62 @@ std::string with_named_results(const std::string& text, const Structs& structs) 
     return result + text.substr(done);
 }
 
+// ---- Axes ---------------------------------------------------------------------------------------
+
+/// `PrismAxis<F> x(u, K), y(v, K);`, the first argument named for its axis.
+std::string with_named_axes(const std::string& text) {
+    static const std::regex first(R"(\n\s*(?:const )?(?!Mask<|Int<)[A-Z]\w+<F> ([xyuvij])\()");
+    static const std::regex next(R"(^\),\s*([xyuvij])\()");
+    std::string result;
+    std::size_t done = 0;
+    for (std::sregex_iterator i(text.begin(), text.end(), first), last; i != last; ++i) {
+        std::string axis = (*i)[1];
+        std::size_t open = static_cast<std::size_t>(i->position() + i->length()) - 1;
+        for (;;) {
+            const std::size_t end = std::min(end_of(text, open + 1, ","), match(text, open));
+            if (end == std::string::npos) break;
+            result += text.substr(done, open + 1 - done) +
+                      named_for(axis, text.substr(open + 1, end - open - 1));
+            done = end;
+            std::smatch found;
+            const std::string rest = text.substr(match(text, open), 40);
+            if (!std::regex_search(rest, found, next)) break;
+            axis = found[1];
+            open = match(text, open) + static_cast<std::size_t>(found.length()) - 1;
+        }
+    }
+    return result + text.substr(done);
+}
+
+/// `ray.x.exit(i)`, what it computes named for its axis.
+std::string with_named_members(const std::string& text) {
+    static const std::regex call(R"((?:\w+(?:\.|->))*\b([xy])\.(?!node\b)\w+\()");
+    std::string result;
+    std::size_t done = 0;
+    for (std::sregex_iterator i(text.begin(), text.end(), call), last; i != last; ++i) {
+        const auto at = static_cast<std::size_t>(i->position());
+        const std::size_t close = match(text, at + static_cast<std::size_t>(i->length()) - 1);
+        const char before = at > 0 ? text[at - 1] : ' ';
+        const bool is_whole = !is_word(before) && before != '.' && before != '>' && before != ')';
+        if (at < done || close == std::string::npos || !is_whole) continue;
+        result += text.substr(done, at - done) + "recorded::of_axis(" + quoted((*i)[1]) +
+                  ", [&] { return " + text.substr(at, close + 1 - at) + "; })";
+        done = close + 1;
+    }
+    return result + text.substr(done);
+}
+
 }  // namespace
 
 std::string with_names(const std::string& text, const Structs& structs) {
+    // What goes through both axes of something.
+    static const std::regex both_axes(R"((for \(\w+<F>\* (\w+) : \{(&[\w.]+\.)x, \3y\}\) \{))");
     static const std::regex count(R"((\n\s*)count_in<F>\(([\w.>-]+), ([^;]*)\);)");
     static const std::regex block(R"(\bif \(when\()"), flag(R"(\bInt<F>\(HitFlag::)");
-    const std::string values = with_named_values(with_named_results(text, structs));
+    const std::string axes =
+        std::regex_replace(with_named_axes(with_named_members(text)), both_axes,
+                           "$1 const recorded::NamedFor of_axis($2 == $3x ? \"x\" : \"y\");");
+    const std::string values = with_named_values(with_named_results(axes, structs));
     const std::string counts =
         std::regex_replace(values, count, "$1count_in<F>($2, $3); $2 = named(\"$2\", $2);");
     const std::string blocks =

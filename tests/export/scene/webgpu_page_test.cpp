@@ -41,6 +41,31 @@ TEST_F(JudgePageInABrowser, FindsWhatWebGpuDrawsLegal) {
         << none.error();
 }
 
+/// Tables by directions are arrays of floats that are not filtered, their numbers uniforms.
+TEST_F(JudgePageInABrowser, FindsWhatIsDrawnOfTablesLegal) {
+    const Scene scene = load_scene(
+        "rows/vdm",
+        {test::sanitized ? "size=[4,4]" : "size=[12,8]", "camera.fov_y=2", "hardware=chromium",
+         "material.relief.shadow=shadow-none", "material.color=null", "textures.color=null",
+         "textures.height.file=" QUADREL_DATA_DIR "/textures/calibration.exr"});
+    const std::string page = judge_page(scene, {{}, webgpu_limits});
+    struct By {
+        std::string page;
+        const char *anchor, *options, *fetch, *another;
+    };
+    const By both[] = {
+        {page, "", software_gpu, "ivec3(table_x, ", "ivec3(table_y, "},
+        {busy(page), "#by=webgpu", software_webgpu, "vec2i(table_x, ", "vec2i(table_y, "}};
+    for (const By& by : both) {
+        const Judged judged(by.page, by.anchor, by.options);
+        if (has_no_webgpu(judged)) continue;
+        ASSERT_EQ(judged.error(), "");
+        EXPECT_EQ(judged.failing(), 0) << judged.verdict().dump(1);
+        const Judged other(with_planted(by.page, by.fetch, by.another), by.anchor, by.options);
+        EXPECT_GT(other.failing(), 0) << by.another << other.error();
+    }
+}
+
 /// What WebGPU has not is said where it is asked for; WebGL 2 is not touched by it.
 TEST(JudgePage, SaysWhatWebGpuHasNot) {
     const Scene scene = load_scene("sampler-border-colour", {"size=[8,8]"});

@@ -8,6 +8,34 @@ namespace quadrel {
 
 namespace recorded {
 
+/// While it lives, names end in that of what is computed: low_x. Of axes, whose texts are the same.
+class [[maybe_unused]] NamedFor {
+  public:
+    explicit NamedFor(const char* axis) : outer_(current_) { current_ = axis; }
+    NamedFor(const NamedFor&) = delete;
+    NamedFor& operator=(const NamedFor&) = delete;
+    ~NamedFor() { current_ = outer_; }
+
+    static std::string name(const std::string& name) {
+        if (current_ == nullptr) return name;
+        const std::string axis = current_;
+        const bool has_it = name == axis || name.ends_with("_" + axis) ||
+                            name.ends_with("." + axis) || name.empty();
+        return has_it ? name : name + "_" + axis;
+    }
+
+  private:
+    inline static thread_local const char* current_ = nullptr;
+    const char* outer_;
+};
+
+/// What `compute` gives, computed of that axis.
+template <class Compute>
+decltype(auto) of_axis(const char* axis, const Compute& compute) {
+    const NamedFor scope(axis);
+    return compute();
+}
+
 /// `name`, and behind line breaks the comments that stand in front. A '?' first: a weak name.
 inline void give_name(Node* node, const std::string& name) {
     using Kind = Node::Kind;
@@ -16,11 +44,11 @@ inline void give_name(Node* node, const std::string& name) {
         (node->kind == Kind::component && node->arguments[0]->kind == Kind::symbol))
         return;
     if (name[0] == '?') {
-        node->weak_name = name.substr(1);
+        node->weak_name = NamedFor::name(name.substr(1));
         return;
     }
     std::size_t end = name.find('\n');
-    node->name = name.substr(0, end);
+    node->name = NamedFor::name(name.substr(0, end));
     while (end != std::string::npos) {
         const std::size_t next = name.find('\n', end + 1);
         node->comments.push_back(name.substr(end + 1, next - end - 1));
