@@ -2,6 +2,7 @@
 // whose bytes are the very values.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <map>
@@ -266,6 +267,41 @@ TEST(SceneBuffers, PyramidsAreMipChainsOfAPowerOfTwo) {
                 EXPECT_EQ(decoded(bytes, std::size_t(y * side.width + x), layout.format, false),
                           image.values[std::size_t(y * image.width + x)]);
     }
+}
+
+/// Level 0 as an array of slices, texel by texel where direction_table.hpp has it; what it says of
+/// itself as uniforms.
+TEST(SceneBuffers, TablesByDirectionsAreArraysAndNumbers) {
+    const SmallScenes scenes;
+    const Scene scene = scenes.load("rows/vdm");
+    SceneExport options;
+    options.reference = false;
+    const ExportContent content = export_content(scene, options);
+    const auto found = std::ranges::find_if(content.textures, [](const ContentTexture& of) {
+        return of.shape == TextureShape::layers;
+    });
+    ASSERT_NE(found, content.textures.end());
+    const Texture& table = *found->texture;
+    const TextureView& view = table.view();
+    EXPECT_EQ(found->levels, 1);
+    EXPECT_FALSE(found->is_padded());
+    EXPECT_EQ(found->side(0).width, view.width[0]);
+    EXPECT_EQ(found->rows(0), view.height[0]);
+    const std::string bytes = found->bytes(0, found->layout);
+    const std::size_t a_slice = std::size_t(view.width[0]) * std::size_t(view.height[0]);
+    ASSERT_EQ(bytes.size(), a_slice * std::size_t(view.faces) * sizeof(float));
+    for (int slice = 0; slice < view.faces; ++slice)
+        EXPECT_EQ(std::memcmp(bytes.data() + std::size_t(slice) * a_slice * sizeof(float),
+                              table.level_texels(0, slice), a_slice * sizeof(float)),
+                  0)
+            << slice;
+    const UniformValues& numbers = content.materials.front().uniforms;
+    EXPECT_EQ(numbers.at("vdm_map_depth"), Floats{table.level_texels(2, 0)[0]});
+    EXPECT_EQ(numbers.at("vdm_map_curvature"), Floats{table.level_texels(2, 0)[1]});
+    for (const char* name : {"vdm_map_depth", "vdm_map_curvature"})
+        EXPECT_NE(
+            content.materials.front().program.fragment.find(std::string("uniform float ") + name),
+            std::string::npos);
 }
 
 TEST(SceneBuffers, FormatsHaveTheirNames) {
