@@ -62,8 +62,9 @@ int location_of(const std::string& attribute) {
     const auto place = std::find_if(all.begin(), all.end(),
                                     [&](const Named& of) { return of.name == attribute; }) -
                        all.begin();
-    // Those of shells are in the places of tangents and gradients, which their frames do not read.
-    static constexpr int of_shells[] = {4, 5, 6, 4, 5, 6, 7, 8};
+    // There are 16 places: some are those of tangents, gradients and curvatures, which frames of
+    // shells do not read.
+    static constexpr int of_shells[] = {13, 14, 15, 4, 5, 6, 7, 8};
     const auto others = static_cast<std::ptrdiff_t>(all.size() - std::size(of_shells));
     return place < others ? static_cast<int>(place) : of_shells[place - others];
 }

@@ -204,7 +204,7 @@ std::vector<std::string> attributes_of(const ExportContent& content) {
     return names;
 }
 
-/// Those of shells share theirs with tangents and gradients.
+/// Those of shells share theirs with tangents, gradients and curvatures.
 void check_locations(const VertexBuffers& buffers) {
     std::map<int, const char*> known;
     for (const VertexAttribute& attribute : buffers.attributes) {

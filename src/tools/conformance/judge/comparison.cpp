@@ -34,9 +34,10 @@ Film Comparison::given(const std::vector<std::size_t>& pixels) const {
 }
 
 Film Comparison::made_of(const Group& group, const Film& image,
-                         const std::vector<std::size_t>& pixels, double heights) const {
+                         const std::vector<std::size_t>& pixels, double heights,
+                         double levels) const {
     return reruns.made_of(group.channels, earlier, image,
-                          squares_around(pixels, found.window, image.window), heights);
+                          squares_around(pixels, found.window, image.window), heights, levels);
 }
 
 }  // namespace quadrel::conformance

@@ -35,9 +35,9 @@ struct Comparison {
     /// The implementation's values of the groups before, around these pixels.
     Film given(const std::vector<std::size_t>& pixels) const;
     /// What the group's stages make of an image of the values before, at these pixels. Look-ups of
-    /// heights give `heights` times what maps have.
+    /// heights give `heights` times what maps have, of a level of detail with `levels` added.
     Film made_of(const Group& group, const Film& image, const std::vector<std::size_t>& pixels,
-                 double heights = 1) const;
+                 double heights = 1, double levels = 0) const;
 
     const Scene& scene;
     const JudgeOptions options;

@@ -83,8 +83,11 @@ void take_perturbed(Differences& differences) {
     const Film image = sides.given(differences.pixels);
     for (const Perturbation& perturbation : perturbations_of(group.kind, options.errors)) {
         const Film moved = perturbed(image, group.kind, perturbation, options.texel);
-        results.include(sides.made_of(group, moved, differences.pixels, 1 + perturbation.texel),
-                        perturbation);
+        // Implicit gradients are no values that move.
+        const double levels = options.implicit_in_loops ? perturbation.level : 0;
+        results.include(
+            sides.made_of(group, moved, differences.pixels, 1 + perturbation.texel, levels),
+            perturbation);
         results.take();
         if (differences.empty()) return;
     }

@@ -74,11 +74,14 @@ RenderOptions Reruns::options(const std::vector<std::string>& channels,
 
 Film Reruns::made_of(const std::vector<std::string>& channels,
                      const std::vector<std::string>& names, const Film& image,
-                     const std::vector<Window>& parts, double heights) const {
+                     const std::vector<Window>& parts, double heights, double levels) const {
     const RenderOptions with_image = options(channels, names, image);
     PreparedRender prepared = prepare_render(scene_, with_image, select_kernels(with_image));
     std::optional<ScaledHeights> scaled;
     if (heights != 1) scaled.emplace(prepared.plan, heights);
+    for (MaterialTextures& of : prepared.plan.textures)
+        of.sampled[static_cast<std::size_t>(TextureSlot::height)].sampler.lod_bias +=
+            static_cast<float>(levels);
     Film whole{image.frame, image.window, {}};
     for (const Window& window : parts) {
         prepared.window = window;

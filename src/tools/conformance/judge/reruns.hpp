@@ -32,9 +32,11 @@ class Reruns {
     Film reference(const std::vector<std::string>& channels) const;
 
     /// What stages make of the values `names` of an image: a film of its window, drawn in parts of
-    /// it, elsewhere 0. Look-ups of heights give `heights` times what maps have.
+    /// it, elsewhere 0. Look-ups of heights give `heights` times what maps have, of a level of
+    /// detail with `levels` added.
     Film made_of(const std::vector<std::string>& channels, const std::vector<std::string>& names,
-                 const Film& image, const std::vector<Window>& parts, double heights = 1) const;
+                 const Film& image, const std::vector<Window>& parts, double heights = 1,
+                 double levels = 0) const;
 
     /// The same as ranges that `limits` permits: `take` gets a film of each of the windows, which
     /// lie in that of the image. Throws UsageError where a stage has none.
