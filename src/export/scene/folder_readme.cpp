@@ -1,10 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "export/scene/manifest.hpp"
 #include "render/plan/names.hpp"
 
 namespace quadrel {
 namespace {
+
+bool has_shells(const ExportContent& content) {
+    return std::any_of(content.materials.begin(), content.materials.end(), [](const auto& of) {
+        return std::any_of(of.samplers.begin(), of.samplers.end(), [](const ContentSampler& bound) {
+            return bound.uniform == "shell_table";
+        });
+    });
+}
 
 std::string files_table(const ExportContent& content) {
     std::string text =
@@ -25,6 +35,14 @@ std::string files_table(const ExportContent& content) {
         "(`GL_TEXTURE_CUBE_MAP_SEAMLESS`) |\n"
         "| `textures/NAME.LEVEL.exr` | the same, decoded |\n"
         "| `expected.exr` | what Quadrel draws: every channel that the shaders write |\n";
+    if (has_shells(content))
+        text +=
+            "\n`shell_table` holds what faces of shells are made of, eight texels a row, which "
+            "`face_row` numbers: row r\n"
+            "begins at texel 8 (r mod 128) of line r / 128. Its texels are fetched; they are in "
+            "eye "
+            "space, and so is a\n"
+            "shell's every vertex.\n";
     return text;
 }
 

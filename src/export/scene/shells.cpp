@@ -72,7 +72,8 @@ SceneShells::SceneShells(const Scene& scene) : objects_(scene.objects.size()) {
 }
 
 float SceneShells::add_row(const ShellTexels& row) {
-    rows_.push_back(row);
+    // All faces of a prism have one.
+    if (rows_.empty() || std::memcmp(&rows_.back(), &row, sizeof row) != 0) rows_.push_back(row);
     return static_cast<float>(rows_.size() - 1);
 }
 
@@ -128,7 +129,8 @@ void SceneShells::add(const Scene& scene, std::uint32_t object) {
             });
     const auto first = static_cast<std::int32_t>(rows_.size());
     if (walks_shell(material))
-        for (const ShellCell& cell : shell_cells(shell, mesh, first)) add_row(texels_of(cell));
+        for (const ShellCell& cell : shell_cells(shell, mesh, first))
+            rows_.push_back(texels_of(cell));  // each at the place that links say
     draw(
         shell.vertices(), std::vector<ShellTriangle>(),
         [&](const DrawnCorners& drawn, auto& all) { shell.append_faces(drawn, all); },

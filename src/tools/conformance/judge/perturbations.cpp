@@ -37,6 +37,10 @@ void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
             all.push_back({"ray", 0, 0, 0, by * errors.ray});
             all.push_back({"rate", 0, 0, 0, 0, by * errors.ray});
         }
+        for (std::size_t axis = 0; group == GroupKind::hit && axis < 3; ++axis) {
+            all.push_back({"direction"});
+            all.back().turn[axis] = by * errors.ray;
+        }
         all.push_back({"texel", 0, 0, 0, 0, 0, by * errors.texel});
         for (std::size_t axis = 0; group == GroupKind::shadow && axis < 3; ++axis) {
             all.push_back({"normal"});
@@ -68,7 +72,10 @@ Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
     for (const char* channel : {"dUVdx.U", "dUVdx.V", "dUVdy.U", "dUVdy.V"})
         scale(film, channel, exp2(perturbation.level));
     for (const char* channel : {"K.U", "K.V"}) scale(film, channel, 1 + perturbation.ray);
+    scale(film, "relief.depth", 1 + perturbation.ray);  // of which K is a multiple
     scale(film, "r", 1 + perturbation.rate);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        scale(film, std::string("P.") + "XYZ"[axis], 1 + perturbation.turn[axis]);
     for (std::size_t axis = 0; axis < 3; ++axis)
         shift(film, std::string("frame_normal.") + "XYZ"[axis], perturbation.tilt[axis]);
     return film;

@@ -35,9 +35,10 @@ struct Perturbation {
     std::string name;
     double u = 0, v = 0;  ///< the place of look-ups moves by so many texels of the height map
     double level = 0;     ///< gradients are those of a footprint 2^level as long
-    double ray = 0;       ///< K grows by this part of it
+    double ray = 0;       ///< K, and the relief's depth, grow by this part of them
     double rate = 0;      ///< r grows by this part of it, by which rays bend over curved reliefs
     double texel = 0;     ///< heights grow by this part of them
+    std::array<double, 3> turn{};  ///< components of P grow by these parts, and turn the view ray
     std::array<double, 3> tilt{};  ///< is added to the frame\'s normal, which has lights behind it
     /// The eye moves along the object's axes by these parts of its distance from the object's
     /// origin, for searches whose ray comes from a vertex program: no image has that.

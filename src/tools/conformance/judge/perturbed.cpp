@@ -84,7 +84,9 @@ void take_perturbed(Differences& differences) {
     for (const Perturbation& perturbation :
          perturbations_of(group.kind, options.errors, has_vertex_rays(sides.scene))) {
         const Film moved = perturbed(image, group.kind, perturbation, options.texel);
-        const Moved by{1 + perturbation.texel, perturbation.eye};
+        // Implicit gradients are no values that move.
+        const double levels = options.implicit_in_loops ? perturbation.level : 0;
+        const Moved by{1 + perturbation.texel, levels, perturbation.eye};
         results.include(sides.made_of(group, moved, differences.pixels, by), perturbation);
         results.take();
         if (differences.empty()) return;

@@ -107,6 +107,9 @@ Film Reruns::made_of(const std::vector<std::string>& channels,
     std::optional<ScaledHeights> scaled;
     if (moved.heights != 1) scaled.emplace(prepared.plan, moved.heights);
     if (moved.eye != std::array<double, 3>{}) move_eye(prepared.geometry, moved.eye);
+    for (MaterialTextures& of : prepared.plan.textures)
+        of.sampled[static_cast<std::size_t>(TextureSlot::height)].sampler.lod_bias +=
+            static_cast<float>(moved.levels);
     Film whole{image.frame, image.window, {}};
     for (const Window& window : parts) {
         prepared.window = window;

@@ -28,6 +28,7 @@ class ScaledHeights {
 /// What stages read that is no value of an image.
 struct Moved {
     double heights = 1;           ///< look-ups of heights give so many times what maps have
+    double levels = 0;            ///< they are of a level of detail with this added
     std::array<double, 3> eye{};  ///< as Perturbation has it
 };
 

@@ -17,6 +17,14 @@ std::string vector_of(const std::string& name) {
     return is_component ? name.substr(0, dot) : name;
 }
 
+/// The largest size among them.
+double longest_of(const std::vector<const Plane*>& planes, std::size_t pixel) {
+    double longest = 0;
+    for (const Plane* plane : planes)
+        longest = std::max(longest, std::fabs(static_cast<double>(plane->as_float(pixel))));
+    return longest;
+}
+
 }  // namespace
 
 Roundings::Roundings(const Film& film, const std::vector<std::string>& channels,
@@ -26,16 +34,21 @@ Roundings::Roundings(const Film& film, const std::vector<std::string>& channels,
         Channel& channel = channels_.emplace_back();
         if (film.find(name)->type != ChannelType::float32) continue;
         if (name == "hit.s") channel.least = errors.height;
-        for (const Plane& plane : film.planes)
+        for (const Plane& plane : film.planes) {
             if (vector_of(plane.name) == vector_of(name)) channel.vector.push_back(&plane);
+            if (vector_of(name) == "K" && plane.name.starts_with("J."))
+                channel.gradients.push_back(&plane);
+        }
+        if (vector_of(name) == "K") channel.depth = film.find("relief.depth");
     }
 }
 
 double Roundings::of(std::size_t channel, std::size_t pixel) const {
-    double longest = 0;
-    for (const Plane* plane : channels_[channel].vector)
-        longest = std::max(longest, std::fabs(static_cast<double>(plane->as_float(pixel))));
-    return std::max(rounding_ * longest, channels_[channel].least);
+    const Channel& of = channels_[channel];
+    const double depth = of.depth != nullptr ? std::fabs(of.depth->as_float(pixel)) : 0;
+    const double longest =
+        std::max(longest_of(of.vector, pixel), depth * longest_of(of.gradients, pixel));
+    return std::max(rounding_ * longest, of.least);
 }
 
 }  // namespace quadrel::conformance
