@@ -17,6 +17,8 @@ struct RangeTable {
     void (*ends)(const void* values, std::int32_t lane, double* low, double* high);
     /// Lets each lane of an array of values be what it is in the other one, too.
     void (*join)(void* values, const void* others);
+    /// Lets one lane of an array of values be no more than it is in the other one, too.
+    void (*narrow)(void* values, const void* others, std::int32_t lane);
     /// Names what the coordinates u and v of each lane may be off by, so that what is computed from
     /// them is known to move with them.
     void (*name_place)(void* u, void* v);

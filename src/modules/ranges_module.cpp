@@ -28,6 +28,20 @@ void join_values(void* values, const void* others) {
         to[lane] = joined(to[lane], static_cast<const Ranged*>(others)[lane]);
 }
 
+/// With what the second one has beside its ends.
+Ranged narrowed(const Ranged& a, const Ranged& b) {
+    const RealInterval x = a.range(), y = b.range();
+    if ((x.lo <= y.lo && y.hi <= x.hi) || x.hi < y.lo || y.hi < x.lo) return b;
+    Ranged result(std::max(x.lo, y.lo), std::min(x.hi, y.hi));
+    result.unit = b.unit;
+    return result;
+}
+
+void narrow_value(void* values, const void* others, std::int32_t lane) {
+    Ranged& value = static_cast<Ranged*>(values)[lane];
+    value = narrowed(value, static_cast<const Ranged*>(others)[lane]);
+}
+
 /// The middle of a range, and what is left as the named error `part` of a group.
 Ranged with_named_error(const Ranged& x, std::int32_t group, int part) {
     const RealInterval range = x.range();
@@ -64,6 +78,7 @@ const RangeTable& table_of(StageList<S...>) {
                                   [] { return &range_context(); },
                                   &ends,
                                   &join_values,
+                                  &narrow_value,
                                   &name_place};
     return table;
 }

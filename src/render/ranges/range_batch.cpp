@@ -17,9 +17,6 @@
 namespace quadrel {
 namespace {
 
-constexpr int quad_lanes = 4;
-constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
-
 constexpr double no_border = std::numeric_limits<double>::infinity();
 
 constexpr FragmentRange unknown{-no_border, no_border, 0, no_border, no_border};
@@ -56,23 +53,6 @@ bool is_integer(int slot) {
     const auto end = std::ranges::upper_bound(first_slots, slot);
     return value_table[static_cast<std::size_t>(end - first_slots.begin() - 1)].kind ==
            ValueKind::integer;
-}
-
-constexpr std::array differences = {Value::dPdx, Value::dPdy, Value::dUVdx, Value::dUVdy};
-
-bool takes_differences(const PlannedStage& stage) {
-    return std::ranges::any_of(differences, [&](Value v) { return stores(stage, v); });
-}
-
-/// Lets each lane be what it is in another array, too.
-void join_arrays(const RangeTable& table, ValueKind kind, void* values, const void* others) {
-    if (kind == ValueKind::real) return table.join(values, others);
-    auto* const ends = static_cast<std::int32_t*>(values);
-    const auto* const other_ends = static_cast<const std::int32_t*>(others);
-    for (int i = 0; i < 2 * quad_lanes; i += 2) {
-        ends[i] = std::min(ends[i], other_ends[i]);
-        ends[i + 1] = std::max(ends[i + 1], other_ends[i + 1]);
-    }
 }
 
 /// A lane's element of an array of integers, which holds both ends.
@@ -180,6 +160,8 @@ void RangeBatch::run_stages(const MaterialPlan& plan) {
     for (std::size_t i = 0; i < plan.stages.size(); ++i) {
         if (is_made_of_differences(plan, i))
             run_along_rows_and_columns(plan, i);
+        else if (is_made_at_the_hit(plan, i))
+            run_at_parts_of_the_place(plan, i);
         else
             run_stage(plan, i);
         if (context_->too_many) return;
@@ -199,62 +181,6 @@ void RangeBatch::run_stage(const MaterialPlan& plan, std::size_t number) {
     else
         stage.run(&call_);
     if (injected_ != nullptr) inject_after(plan, number);
-}
-
-/// Whether it makes a frame of the differences of P and UV, all of which an implementation takes
-/// along one row and one column.
-bool RangeBatch::is_made_of_differences(const MaterialPlan& plan, std::size_t number) const {
-    const PlannedStage& stage = plan.stages[number];
-    return plan_.budget.derivatives == DerivativeFreedom::quad &&
-           stage.info->text.room == std::string_view("frame") && stage.run != nullptr &&
-           std::ranges::any_of(differences, [&](Value v) {
-               return std::ranges::count(stage.info->inputs, v) != 0;
-           });
-}
-
-/// The stage along either row and either column: of each lane what any of these makes of it. Its
-/// own are among them, so that this holds fine differences, too. Where nothing has been undecided
-/// so far it is the same in every run of the quad.
-void RangeBatch::run_along_rows_and_columns(const MaterialPlan& plan, std::size_t number) {
-    if (frame_.known) return take_known_frame(plan.stages[number]);
-    const auto differentiate = static_cast<std::size_t>(
-        std::ranges::find_if(plan.stages, takes_differences) - plan.stages.begin());
-    if (differentiate >= number) return run_stage(plan, number);
-    frame_.arrays.resize(memory_.size());
-    for (int choice = 0; choice < 4 && !context_->too_many; ++choice) {
-        context_->row_and_column = choice;
-        run_stage(plan, differentiate);
-        run_stage(plan, number);
-        for_each_output(plan.stages[number], [&](ValueKind kind, void* values, std::byte* kept) {
-            if (choice > 0) join_arrays(*plan_.table, kind, values, kept);
-            std::memcpy(kept, values, array_bytes);
-        });
-    }
-    context_->row_and_column = -1;
-    run_stage(plan, differentiate);
-    frame_.known = context_->open == 0 && context_->joined == 0 && !context_->too_many;
-    frame_.shared_errors = context_->shared_errors;
-    frame_.unit_vectors = context_->unit_vectors;
-}
-
-void RangeBatch::take_known_frame(const PlannedStage& stage) {
-    for_each_output(stage, [](ValueKind, void* values, const std::byte* kept) {
-        std::memcpy(values, kept, array_bytes);
-    });
-    context_->shared_errors = std::max(context_->shared_errors, frame_.shared_errors);
-    context_->unit_vectors = std::max(context_->unit_vectors, frame_.unit_vectors);
-}
-
-/// With the place where a frame's array is kept.
-template <class Take>
-void RangeBatch::for_each_output(const PlannedStage& stage, const Take& take) {
-    std::byte* kept = frame_.arrays.data();
-    for (const Value value : stage.info->outputs)
-        for (int i = 0; i < arrays_of(value); ++i)
-            if (void* const values = values_[static_cast<std::size_t>(slot_of(value) + i)]) {
-                take(info(value).kind, values, kept);
-                kept += array_bytes;
-            }
 }
 
 /// What a stage that has no function for ranges has drawn, as it is.

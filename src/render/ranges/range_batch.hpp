@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "quadrel/num/range/ranged.hpp"
 #include "quadrel/raster/coverage.hpp"
 #include "render/draw/batch.hpp"
 #include "render/ranges/range_plan.hpp"
@@ -36,6 +37,8 @@ class RangeBatch {
     /// the second number of them, whole levels are.
     static constexpr double levels_at_once = 0.25, most_levels_apart = 3;
 
+    static constexpr int quad_lanes = 4;
+
     explicit RangeBatch(const RangePlan& plan);
 
     /// Runs the stages over the quads that `drawn` has been loaded with. `call` comes with
@@ -53,14 +56,20 @@ class RangeBatch {
     Uncertified uncertified(int lane) const { return uncertified_[static_cast<std::size_t>(lane)]; }
 
   private:
+    /// Of a value's array; integers need less.
+    static constexpr std::size_t array_bytes = quad_lanes * sizeof(Ranged);
+
     void prepare(const MaterialPlan& plan);
     void run_stages(const MaterialPlan& plan);
     void run_stage(const MaterialPlan& plan, std::size_t number);
     bool is_made_of_differences(const MaterialPlan& plan, std::size_t number) const;
     void run_along_rows_and_columns(const MaterialPlan& plan, std::size_t number);
     void take_known_frame(const PlannedStage& stage);
+    bool is_made_at_the_hit(const MaterialPlan& plan, std::size_t number) const;
+    void run_at_parts_of_the_place(const MaterialPlan& plan, std::size_t number);
+    void narrow_to_parts(const PlannedStage& stage, int lane);
     template <class Take>
-    void for_each_output(const PlannedStage& stage, const Take& take);
+    void for_each_output(const PlannedStage& stage, std::vector<std::byte>& kept, const Take& take);
     void take_drawn(const PlannedStage& stage);
     void inject_after(const MaterialPlan& plan, std::size_t stage);
     void name_place();
@@ -100,6 +109,7 @@ class RangeBatch {
         std::int32_t shared_errors = 0, unit_vectors = 0;  ///< RangeContext's, behind it
     };
     Frame frame_;
+    std::vector<std::byte> at_whole_, at_parts_;    ///< of a stage, likewise: wherever a hit may be
     std::vector<FragmentRange> results_;            ///< [slot of the plan][lane]
     std::vector<std::vector<FragmentRange>> ways_;  ///< of the followed lane: [slot of the plan]
     std::vector<std::size_t> through_;  ///< stages until it is written: [slot of the plan]
