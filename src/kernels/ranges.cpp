@@ -19,7 +19,7 @@ const RangeTable& load_ranges() {
     const auto function = reinterpret_cast<TableFunction>(dlsym(module, range_symbol));
     const RangeTable* const table = function != nullptr ? function() : nullptr;
     if (table == nullptr || table->magic != kernel_magic ||
-        table->abi_version != kernel_abi_version || table->value_bytes != sizeof(Ranged) ||
+        table->abi_version != range_abi_version || table->value_bytes != sizeof(Ranged) ||
         table->context_bytes != sizeof(RangeContext))
         throw UsageError(
             fmt::format("ranges: {} is not of this version of Quadrel", path->string()));

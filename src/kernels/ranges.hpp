@@ -24,6 +24,10 @@ struct RangeTable {
     void (*name_place)(void* u, void* v);
 };
 
+/// A changed layout changes it.
+inline constexpr std::uint32_t range_abi_version =
+    kernel_abi_version + static_cast<std::uint32_t>(sizeof(RangeTable));
+
 inline constexpr const char* range_symbol = "quadrel_range_table";
 
 /// The module's table. Throws UsageError where it is not installed.

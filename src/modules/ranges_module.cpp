@@ -70,7 +70,7 @@ template <class... S>
 const RangeTable& table_of(StageList<S...>) {
     static const KernelRow rows[] = {{S::text.id, &run_stage<S, Ranges>}...};
     static const RangeTable table{kernel_magic,
-                                  kernel_abi_version,
+                                  range_abi_version,
                                   sizeof(Ranged),
                                   sizeof(RangeContext),
                                   rows,
