@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "effort.hpp"
 #include "export/scene/content.hpp"
 #include "export/scene/judged.hpp"
 #include "page/range_codes.hpp"
@@ -53,6 +54,7 @@ TEST_F(JudgePageInABrowser, FindsWhatItsGpuDrawsLegal) {
 }
 
 TEST_F(JudgePageInABrowser, ShowsPlantedErrors) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     struct Planted {
         const char *from, *to, *first;
     };
@@ -74,6 +76,7 @@ TEST_F(JudgePageInABrowser, ShowsPlantedErrors) {
 }
 
 TEST_F(JudgePageInABrowser, IsAViewerWhereNothingCanBeDrawn) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     const std::string page = judge_page(small_scene(), {{}, ""});
     const Judged judged(with_planted(page, "hit_uv = ", "hit_uv = missing + "), "");
     EXPECT_NE(judged.error().find("bricks.frag does not compile"), std::string::npos)
@@ -184,6 +187,7 @@ TEST_F(JudgePageInABrowser, FindsWhatLiesInAGap) {
 /// Of pixels without ranges nothing is said but that: neither by the line on top, the table and the
 /// pictures' legend, nor where one looks at a pixel.
 TEST_F(JudgePageInABrowser, SaysWhatIsNotJudged) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     const JudgePage options = page_of_normals();
     const Scene scene = small_scene();
     const ExportContent content = export_content(scene, options.scene);
@@ -231,6 +235,7 @@ TEST_F(JudgePageInABrowser, SaysWhatIsNotJudged) {
 /// Codes have no ranges, and all of them may be wrong while every other channel is legal: the line
 /// on top says so, and how many pixels are hardly judged at all.
 TEST_F(JudgePageInABrowser, SaysThatCodesDiffer) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     const std::string page = judge_page(small_scene(), {{}, limits});
     const Judged judged(with_planted(page, "found ? STATUS_HIT : STATUS_FLOOR",
                                      "found ? STATUS_CAP : STATUS_FLOOR"),

@@ -73,6 +73,9 @@ class Judged {
     Json verdict_;
 };
 
+/// Why a test is skipped under the sanitizers that others beside it do not skip.
+inline constexpr const char* runs_in_browser = "what it adds runs in the browser, unsanitized";
+
 class JudgePageInABrowser : public testing::Test {
   protected:
     void SetUp() override {

@@ -1,6 +1,7 @@
 // The tab of the judge's page that asks a browser's GPU what it does where it may choose.
 #include <fmt/format.h>
 
+#include "effort.hpp"
 #include "export/scene/judge_page.hpp"
 #include "export/scene/judged.hpp"
 #include "io/scene/setting_words.hpp"
@@ -76,6 +77,7 @@ TEST_F(JudgePageInABrowser, AsksTheProbes) {
 
 /// Where WebGPU draws the scene probes are told by WGSL's names and what WebGPU permits.
 TEST_F(JudgePageInABrowser, TellsTheProbesInTheTermsOfWhatDraws) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     const auto says = [](const Judged& judged, const std::string& text) {
         return judged.dom().find(text) != std::string::npos;
     };
@@ -100,6 +102,7 @@ TEST_F(JudgePageInABrowser, TellsTheProbesInTheTermsOfWhatDraws) {
 
 /// A GPU that does otherwise is told.
 TEST_F(JudgePageInABrowser, ProbesTellPlantedRules) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     struct Planted {
         const char *from, *to, *id, *seen;
         bool permitted;

@@ -1,5 +1,6 @@
 // The judge's page by WebGPU: what a browser draws from WGSL is found legal, and a shader that was
 // changed is not.
+#include "effort.hpp"
 #include "export/scene/judge_page.hpp"
 #include "export/scene/judged.hpp"
 
@@ -26,6 +27,7 @@ bool has_no_webgpu(const Judged& judged) {
 }
 
 TEST_F(JudgePageInABrowser, FindsWhatWebGpuDrawsLegal) {
+    if (test::sanitized) GTEST_SKIP() << runs_in_browser;
     const std::string page = busy(judge_page(small_scene(), {{}, webgpu_limits}));
     const Judged judged(page, "#by=webgpu", software_webgpu);
     if (has_no_webgpu(judged)) GTEST_SKIP() << judged.error();

@@ -43,9 +43,8 @@ WgslScene wgsl_scene(const SmallScenes& scenes, const std::string& name) {
 
 /// Of these a pipeline of the first pass is made, too, which takes a compiler longer.
 const std::set<std::string>& with_pipelines() {
-    static const std::set<std::string> names{"thesis-quad", "rows/frag-depth",
-                                             "rows/frame-vertex-published",
-                                             "rows/prism-gs-published"};
+    static const std::set<std::string> names{
+        "thesis-quad", "rows/frag-depth", "rows/frame-vertex-published", "rows/prism-gs-published"};
     return names;
 }
 
