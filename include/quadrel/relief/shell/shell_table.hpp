@@ -2,10 +2,15 @@
 // structs: eight texels a row, rows beside each other and then one line below the other. A fragment
 // has the number of its row; what is interpolated are varyings.
 //
-//     texel   PrismFace          ShellFace                 ShellCell
-//     0-2     bottom, u of a-c   gradient; to_floor, snap, cell   0-3: gradient, s of the corners
-//     3-5     top, v of a-c      gradients of u, v and s   4, 5: uv of the corners
-//     6       turned, snap                                 6: links, 7: origin
+//     texel  PrismFace             ShellFace                 ShellCell
+//     0      bottom of a, u of a   gradient of a, to_floor   gradient of 0, s of 0
+//     1      bottom of b, u of b   gradient of b, snap       gradient of 1, s of 1
+//     2      bottom of c, u of c   gradient of c, cell       gradient of 2, s of 2
+//     3      top of a, v of a      gradient of u             gradient of 3, s of 3
+//     4      top of b, v of b      gradient of v             uv of 0, uv of 1
+//     5      top of c, v of c      gradient of s             uv of 2, uv of 3
+//     6      turned, snap                                    links
+//     7                                                      origin
 //
 // Whole numbers are floats there, and exact up to 2^24.
 #pragma once
