@@ -28,6 +28,7 @@
 #include "quadrel/error.hpp"
 #include "quadrel/relief/registry.hpp"
 #include "quadrel/scene/load.hpp"
+#include "render/plan/shell_check.hpp"
 
 namespace quadrel::cli {
 namespace {
@@ -47,9 +48,12 @@ ExitCode list_stages(const ExportArguments& arguments) {
     if (!arguments.scene.empty()) words.push_back(arguments.scene);
     ListRows rows;
     for (const ExportRow& row : export_rows()) {
+        const StageInfo& stage = *find_stage(row.id);
+        const StageText& of = stage.text;
+        const bool has_vertex_part = stage.reads_vertices && !is_of_shells(of.id);
+        const std::string yes = has_vertex_part ? "yes, in part in the vertex shader" : "yes";
         const std::string text = fmt::format("{:<34} {}\n", row.room + "/" + row.id,
-                                             row.refusal.empty() ? "yes" : "no: " + row.refusal);
-        const StageText& of = find_stage(row.id)->text;
+                                             row.refusal.empty() ? yes : "no: " + row.refusal);
         rows.push_back({fmt::format("{} {} {}", text, of.summary, of.source), text, {}});
     }
     for (const ListRow& row : filtered_rows(std::move(rows), words)) print(row.text);

@@ -82,8 +82,10 @@ std::vector<VertexAttribute> attributes_of(const ExportContent& content) {
     for (const VertexAttribute& attribute : all_vertex_attributes())
         if (read.erase(attribute.name) != 0) all.push_back(attribute);
     for (const auto& [name, attribute] : read)
-        all.push_back({name, attribute->number, std::atoi(attribute->type.c_str()), 0,
-                       "what the vertex program makes of the corner"});
+        all.push_back(
+            {name, attribute->number, std::atoi(attribute->type.c_str()), 0,
+             "the varying of that name, as Quadrel has it: what the vertex shader's function "
+             "makes of the corner"});
     return all;
 }
 

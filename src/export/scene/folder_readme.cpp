@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "export/scene/manifest.hpp"
+#include "render/draw/shell.hpp"
 #include "render/plan/names.hpp"
 
 namespace quadrel {
@@ -42,7 +43,13 @@ std::string files_table(const ExportContent& content) {
             "begins at texel 8 (r mod 128) of line r / 128. Its texels are fetched; they are in "
             "eye "
             "space, and so is a\n"
-            "shell's every vertex.\n";
+            "shell's every vertex. Of a `frame-shell` face texels 0 to 2 hold the gradients of its "
+            "corners' weights, 3 to 5 those\n"
+            "of u, v and s; of a tetrahedron, which shadows go through, 0 to 3 those of its "
+            "corners' and their s, 4 and 5\n"
+            "their uv, 6 the rows behind its faces, 7 a point of it; of a `frame-prism` face 0 to "
+            "2 the corners of the base,\n"
+            "3 to 5 of the top, with their uv. What stands in w is named by the shader.\n";
     return text;
 }
 
@@ -128,6 +135,28 @@ const char* language_text(const std::string& language) {
     return (language == "hlsl" ? hlsl : glsl).c_str();
 }
 
+/// What vertices are made of, and what a port replaces.
+std::string vertices_text(const ExportContent& content) {
+    const auto is_shell = [&](const ContentMaterial& of) {
+        return draws_shell(content.scene->materials[of.material]);
+    };
+    const auto& all = content.materials;
+    std::string text;
+    if (content.language != "wgsl" && !std::all_of(all.begin(), all.end(), is_shell))
+        text +=
+            "`SHADED_VERTICES` (1 where it is not defined) takes each varying from an attribute "
+            "that has Quadrel's own\n"
+            "value, so that what comes after is judged by itself; 0 makes it of the mesh's own "
+            "vertices by the matrices,\n"
+            "as a port does.\n";
+    if (std::any_of(all.begin(), all.end(), is_shell))
+        text +=
+            "Shells are for this view alone: their triangles are those that a geometry shader "
+            "would emit, in eye space\n"
+            "and clip space, whatever `SHADED_VERTICES` says.\n";
+    return text;
+}
+
 std::string samples_text(const Scene& scene) {
     if (scene.samples == 1) return "";
     return fmt::format(
@@ -155,7 +184,7 @@ std::string folder_readme(const ExportContent& content) {
         "Each pass draws everything into its targets, 32-bit floats, with a cleared depth buffer. "
         "Draws\n"
         "are in order, with the depth test of the manifest's `state`.\n"
-        "{}\n{}\n{}\n"
+        "{}{}\n{}\n{}\n"
         "Pixels that nothing covers hold the manifest's `clear` values. Whole numbers (`uint`) "
         "are\n"
         "written as floats.\n\n{}\n"
@@ -169,8 +198,8 @@ std::string folder_readme(const ExportContent& content) {
         "specification, `quadrel render --limits` tells.\n",
         scene.file.stem().string(), scene.file.filename().string(), scene.width, scene.height,
         content.language, files_table(content), language_text(content.language),
-        conventions_text(scene.conventions), samples_text(scene), channels_table(content),
-        stages_text(content), name_of(scene.hardware));
+        vertices_text(content), conventions_text(scene.conventions), samples_text(scene),
+        channels_table(content), stages_text(content), name_of(scene.hardware));
 }
 
 }  // namespace quadrel

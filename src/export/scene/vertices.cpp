@@ -252,9 +252,10 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"bitangent", 6, 3, 0, "of the corner, eye space, likewise"},
         {"gradient_u", 7, 3, 0, "of u in the triangle's plane, eye space"},
         {"gradient_v", 8, 3, 0, "of v in the triangle's plane, eye space"},
-        {"eye_position", 9, 3, 0, "model_view * position"},
-        {"clip_position", 10, 4, 0, "projection * eye_position"},
-        {"eye_normal", 11, 3, 0, "normal_matrix * normal, or face_normal in meshes without"},
+        {"eye_position", 9, 3, 0, "eye space: model_view * position, or a shell's corner"},
+        {"clip_position", 10, 4, 0, "clip space: projection * eye_position"},
+        {"eye_normal", 11, 3, 0,
+         "eye space: normal_matrix * normal, or face_normal in meshes without"},
         {"mapped_coordinates", 12, 2, 0, "texture_matrix * texture_coordinates"},
         {"curvature", 13, 2, 0, "quadric of the corner, fitted to the mesh in eye space"},
         {"unit_tangent", 14, 3, 0, "of the corner, along growing u, unit, object space"},
@@ -267,7 +268,8 @@ const std::vector<VertexAttribute>& all_vertex_attributes() {
         {"emitted_bv", 21, 3, 0, "of prisms as listed: along v"},
         {"emitted_height", 22, 1, 0, "of prisms as listed: 0 at the base, 1 at the top"},
         {"emitted_side", 23, 1, 0,
-         "of prisms as listed: 1 where a side faces the eye, else -1 or 0"}};
+         "of prisms as listed: 1 on sides that face the eye, -1 on others, 0 on the base and "
+         "edge-on"}};
     return all;
 }
 

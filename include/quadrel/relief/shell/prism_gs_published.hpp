@@ -35,7 +35,9 @@ struct PrismGsPublished : StageDefaults {
     static constexpr bool may_miss = true;
     static constexpr bool reads_vertices = true;
     static constexpr const char* not_reproduced =
-        "the application's clipping plane (DEBUG_CLIP); the normal, which is a surface's";
+        "the application's clipping plane (DEBUG_CLIP); the normal, which is a surface's, and on "
+        "back "
+        "faces, where the listing turns relief and normal round, that of the relief as it is";
 
     /// u_parallax_quality.
     struct Params {
