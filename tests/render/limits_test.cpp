@@ -465,6 +465,13 @@ TEST(Limits, AreMostlyDecided) {
     EXPECT_LE(wide_share(ranges, "R", 0.1f), 0.25);
 }
 
+/// Where slopes change around a hit, as in most of these pixels, its normal is known by parts of
+/// the place.
+TEST(Limits, OfNormalsAreNarrowWhereSlopesChange) {
+    const Film ranges = render_limited({"stones-45", {160, 320, 168, 322}}, "gl,rho=exact");
+    EXPECT_LE(wide_share(ranges, "N.Y", 0.14f), 0.6);
+}
+
 TEST(Limits, OfExactArithmeticAreNarrowAndWithinThose) {
     RenderOptions options;
     options.channels = {"bound.lo.uv.U", "bound.hi.uv.U", "bound.lo.K.U", "bound.hi.K.U",

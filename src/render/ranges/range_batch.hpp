@@ -67,6 +67,7 @@ class RangeBatch {
     void take_known_frame(const PlannedStage& stage);
     bool is_made_at_the_hit(const MaterialPlan& plan, std::size_t number) const;
     void run_at_parts_of_the_place(const MaterialPlan& plan, std::size_t number);
+    bool is_last_run_of(int lane) const;
     void narrow_to_parts(const PlannedStage& stage, int lane);
     template <class Take>
     void for_each_output(const PlannedStage& stage, std::vector<std::byte>& kept, const Take& take);

@@ -60,11 +60,13 @@ class PlaceParts {
                 table.ends(uv_[axis], lane, &ends_[axis][i].lo, &ends_[axis][i].hi);
             }
     }
-    /// Whether there are parts: a place that is bounded, and no point.
-    bool is_range(int lane) const {
+    /// Whether parts of it say more: where it is a point, or nearly, slopes do not change.
+    bool is_worth_it(int lane, const TextureView& heights) const {
+        constexpr double least_texels = 1.0 / 64;
         const auto i = static_cast<std::size_t>(lane);
-        const double width = ends_[0][i].width() + ends_[1][i].width();
-        return whole_[0][i].is_bounded() && whole_[1][i].is_bounded() && width > 0;
+        const double width = std::max(ends_[0][i].width() * heights.width[0],
+                                      ends_[1][i].width() * heights.height[0]);
+        return whole_[0][i].is_bounded() && whole_[1][i].is_bounded() && width > least_texels;
     }
     /// Lets the lane's hit be in one part, and all others' anywhere.
     void take(int lane, int part) const {
@@ -176,19 +178,30 @@ bool RangeBatch::is_made_at_the_hit(const MaterialPlan& plan, std::size_t number
 /// undecided, or becomes so, the place stays whole.
 void RangeBatch::run_at_parts_of_the_place(const MaterialPlan& plan, std::size_t number) {
     const PlannedStage& stage = plan.stages[number];
+    const SampledTexture* const heights = call_.textures[static_cast<int>(TextureSlot::height)];
     const Undecidedness before(*context_);
     run_stage(plan, number);
-    if (before.has_changed(*context_)) return;
+    if (heights == nullptr || before.has_changed(*context_)) return;
     for_each_output(stage, at_whole_, [](ValueKind, const void* values, std::byte* kept) {
         std::memcpy(kept, values, array_bytes);
     });
     const auto slot = static_cast<std::size_t>(slot_of(Value::hit_uv));
     const PlaceParts place(*plan_.table, *context_, values_[slot], values_[slot + 1]);
+    // What is known as well as this needs no parts, which take as long as a short search.
+    constexpr double narrow = 1.0 / 16;
+    const auto is_wide = [&](int lane) {
+        bool wide = false;
+        for_each_output(stage, at_whole_, [&](ValueKind kind, void*, const std::byte* kept) {
+            double low = 0, high = 0;
+            if (kind == ValueKind::real) plan_.table->ends(kept, lane, &low, &high);
+            wide |= !(high - low <= narrow);
+        });
+        return wide;
+    };
     bool all = true;
     for (int lane = 0; lane < quad_lanes && all; ++lane) {
-        const bool asked = context_->followed < 0 || context_->followed == lane;
-        if (!asked || quad_->samples[static_cast<std::size_t>(lane)] == 0) continue;
-        if (!place.is_range(lane)) continue;
+        if (!is_last_run_of(lane) || !place.is_worth_it(lane, heights->view)) continue;
+        if (!is_wide(lane)) continue;
         for (int part = 0; part < PlaceParts::count && all; ++part) {
             place.take(lane, part);
             run_stage(plan, number);
@@ -204,6 +217,14 @@ void RangeBatch::run_at_parts_of_the_place(const MaterialPlan& plan, std::size_t
     for_each_output(stage, at_whole_, [](ValueKind, void* values, const std::byte* kept) {
         std::memcpy(values, kept, array_bytes);
     });
+}
+
+/// Whether what this run makes of a lane is what is known of it, and not what one that follows the
+/// lane makes.
+bool RangeBatch::is_last_run_of(int lane) const {
+    if (quad_->samples[static_cast<std::size_t>(lane)] == 0) return false;
+    if (context_->followed >= 0) return context_->followed == lane;
+    return (context_->joined >> lane & 1) == 0 && level_borders(lane).empty();
 }
 
 /// What is kept of the whole place in a lane is no more than all parts make.
