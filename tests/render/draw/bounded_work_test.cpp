@@ -117,6 +117,7 @@ TEST(BoundedWork, EverySearchEnds) {
 }
 
 TEST(BoundedWork, EveryShadowEnds) {
+    if (test::sanitized) GTEST_SKIP() << "takes minutes under the sanitizers";
     for (const std::string& id : ids_of("shadow")) {
         Scene scene = long_rays(long_way(id));
         Material& material = scene.materials[0];
