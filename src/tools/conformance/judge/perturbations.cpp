@@ -37,7 +37,8 @@ void add_perturbations(std::vector<Perturbation>& all, GroupKind group,
             all.push_back({"ray", 0, 0, 0, by * errors.ray});
             all.push_back({"rate", 0, 0, 0, 0, by * errors.ray});
         }
-        for (std::size_t axis = 0; group == GroupKind::hit && axis < 3; ++axis) {
+        const bool has_rays = group == GroupKind::hit || group == GroupKind::shadow;
+        for (std::size_t axis = 0; has_rays && axis < 3; ++axis) {
             all.push_back({"direction"});
             all.back().turn[axis] = by * errors.ray;
         }
@@ -75,7 +76,8 @@ Film perturbed(Film film, GroupKind group, const Perturbation& perturbation,
     scale(film, "relief.depth", 1 + perturbation.ray);  // of which K is a multiple
     scale(film, "r", 1 + perturbation.rate);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        scale(film, std::string("P.") + "XYZ"[axis], 1 + perturbation.turn[axis]);
+        scale(film, std::string(searches ? "P." : "hit.P.") + "XYZ"[axis],
+              1 + perturbation.turn[axis]);
     for (std::size_t axis = 0; axis < 3; ++axis)
         shift(film, std::string("frame_normal.") + "XYZ"[axis], perturbation.tilt[axis]);
     return film;

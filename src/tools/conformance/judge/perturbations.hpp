@@ -38,7 +38,9 @@ struct Perturbation {
     double ray = 0;       ///< K, and the relief's depth, grow by this part of them
     double rate = 0;      ///< r grows by this part of it, by which rays bend over curved reliefs
     double texel = 0;     ///< heights grow by this part of them
-    std::array<double, 3> turn{};  ///< components of P grow by these parts, and turn the view ray
+    /// Components of P, or of the hit's for shadows, grow by these parts, and turn the ray from
+    /// the eye, or to the light.
+    std::array<double, 3> turn{};
     std::array<double, 3> tilt{};  ///< is added to the frame\'s normal, which has lights behind it
     /// The eye moves along the object's axes by these parts of its distance from the object's
     /// origin, for searches whose ray comes from a vertex program: no image has that.
