@@ -27,9 +27,12 @@ class Corner {
     CornerFloats all_;
 };
 
-/// A row of the table.
+/// A row of the table; nothing where it has none of that number, as by a planted error.
 void add_texels(const Texture& table, float row, Corner& corner) {
     const auto number = static_cast<std::size_t>(row);
+    const TextureView& view = table.view();
+    if (!(row >= 0) || number >= static_cast<std::size_t>(view.height[0]) * shell_rows_a_line)
+        return;
     corner.add(table.level_texels(0, 0) + number * shell_texels_a_row * 4, shell_texels_a_row * 4);
 }
 void add_texels(const ShellTexels& texels, Corner& corner) {
