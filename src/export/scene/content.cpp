@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "export/direction_maps.hpp"
@@ -122,10 +123,15 @@ class Collector {
         const auto run = [&](std::size_t object, const VertexList& vertices) {
             return values_of(object, vertices);
         };
-        content_.buffers = vertex_buffers(*content_.scene, attributes, run);
+        content_.buffers = vertex_buffers(*content_.scene, shells(), attributes, run);
     }
 
   private:
+    const SceneShells& shells() {
+        if (!shells_) shells_.emplace(*content_.scene);
+        return *shells_;
+    }
+
     static void add_table_numbers(const std::string& map, const Texture& table,
                                   UniformValues& values) {
         const float* const numbers = table.level_texels(2, 0);
@@ -215,7 +221,7 @@ class Collector {
 
     /// One table for all materials, whose texels are fetched.
     ContentSampler bound_shells(const ProgramName& sampler) {
-        if (shell_table_ == nullptr) shell_table_ = SceneShells(*content_.scene).table();
+        if (shell_table_ == nullptr) shell_table_ = shells().table();
         ContentSampler out{sampler.name, 0, {}};
         out.state.mag = out.state.min = Filter::nearest;
         out.state.mip = MipFilter::none;
@@ -241,6 +247,7 @@ class Collector {
     const RenderPlan& plan_;
     std::vector<std::unique_ptr<MaterialProgram>> programs_;  ///< one a material
     std::set<std::string> names_, texture_names_;
+    std::optional<SceneShells> shells_;  ///< once they are asked for
     std::shared_ptr<const Texture> shell_table_;
 };
 

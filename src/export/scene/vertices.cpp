@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 
-#include "export/scene/shells.hpp"
 #include "export/scene/whole_triangle.hpp"
 #include "render/draw/primitive_vertices.hpp"
 #include "render/draw/shell.hpp"
@@ -64,9 +63,9 @@ class ProgramVertices {
 
 class Builder {
   public:
-    Builder(const Scene& scene, const std::vector<VertexAttribute>& attributes,
-            const VertexProgramRun& run)
-        : scene_(scene), shells_(scene), run_(run) {
+    Builder(const Scene& scene, const SceneShells& shells,
+            const std::vector<VertexAttribute>& attributes, const VertexProgramRun& run)
+        : scene_(scene), shells_(shells), run_(run) {
         int offset = 0;
         for (VertexAttribute attribute : attributes) {
             const int number = number_of(attribute);
@@ -232,7 +231,7 @@ class Builder {
     }
 
     const Scene& scene_;
-    SceneShells shells_;
+    const SceneShells& shells_;
     const VertexProgramRun& run_;
     VertexBuffers buffers_;
     std::vector<int> numbers_;  ///< of the attributes
@@ -279,9 +278,10 @@ int VertexBuffers::floats_a_vertex() const {
     return floats;
 }
 
-VertexBuffers vertex_buffers(const Scene& scene, const std::vector<VertexAttribute>& attributes,
+VertexBuffers vertex_buffers(const Scene& scene, const SceneShells& shells,
+                             const std::vector<VertexAttribute>& attributes,
                              const VertexProgramRun& run) {
-    Builder builder(scene, attributes, run);
+    Builder builder(scene, shells, attributes, run);
     for (std::size_t object = 0; object < scene.objects.size(); ++object)
         if (scene.objects[object].visible) builder.add(object);
     return builder.take();

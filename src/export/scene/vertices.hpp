@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "export/export.hpp"
+#include "export/scene/shells.hpp"
 #include "quadrel/scene/scene.hpp"
 
 namespace quadrel {
@@ -44,12 +45,13 @@ struct VertexBuffers {
 /// "shaded_".
 using VertexProgramRun = std::function<NamedFloats(std::size_t object, const VertexList& vertices)>;
 
-/// Of the visible objects, with these attributes. Positions, normals and texture coordinates are
-/// the meshes' own; what is made of triangles (normals of faces, tangents, gradients of u and v) is
-/// in eye space but for unit_tangent and unit_binormal. Triangles without area there are left out.
-/// `run` is asked where an attribute is none of all_vertex_attributes; objects whose material does
-/// not make it have 0.
-VertexBuffers vertex_buffers(const Scene& scene, const std::vector<VertexAttribute>& attributes,
+/// Of the visible objects, with these attributes; `shells` are the scene's. Positions, normals and
+/// texture coordinates are the meshes' own; what is made of triangles (normals of faces, tangents,
+/// gradients of u and v) is in eye space but for unit_tangent and unit_binormal. Triangles without
+/// area there are left out. `run` is asked where an attribute is none of all_vertex_attributes;
+/// objects whose material does not make it have 0.
+VertexBuffers vertex_buffers(const Scene& scene, const SceneShells& shells,
+                             const std::vector<VertexAttribute>& attributes,
                              const VertexProgramRun& run);
 
 }  // namespace quadrel

@@ -96,7 +96,7 @@ Floats interpolated(const Geometry& geometry, std::size_t triangle, int corner) 
 }
 
 VertexBuffers all_buffers(const Scene& scene) {
-    return vertex_buffers(scene, all_vertex_attributes(),
+    return vertex_buffers(scene, SceneShells(scene), all_vertex_attributes(),
                           [](std::size_t, const VertexList&) { return NamedFloats(); });
 }
 
