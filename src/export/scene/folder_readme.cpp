@@ -9,7 +9,7 @@
 namespace quadrel {
 namespace {
 
-bool has_shells(const ExportContent& content) {
+bool has_shell_table(const ExportContent& content) {
     return std::any_of(content.materials.begin(), content.materials.end(), [](const auto& of) {
         return std::any_of(of.samplers.begin(), of.samplers.end(), [](const ContentSampler& bound) {
             return bound.uniform == "shell_table";
@@ -36,7 +36,7 @@ std::string files_table(const ExportContent& content) {
         "(`GL_TEXTURE_CUBE_MAP_SEAMLESS`) |\n"
         "| `textures/NAME.LEVEL.exr` | the same, decoded |\n"
         "| `expected.exr` | what Quadrel draws: every channel that the shaders write |\n";
-    if (has_shells(content))
+    if (has_shell_table(content))
         text +=
             "\n`shell_table` holds what faces of shells are made of, eight texels a row, which "
             "`face_row` numbers: row r\n"
